@@ -31,10 +31,10 @@ static void add_stuck(Text *text, const House *house, const Observation *observa
 }
 
 void answer_text_add(Text *text, const House *house, const Observation *observation) {
-    char headline[HEADLINE_TEXT];
+    Arena arena = {0};
     Census census = census_make(house, observation);
-    headline_text(house, observation, headline, sizeof headline);
-    text_format(text, "%s\n%s%s%s\n", headline, house->plan.name, *house->plan.note ? ": " : "", house->plan.note);
+    text_format(text, "%s\n", headline_sentence(house, observation, &arena));
+    text_format(text, *house->plan.note ? "%s: %s\n" : "%s\n", house->plan.name, house->plan.note);
     if (census.people > CENSUS_ROWS) {
         add_table(text, "", result_house_parties(house, &census, false));
         add_stuck(text, house, observation, census.people - census.out);
@@ -44,6 +44,7 @@ void answer_text_add(Text *text, const House *house, const Observation *observat
     add_table(text, "", result_house_routes(house, observation));
     add_table(text, "", result_house_hazards(observation));
     census_clear(&census);
+    arena_clear(&arena);
 }
 
 void answer_text_print(const House *house, const Observation *observation) {

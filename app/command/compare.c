@@ -32,11 +32,10 @@ static void print_pair(ResultTable a, ResultTable b, const char *succeeded, cons
 }
 
 static void print_comparison(const House houses[2], const Observation observations[2]) {
-    char headline[HEADLINE_TEXT];
-    for (int h = 0; h < 2; h++) {
-        headline_text(&houses[h], &observations[h], headline, sizeof headline);
-        printf("%c: %s: %s\n", "ab"[h], houses[h].plan.name, headline);
-    }
+    Arena arena = {0};
+    for (int h = 0; h < 2; h++)
+        printf("%c: %s: %s\n", "ab"[h], houses[h].plan.name, headline_sentence(&houses[h], &observations[h], &arena));
+    arena_clear(&arena);
     Census census[2] = {census_make(&houses[0], &observations[0]), census_make(&houses[1], &observations[1])};
     if (census[0].people > CENSUS_ROWS)
         print_pair(result_house_parties(&houses[0], &census[0], false),

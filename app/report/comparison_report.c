@@ -61,8 +61,7 @@ static void add_pictures(Document *document, const Reported runs[2]) {
     Scene scenes[2];
     const char *captions[2];
     for (int r = 0; r < 2; r++) {
-        char headline[HEADLINE_TEXT];
-        headline_text(runs[r].house, runs[r].observation, headline, sizeof headline);
+        const char *headline = headline_sentence(runs[r].house, runs[r].observation, &document->arena);
         captions[r] = document_text(document, "%s: %s. %s.", names[r], house_report_name(runs[r].house), headline);
         Before before = {.house = r ? runs[0].house : NULL, .observation = r ? runs[0].observation : NULL};
         house_scene_make_small(&scenes[r], runs[r].house, runs[r].observation, before);

@@ -58,9 +58,8 @@ static void add_motion(Document *document, const HouseReport *report) {
 Document house_report_make(const HouseReport *report) {
     const House *house = report->run.house;
     const Observation *observation = report->run.observation;
-    char headline[HEADLINE_TEXT];
     Document document = document_begin(report->making->program);
-    headline_text(house, observation, headline, sizeof headline);
+    const char *headline = headline_sentence(house, observation, &document.arena);
     document_add_title(&document, document_text(&document, "Evacuation report: %s", house_report_name(house)),
                        headline);
     add_house(&document, &report->run, report->making, headline);

@@ -28,7 +28,7 @@ void report_people_add(Document *document, const House *house, const Observation
     Census census = census_make(house, observation);
     document_add_heading(document, 2, "Who gets out");
     if (!census.people) {
-        document_add_paragraph(document, "Nobody takes part.");
+        document_add_paragraph(document, "No person takes part.");
     } else if (census.people > CENSUS_ROWS) {
         add_table(document,
                   "Mean and last: times of those who are out. Lost: mean of all, against the free speed. Contacts: "

@@ -175,7 +175,15 @@ void census_clear(Census *census) {
     *census = (Census){0};
 }
 
-/* "29 blocked at door d2", "p1 cannot pass door d2 (needs at least 0.80 m, has 0.75 m)" */
+/* Returns the format of a reason without a place, of one person or of several. */
+static const char *other_reason(Reason reason) {
+    return reason == REASON_NO_EXIT       ? "%s without an exit"
+           : reason == REASON_DIVERGED    ? "%s diverged"
+           : reason == REASON_INTERRUPTED ? "%s interrupted"
+                                          : "%s stopped by the time limit";
+}
+
+/* Prints "29 blocked at door d2", "p1 cannot pass door d2 (needs at least 0.80 m, has 0.75 m)". */
 static void format_hold(const House *house, const Hold *hold, bool with_widths, char *text, size_t size) {
     const char *what = hold->blockage.what;
     char widths[64] = "", who[64];
@@ -194,7 +202,7 @@ static void format_hold(const House *house, const Hold *hold, bool with_widths, 
     else if (hold->reason == REASON_BLOCKED)
         snprintf(text, size, "%s blocked by %s", who, hold->people > 1 ? "other people" : what);
     else
-        snprintf(text, size, "%s %s", who, observation_reason(hold->reason));
+        snprintf(text, size, other_reason(hold->reason), who);
 }
 
 void census_reasons(const House *house, const Census *census, bool with_widths, char *text, size_t size) {
@@ -211,19 +219,26 @@ void census_reasons(const House *house, const Census *census, bool with_widths, 
         snprintf(text + used, size - used, ", %zu elsewhere", rest);
 }
 
-void census_contacts(const Census *census, char *text, size_t size) {
-    if (!census->contacts)
-        snprintf(text, size, "no contact");
-    else
-        snprintf(text, size, census->contacts == 1 ? "%d contact" : "%d contacts", census->contacts);
-}
-
 const Party *census_find_party(const House *house, const Census *census, const char *name, const char *profile) {
     for (size_t p = 0; p < census->party_count; p++)
         if (strcmp(census_party_name(house, &census->parties[p]), name) == 0 &&
             strcmp(census->parties[p].profile->name, profile) == 0)
             return &census->parties[p];
     return NULL;
+}
+
+size_t census_narrowest(const House *house, const Observation *observation) {
+    size_t narrowest = SIZE_MAX;
+    double least = HUGE_VAL;
+    for (size_t i = 0; i < observation->person_count; i++) {
+        const PersonObservation *person = &observation->people[i];
+        bool known = person->took_part && person->time > 0;
+        if (known && person->narrowest < fmin(least, house->people[i].profile->space_reach)) {
+            least = person->narrowest;
+            narrowest = i;
+        }
+    }
+    return narrowest;
 }
 
 double census_route_time(const House *house, const Observation *observation, const PlanRoute *route) {

@@ -4,7 +4,10 @@
 
 #include "house/observation.h"
 
-enum { CENSUS_ROWS = 30 /* at most so many people are listed one by one; larger numbers are summed up */ };
+enum {
+    CENSUS_FEW = 6,   /* at most so many people are shown one by one on the plan; more are a crowd */
+    CENSUS_ROWS = 30, /* at most so many people are listed one by one; larger numbers are summed up */
+};
 
 /* The members of a crowd, or single people of one profile with one route. */
 typedef struct Party {
@@ -45,12 +48,9 @@ typedef struct Census {
 Census census_make(const House *house, const Observation *observation);
 void census_clear(Census *census);
 
-/* Prints "27 cannot pass door d2 (needs at least 0.39 m, has 0.30 m), 2 time limit": the holds of the people who are
- * not out, with or without the widths. */
+/* Prints "27 cannot pass door d2 (needs at least 0.39 m, has 0.30 m), 2 stopped by the time limit": the holds of the
+ * people who are not out, with or without the widths. */
 void census_reasons(const House *house, const Census *census, bool with_widths, char *text, size_t size);
-
-/* Prints "no contact", "1 contact" or "12 contacts". */
-void census_contacts(const Census *census, char *text, size_t size);
 
 /* Returns the id of the crowd or of the only member, or "single people". */
 const char *census_party_name(const House *house, const Party *party);
@@ -60,6 +60,9 @@ const Party *census_find_party(const House *house, const Census *census, const c
 
 /* True if the profile goes on foot, not in a chair. */
 bool census_walks(const Profile *profile);
+
+/* Returns the person with the least clearance; SIZE_MAX if nothing entered any personal space. */
+size_t census_narrowest(const House *house, const Observation *observation);
 
 /* Returns the mean time of a route's people, s; negative if one of them did not leave or took no part. */
 double census_route_time(const House *house, const Observation *observation, const PlanRoute *route);

@@ -1,50 +1,154 @@
 #include "result/headline.h"
 
+#include <stdint.h>
 #include <stdio.h>
 
-#include "result/census.h"
+#include "base/text.h"
 
-/* Prints "p1 is blocked at door d2 after 18.4 s". */
-static void format_stuck(const House *house, const Observation *observation, size_t i, char *text, size_t size) {
-    const PersonObservation *person = &observation->people[i];
-    const Blockage *blockage = &person->blockage;
-    const char *id = house->people[i].id;
-    char widths[64];
-    route_widths(blockage, widths, sizeof widths);
-    if (house->people[i].under)
-        snprintf(text, size, "%s is caught %s", id, blockage->what);
-    else if (person->reason == REASON_CANNOT_PASS)
-        snprintf(text, size, "%s cannot pass %s%s%s", id, blockage->what, *widths ? ": " : "", widths);
-    else if (person->reason == REASON_BLOCKED)
-        snprintf(text, size, "%s is blocked at %s after %.1f s", id, blockage->what, person->time);
-    else
-        snprintf(text, size, "%s is not out: %s at %.1f s", id, observation_reason(person->reason), person->time);
+static const double CLOSE = 0.1; /* m: clearances below it are told in millimetres */
+
+const char *headline_clearance(double clearance, Arena *arena) {
+    if (clearance <= 0)
+        return "touches";
+    if (isinf(clearance))
+        return "-"; /* no person came near to anything */
+    return text_in_arena(arena, clearance < CLOSE ? "%.3f m" : "%.2f m", clearance);
 }
 
-void headline_text(const House *house, const Observation *observation, char *text, size_t size) {
-    Census census = census_make(house, observation);
-    size_t stuck = census.people - census.out;
-    if (!census.people) {
-        snprintf(text, size, "Nobody takes part");
-    } else if (!stuck && census.people == 1) {
-        snprintf(text, size, "Out in %.1f s", observation->time);
-    } else if (!stuck) {
-        bool alone = house->plan.run.routes == ROUTES_ALONE && house->plan.route_count > 1;
-        snprintf(text, size, alone ? "All %zu out, each route alone, in at most %.1f s" : "All %zu out in %.1f s",
-                 census.people, observation->time);
-    } else {
-        char why[HEADLINE_TEXT / 2], others[64] = "";
-        if (census.out)
-            snprintf(others, sizeof others,
-                     census.out > 1 ? "; the others are out in %.1f s" : "; the other person is out in %.1f s",
-                     census.last);
-        if (stuck == 1) {
-            format_stuck(house, observation, census.stuck, why, sizeof why);
-            snprintf(text, size, "%s%s", why, others);
-        } else {
-            census_reasons(house, &census, true, why, sizeof why);
-            snprintf(text, size, "%zu of %zu are not out: %s%s", stuck, census.people, why, others);
-        }
+/* All out --------------------------------------------------------------------------------------------------------- */
+
+/* Returns "no contact", "1 contact, up to 20 N" or "12 contacts, up to 340 N". */
+static const char *contacts(const Census *census, Arena *arena) {
+    if (!census->contacts)
+        return "no contact";
+    return text_in_arena(arena, census->contacts == 1 ? "%d contact, up to %.0f N" : "%d contacts, up to %.0f N",
+                         census->contacts, census->peak_force);
+}
+
+/* Returns "narrowest 0.06 m at door d2, 3 contacts, up to 20 N". */
+static const char *findings(const House *house, const Observation *observation, const Census *census, Arena *arena) {
+    size_t narrowest = census_narrowest(house, observation);
+    const char *touched = contacts(census, arena);
+    if (narrowest == SIZE_MAX)
+        return text_in_arena(arena, "nothing entered a personal space, %s", touched);
+    const PersonObservation *person = &observation->people[narrowest];
+    const char *clearance = headline_clearance(person->narrowest, arena);
+    char place[96];
+    if (person->narrowest_other >= 0)
+        snprintf(place, sizeof place, "person %s", house->people[person->narrowest_other].id);
+    else
+        outline_place_name(&house->outline, &house->plan, person->narrowest_to, place, sizeof place);
+    return text_in_arena(arena, person->narrowest <= 0 ? "%s %s, %s" : "narrowest %s at %s, %s", clearance, place,
+                         touched);
+}
+
+/* Returns "mean 96.1 s on foot, 162.0 s in chairs, 12 contacts, up to 340 N". */
+static const char *mean_times(const Census *census, Arena *arena) {
+    double sums[2] = {0};
+    size_t counts[2] = {0};
+    for (size_t p = 0; p < census->party_count; p++) {
+        const Party *party = &census->parties[p];
+        bool walks = census_walks(party->profile);
+        sums[walks] += party->out ? party->mean * (double)party->out : 0;
+        counts[walks] += party->out;
     }
+    double chairs = sums[0] / (double)counts[0], walkers = sums[1] / (double)counts[1];
+    const char *touched = contacts(census, arena);
+    if (counts[0] && counts[1])
+        return text_in_arena(arena, "mean %.1f s on foot, %.1f s in chairs, %s", walkers, chairs, touched);
+    return text_in_arena(arena, "mean %.1f s, %s", counts[0] ? chairs : walkers, touched);
+}
+
+/* Routes that are driven alone have no time in common. */
+static Headline all_out(const House *house, const Observation *observation, const Census *census, Arena *arena) {
+    bool alone = house->plan.run.routes == ROUTES_ALONE && house->plan.route_count > 1;
+    size_t people = census->people;
+    double time = observation->time;
+    const char *detail = people > CENSUS_FEW ? mean_times(census, arena) : findings(house, observation, census, arena);
+    Headline headline = {.role = ROLE_TEXT, .detail = detail};
+    if (people == 1) {
+        headline.sentence = headline.title = text_in_arena(arena, "Out in %.1f s", time);
+    } else {
+        headline.sentence = headline.title = text_in_arena(arena, "All %zu out in %.1f s", people, time);
+    }
+    if (people > 1 && alone) {
+        headline.sentence = text_in_arena(arena, "All %zu out, each route alone, in at most %.1f s", people, time);
+        headline.detail = text_in_arena(arena, "each route alone, %s", detail);
+    }
+    return headline;
+}
+
+/* Not all out ----------------------------------------------------------------------------------------------------- */
+
+/* Returns "p1 is blocked at door d2 after 18.4 s". */
+static const char *why(const House *house, const PersonObservation *person, size_t i, Arena *arena) {
+    const char *id = house->people[i].id, *what = person->blockage.what;
+    if (house->people[i].under)
+        return text_in_arena(arena, "%s is caught %s", id, what);
+    switch (person->reason) {
+    case REASON_CANNOT_PASS:
+        return text_in_arena(arena, "%s cannot pass %s", id, *what ? what : "here");
+    case REASON_BLOCKED:
+        return *what ? text_in_arena(arena, "%s is blocked at %s after %.1f s", id, what, person->time)
+                     : text_in_arena(arena, "%s is blocked after %.1f s", id, person->time);
+    case REASON_NO_EXIT:
+        return text_in_arena(arena, "%s has no exit to go to", id);
+    case REASON_TIME_LIMIT:
+    case REASON_NONE:
+        break;
+    case REASON_INTERRUPTED:
+        return text_in_arena(arena, "%s is not out: the run was interrupted at %.1f s", id, person->time);
+    case REASON_DIVERGED:
+        return text_in_arena(arena, "%s is not out: the simulation diverged at %.2f s", id, person->time);
+    }
+    return text_in_arena(arena, "%s is not out after %.1f s", id, person->time);
+}
+
+static Headline one_stuck(const House *house, const Observation *observation, const Census *census, Arena *arena) {
+    const PersonObservation *person = &observation->people[census->stuck];
+    char widths[64];
+    route_widths(&person->blockage, widths, sizeof widths);
+    const char *title = why(house, person, census->stuck, arena), *detail = arena_text(arena, widths);
+    return (Headline){.role = ROLE_ERROR,
+                      .title = title,
+                      .detail = detail,
+                      .sentence = *detail ? text_in_arena(arena, "%s: %s", title, detail) : title};
+}
+
+/* Returns the reasons, with or without the widths, and when the other people are out. */
+static const char *reasons(const House *house, const Census *census, bool with_widths, Arena *arena) {
+    char text[512];
+    census_reasons(house, census, with_widths, text, sizeof text);
+    return !census->out ? arena_text(arena, text)
+                        : text_in_arena(arena,
+                                        census->out > 1 ? "%s; the others are out in %.1f s"
+                                                        : "%s; the other person is out in %.1f s",
+                                        text, census->last);
+}
+
+/* The line next to a title has no room for the widths of several places. */
+static Headline several_stuck(const House *house, const Census *census, Arena *arena) {
+    size_t stuck = census->people - census->out;
+    Headline headline = {.role = ROLE_ERROR};
+    headline.title =
+        text_in_arena(arena, stuck == 1 ? "%zu of %zu is not out" : "%zu of %zu are not out", stuck, census->people);
+    headline.detail = reasons(house, census, census->hold_count == 1, arena);
+    headline.sentence = text_in_arena(arena, "%s: %s", headline.title, reasons(house, census, true, arena));
+    return headline;
+}
+
+Headline headline_make(const House *house, const Observation *observation, const Census *census, Arena *arena) {
+    const char *empty = house->person_count ? "No person takes part" : "The house has no people";
+    if (!census->people)
+        return (Headline){.title = empty, .detail = "", .sentence = empty, .role = ROLE_TEXT};
+    return census->stuck == SIZE_MAX ? all_out(house, observation, census, arena)
+           : census->people == 1     ? one_stuck(house, observation, census, arena)
+                                     : several_stuck(house, census, arena);
+}
+
+const char *headline_sentence(const House *house, const Observation *observation, Arena *arena) {
+    Census census = census_make(house, observation);
+    Headline headline = headline_make(house, observation, &census, arena);
     census_clear(&census);
+    return headline.sentence;
 }

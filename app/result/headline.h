@@ -1,10 +1,22 @@
-/* The headline of a run, the same on the terminal and in a report. */
+/* The headline of a run of a house: window, pictures, terminal and report take it from here. */
 #pragma once
 
-#include "house/house.h"
-#include "house/observation.h"
+#include "draw/palette.h"
+#include "result/census.h"
 
-enum { HEADLINE_TEXT = 1024 /* room for a headline */ };
+/* A window and a picture show title and detail, terminal and report only the sentence: tables follow there. */
+typedef struct Headline {
+    const char *title;    /* "Out in 18.4 s", "2 of 4 are not out" */
+    const char *detail;   /* how near people came to anything, or why people are not out; "": nothing to add */
+    const char *sentence; /* title and reasons: "p1 cannot pass door d2: needs at least 0.80 m, has 0.75 m" */
+    Role role;            /* of the title */
+} Headline;
 
-/* Prints "Out in 18.4 s", or why people are not out. */
-void headline_text(const House *house, const Observation *observation, char *text, size_t size);
+/* The texts live in the arena, or as long as the program. */
+Headline headline_make(const House *house, const Observation *observation, const Census *census, Arena *arena);
+
+/* Returns only the sentence. */
+const char *headline_sentence(const House *house, const Observation *observation, Arena *arena);
+
+/* Returns "0.26 m", "0.064 m" below a decimetre, or "touches" from 0 down. */
+const char *headline_clearance(double clearance, Arena *arena);

@@ -7,6 +7,7 @@
 
 #include "base/clock.h"
 #include "laboratory/house/runs.h"
+#include "result/headline.h"
 #include "result/house.h"
 #include "result/panel.h"
 #include "visual/house/blockage_scene.h"
@@ -43,7 +44,7 @@ static void say_moment(HouseSession *session, size_t person, double time) {
     bool free = row[TRACE_CLEARANCE] >= reach;
     add_pair(session, "speed now", scene_text(scene, "%.2f m/s", row[TRACE_SPEED]));
     add_pair(session, "clearance now",
-             free ? scene_text(scene, "over %.2f m", reach) : people_scene_clearance(scene, row[TRACE_CLEARANCE]));
+             free ? scene_text(scene, "over %.2f m", reach) : headline_clearance(row[TRACE_CLEARANCE], &scene->arena));
     add_pair(session, "contact force now", scene_text(scene, "%.0f N", row[TRACE_BODY_FORCE]));
 }
 
@@ -269,14 +270,15 @@ static void say_answer(HouseSession *session) {
     if (!answering->house.person_count) {
         words->title = run->title;
         words->role = run->title_role;
-        words->detail = "W draws walls, D a door, X an exit; P places a person, who then tries to get out";
+        words->detail = "W draws walls, D a door, X an exit; P places a person, who then moves to an exit";
         return;
     }
     const char *than = against(session, session->runs[RUN_CLEAN] ? &answering->observation : session->observation);
     words->title = run->title;
     words->role = run->title_role;
-    words->detail =
-        *than ? scene_text(&words->moment, "%s%s%s", than, *run->detail ? "; " : "", run->detail) : run->detail;
+    words->detail = !*than         ? run->detail
+                    : *run->detail ? scene_text(&words->moment, "%s; %s", than, run->detail)
+                                   : than;
 }
 
 /* Writes the answer of the draft from the beginning on, while a mixed run is displayed. */

@@ -65,44 +65,6 @@ LocusLook crowd_scene_look(const House *house, const Profile *profile) {
     return look;
 }
 
-/* The answer --------------------------------------------------------------------------------------------------------*/
-
-/* "mean 96.1 s on foot, 162.0 s in chairs" */
-static const char *mean_times(Scene *scene, const Census *census) {
-    double sums[2] = {0};
-    size_t counts[2] = {0};
-    for (size_t p = 0; p < census->party_count; p++) {
-        const Party *party = &census->parties[p];
-        bool walks = census_walks(party->profile);
-        sums[walks] += party->out ? party->mean * (double)party->out : 0;
-        counts[walks] += party->out;
-    }
-    double chairs = sums[0] / (double)counts[0], walkers = sums[1] / (double)counts[1];
-    if (counts[0] && counts[1])
-        return scene_text(scene, "mean %.1f s on foot, %.1f s in chairs", walkers, chairs);
-    return scene_text(scene, "mean %.1f s", counts[0] ? chairs : walkers);
-}
-
-void crowd_scene_answer(Scene *scene, const House *house, const Observation *observation, const Census *census) {
-    size_t stuck = census->people - census->out;
-    if (stuck) {
-        char why[512];
-        census_reasons(house, census, census->hold_count == 1, why, sizeof why); /* longer texts would not fit */
-        scene->title_role = ROLE_ERROR;
-        scene->title = scene_text(scene, "%zu of %zu not out", stuck, census->people);
-        scene->detail = census->out ? scene_text(scene, "%s; the others are out in %.1f s", why, census->last)
-                                    : arena_text(&scene->arena, why);
-        return;
-    }
-    bool alone = house->plan.run.routes == ROUTES_ALONE && house->plan.route_count > 1;
-    scene->title_role = ROLE_TEXT;
-    scene->title = scene_text(scene, "All %zu out in %.1f s", census->people, observation->time);
-    char contacts[64];
-    census_contacts(census, contacts, sizeof contacts);
-    scene->detail =
-        scene_text(scene, alone ? "each route alone, %s, %s" : "%s, %s", mean_times(scene, census), contacts);
-}
-
 /* Loci --------------------------------------------------------------------------------------------------------------*/
 
 /* Lists points of a trail at least `step` apart, and its end; returns their number. */

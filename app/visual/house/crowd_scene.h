@@ -21,9 +21,6 @@ bool crowd_scene_is_large(Box box);
 /* Adds a chair as a sign, in its own size or the smallest that is visible on a plan of the box. */
 Primitive *crowd_scene_chair(Scene *scene, Box box, const Profile *profile, Pose pose, Role role);
 
-/* Sets title and detail: all are out, or how many are not and why. */
-void crowd_scene_answer(Scene *scene, const House *house, const Observation *observation, const Census *census);
-
 /* In painting order; the scene's box must be set. The labels must be added behind all other primitives. */
 void crowd_scene_ways(Scene *scene, const House *house, const Observation *observation, const Census *census);
 void crowd_scene_labels(Scene *scene, const Observation *observation, const Census *census);

@@ -1,10 +1,8 @@
 #include "visual/house/house_scene.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "visual/house/blockage_scene.h"
 #include "result/census.h"
 #include "visual/house/crowd_scene.h"
 #include "visual/house/people_scene.h"
@@ -30,98 +28,14 @@ bool house_scene_is_assumed(const Plan *plan) {
     return holds_word(plan->note, ASSUMED);
 }
 
-/* Prints why a person is not out: "cannot pass door d2" and so on. */
-static const char *failure(Scene *scene, const Inhabitant *who, const PersonObservation *person) {
-    const char *what = person->blockage.what;
-    if (who->under)
-        return scene_text(scene, "caught %s", what);
-    switch (person->reason) {
-    case REASON_CANNOT_PASS:
-        return scene_text(scene, "cannot pass %s", *what ? what : "here");
-    case REASON_BLOCKED:
-        return *what ? scene_text(scene, "blocked by %s", what) : "blocked";
-    case REASON_NO_EXIT:
-        return "no exit to go to";
-    case REASON_TIME_LIMIT:
-    case REASON_NONE:
-        return scene_text(scene, "not out after %.0f s", person->time);
-    case REASON_INTERRUPTED:
-        return scene_text(scene, "interrupted at %.1f s", person->time);
-    case REASON_DIVERGED:
-        return scene_text(scene, "the simulation diverged at %.2f s", person->time);
-    }
-    return "";
-}
-
-static const char *capitalized(Scene *scene, const char *text) {
-    return scene_text(scene, "%c%s", toupper((unsigned char)*text), text + (*text != 0));
-}
-
-/* Prints "narrowest 0.06 m at door d2" and the contacts. */
-static const char *findings(Scene *scene, const House *house, const Observation *observation, const Census *census) {
-    size_t narrowest = people_scene_narrowest(house, observation);
-    char counted[64];
-    census_contacts(census, counted, sizeof counted);
-    const char *contacts = scene_text(scene, census->contacts ? "%s, up to %.0f N" : "%s", counted, census->peak_force);
-    if (narrowest == SIZE_MAX)
-        return scene_text(scene, "nothing entered a personal space, %s", contacts);
-    const PersonObservation *person = &observation->people[narrowest];
-    char place[96];
-    if (person->narrowest_other >= 0)
-        snprintf(place, sizeof place, "person %s", house->people[person->narrowest_other].id);
-    else
-        outline_place_name(&house->outline, &house->plan, person->narrowest_to, place, sizeof place);
-    const char *clearance = people_scene_clearance(scene, person->narrowest);
-    if (person->narrowest <= 0)
-        return scene_text(scene, "%s %s, %s", clearance, place, contacts);
-    return scene_text(scene, "narrowest %s at %s, %s", clearance, place, contacts);
-}
-
-/* Routes that are driven alone have no time in common, only that they lead out. */
-static void format_yes(Scene *scene, const House *house, const Observation *observation, const Census *census) {
-    scene->title_role = ROLE_TEXT;
-    scene->detail = findings(scene, house, observation, census);
-    if (census->people == 1) {
-        scene->title = scene_text(scene, "Out in %.1f s", observation->time);
-    } else if (house->plan.run.routes == ROUTES_ALONE) {
-        scene->title = scene_text(scene, "All %zu get out", census->people);
-        scene->detail = scene_text(scene, "each route alone, at most %.1f s, %s", observation->time, scene->detail);
-    } else {
-        scene->title = scene_text(scene, "All %zu out in %.1f s", census->people, observation->time);
-    }
-}
-
-/* Names the reason of the first person who is not out. */
-static void format_no(Scene *scene, const House *house, const Observation *observation, const Census *census) {
-    const PersonObservation *person = &observation->people[census->stuck];
-    const char *why = failure(scene, &house->people[census->stuck], person),
-               *how_much = blockage_scene_widths(scene, &person->blockage);
-    scene->title_role = ROLE_ERROR;
-    if (census->people == 1) {
-        scene->title = capitalized(scene, why);
-        scene->detail = how_much;
-        return;
-    }
-    scene->title = scene_text(scene, "%zu of %zu out", census->out, census->people);
-    scene->detail =
-        scene_text(scene, *how_much ? "%s: %s, %s" : "%s: %s", house->people[census->stuck].id, why, how_much);
-}
-
 static void format_answer(Scene *scene, const House *house, const Observation *observation, const Census *census) {
     scene->name = arena_text(&scene->arena, *house->plan.name ? house->plan.name : "house");
     scene->note = house_scene_is_assumed(&house->plan) ? arena_text(&scene->arena, house->plan.note) : "";
     scene->clock = observation->time > 0 ? scene_text(scene, "0 to %.1f s", observation->time) : "";
-    if (!census->people) {
-        scene->title_role = ROLE_TEXT;
-        scene->title = "The house has no people";
-        scene->detail = "";
-    } else if (is_crowd(census)) {
-        crowd_scene_answer(scene, house, observation, census);
-    } else if (census->stuck == SIZE_MAX) {
-        format_yes(scene, house, observation, census);
-    } else {
-        format_no(scene, house, observation, census);
-    }
+    Headline headline = headline_make(house, observation, census, &scene->arena);
+    scene->title = headline.title;
+    scene->detail = headline.detail;
+    scene->title_role = headline.role;
 }
 
 /* Distances mean nothing in a crowd, and the names need the room. */
@@ -131,7 +45,7 @@ static void list_hazards(Scene *scene, const House *house, const Observation *ob
     scene_add_row(scene, ROW_HEADING, "Dangerous points");
     for (size_t i = 0; i < observation->hazard_count && i < PEOPLE_SCENE_HAZARDS; i++) {
         const Hazard *hazard = &observation->hazards[i];
-        const char *clearance = people_scene_clearance(scene, hazard->clearance);
+        const char *clearance = headline_clearance(hazard->clearance, &scene->arena);
         const RunSettings *run = &house->plan.run;
         bool pushed = crowd ? hazard->peak_force * run->loss_warning > hazard->lost_time * run->force_warning
                             : hazard->peak_force > 0;
@@ -236,10 +150,9 @@ static void add_house(Scene *scene, const House *house, const Observation *obser
 }
 
 void house_scene_add_before(Scene *scene, Before before) {
-    char headline[HEADLINE_TEXT];
     if (!before.observation)
         return;
-    headline_text(before.house, before.observation, headline, sizeof headline);
+    const char *headline = headline_sentence(before.house, before.observation, &scene->arena);
     scene->detail = scene_text(scene, *scene->detail ? "%s: %s; now: %s" : "%s: %s", house_scene_before_name(before),
                                headline, scene->detail);
 }

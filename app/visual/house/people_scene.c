@@ -5,6 +5,7 @@
 #include "visual/house/blockage_scene.h"
 #include "result/census.h"
 #include "visual/house/silhouette.h"
+#include "result/headline.h"
 #include "visual/house/space_scene.h"
 
 /* Design points. */
@@ -59,33 +60,10 @@ LocusLook people_scene_look(const House *house, size_t person) {
     return people_scene_nth_look(route ? (size_t)(route - house->plan.routes) : person);
 }
 
-const char *people_scene_clearance(Scene *scene, double clearance) {
-    const double fine = 0.1; /* m: below it clearances are given in millimetres */
-    if (clearance <= 0)
-        return "touches";
-    if (isinf(clearance))
-        return "-"; /* nobody came near to anything */
-    return scene_text(scene, clearance < fine ? "%.3f m" : "%.2f m", clearance);
-}
-
 Role people_scene_danger(const Hazard *hazard) {
     return hazard->score >= DANGER_HIGH     ? ROLE_DANGER_HIGH
            : hazard->score >= DANGER_MIDDLE ? ROLE_DANGER_MIDDLE
                                             : ROLE_DANGER_LOW;
-}
-
-size_t people_scene_narrowest(const House *house, const Observation *observation) {
-    size_t narrowest = SIZE_MAX;
-    double least = HUGE_VAL;
-    for (size_t i = 0; i < observation->person_count; i++) {
-        const PersonObservation *person = &observation->people[i];
-        bool known = person->took_part && person->time > 0;
-        if (known && person->narrowest < fmin(least, house->people[i].profile->space_reach)) {
-            least = person->narrowest;
-            narrowest = i;
-        }
-    }
-    return narrowest;
 }
 
 /* Adds the union of the bodies along the locus, as hulls of overlapping neighbours. */
@@ -255,7 +233,7 @@ void people_scene_start(Scene *scene, const Inhabitant *person, Role role) {
 }
 
 static void add_narrowest(Scene *scene, const House *house, const Observation *observation) {
-    size_t person = people_scene_narrowest(house, observation);
+    size_t person = census_narrowest(house, observation);
     if (person == SIZE_MAX)
         return;
     const PersonObservation *observed = &observation->people[person];
@@ -313,11 +291,11 @@ static Primitive *add_tag(Scene *scene, Role fill, Vec2 at, const char *text) {
 }
 
 static void add_narrowest_label(Scene *scene, const House *house, const Observation *observation) {
-    size_t person = people_scene_narrowest(house, observation);
+    size_t person = census_narrowest(house, observation);
     if (person == SIZE_MAX)
         return;
     const PersonObservation *observed = &observation->people[person];
-    const char *text = people_scene_clearance(scene, observed->narrowest);
+    const char *text = headline_clearance(observed->narrowest, &scene->arena);
     add_tag(scene, ROLE_WALL, observed->narrowest_to, text)->leader = true;
 }
 

@@ -4,12 +4,13 @@
 
 #include "draw/scene.h"
 #include "house/observation.h"
+#include "result/census.h"
 #include "visual/house/trail.h"
 
 enum {
-    PEOPLE_SCENE_INDIVIDUALS = 6, /* more people are a crowd, see crowd_scene.h */
-    PEOPLE_SCENE_SEVERAL = 2,     /* more people share the corridors: fewer bodies, no personal spaces or ticks */
-    PEOPLE_SCENE_HAZARDS = 5,     /* shown, of those that were found */
+    PEOPLE_SCENE_INDIVIDUALS = CENSUS_FEW, /* more people are a crowd, see crowd_scene.h */
+    PEOPLE_SCENE_SEVERAL = 2, /* more people share the corridors: fewer bodies, no personal spaces or ticks */
+    PEOPLE_SCENE_HAZARDS = 5, /* shown, of those that were found */
 };
 
 #define PEOPLE_SCENE_TICK 1.0        /* s, from tick to tick of a locus */
@@ -30,13 +31,7 @@ void people_scene_dress_ring(Primitive *ring, bool pressed);
 LocusLook people_scene_look(const House *house, size_t person);
 LocusLook people_scene_nth_look(size_t index);
 
-/* Prints "0.26 m", "0.064 m" below a decimetre, or "touches" from 0 down. */
-const char *people_scene_clearance(Scene *scene, double clearance);
-
 Role people_scene_danger(const Hazard *hazard);
-
-/* Returns the person with the least clearance; SIZE_MAX if nothing entered any personal space. */
-size_t people_scene_narrowest(const House *house, const Observation *observation);
 
 /* Adds the body of a person at the start, with an arrow for a chair. */
 void people_scene_start(Scene *scene, const Inhabitant *person, Role role);

@@ -162,7 +162,7 @@ def check_nobody():
             "walls": [{"id": "w", "points": [[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]}]}))
         root, words, paper = report(0, "run", str(file))
         check("<nobody & 'nothing'>" in words and "<nobody & 'nothing'>" in paper, "a name is a name")
-        check("Nobody takes part" in words, "nobody takes part")
+        check("The house has no people" in words and "No person takes part" in words, "nobody takes part")
 
 
 def check_wrong_use():

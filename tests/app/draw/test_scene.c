@@ -393,7 +393,7 @@ TEST(somebody_who_cannot_pass_is_told_where_and_by_how_much) {
                                 .reason = REASON_CANNOT_PASS,
                                 .blockage = {.at = {3, 2}, .what = "door d2", .has = 0.75, .needs = 0.79}};
     Scene scene = scene_after(person, "Assumed plan: not measured");
-    CHECK_TEXT(scene.title, "Cannot pass door d2");
+    CHECK_TEXT(scene.title, "p1 cannot pass door d2");
     CHECK_TEXT(scene.detail, "needs at least 0.79 m, has 0.75 m");
     CHECK(scene.title_role == ROLE_ERROR);
     CHECK_TEXT(scene.note, "Assumed plan: not measured");
@@ -495,9 +495,11 @@ TEST(a_census_sums_crowds_and_puts_together_who_is_stopped_at_one_place) {
 TEST(a_picture_of_a_crowd_names_nobody_and_counts_everybody) {
     Census census;
     Scene scene = crowd_scene(&census);
-    CHECK_TEXT(scene.title, "4 of 41 not out");
-    CHECK_TEXT(scene.detail,
-               "2 blocked at door d1, adults-7 blocked at wall w, adults-8 time limit; the others are out in 50.0 s");
+    CHECK_TEXT(scene.title, "4 of 41 are not out");
+    CHECK_TEXT(
+        scene.detail,
+        "2 blocked at door d1, adults-7 blocked at wall w, adults-8 stopped by the time limit; the others are out "
+        "in 50.0 s");
     CHECK(find_label(&scene, "2 blocked here") && find_label(&scene, "1 blocked here"));
     CHECK(!find_label(&scene, "adults-1") && !find_label(&scene, "p1"));
     CHECK(find_label(&scene, "EXIT e1: 27") && find_label(&scene, "EXIT e2: 10"));

@@ -48,7 +48,7 @@ found = act("broken", "until complete", f'open "{broken}"', "wait 5", "state STA
 check("ube" in found[0]["file"] and "broken.json:1:" in (found[0]["message"] or ""), "a broken file is said, the house stays",
       found[0]["message"])
 check(found[1]["parameters"]["door.d4.width"] == 0.9, "a width out of range changes nothing", found[1]["message"])
-check(found[2]["answer"]["title"] == "All 4 get out" and found[2]["messages"] > found[1]["messages"],
+check(found[2]["answer"]["title"].startswith("All 4 out in ") and found[2]["messages"] > found[1]["messages"],
       "a door past its wall's end is said, the last good state stays", found[2]["message"])
 
 # keys of the view: selection, zoom, oblique, follow, layers, presentation, theme, text size

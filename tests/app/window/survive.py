@@ -36,7 +36,7 @@ for seed in range(2):
     lines = [anything(chance) for _ in range(300)]
     found = act(f"random-{seed}", "until complete", *lines, "key Escape", "key Escape", "wait 5",
                 f'open "{stage.house("corner-0.90-0.90")}"', "until complete", "state STATE")
-    check(found and found[0]["answer"]["title"].startswith(("Out in", "Cannot", "All", "The", "Blocked", "Not")) and
+    check(found and found[0]["answer"]["title"].startswith(("Out in", "All ", "The house", "p1 ")) and
           found[0]["sheet"] == "none", f"seed {seed}: it is alive and answers", found[0]["answer"] if found else "nothing")
 
 # damaged settings or session files must not prevent opening
