@@ -386,7 +386,9 @@ static void read_section(Reader *reader) {
 static int compare_blocks(const void *a, const void *b) {
     const DxfBlock *p = a, *q = b;
     int order = strcasecmp(p->name, q->name);
-    return order ? order : p->first < q->first ? -1 : p->first > q->first;
+    if (order || p->first != q->first)
+        return order ? order : p->first < q->first ? -1 : 1;
+    return p->count < q->count ? -1 : p->count > q->count; /* an empty block shares its first entity with the next */
 }
 
 static bool read_sections(Reader *reader) {

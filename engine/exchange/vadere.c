@@ -28,6 +28,7 @@ typedef struct Shape {
 
 typedef struct Target {
     int id;
+    size_t place; /* among all targets of the file */
     Vec2 middle;
     size_t exit; /* SIZE_MAX: an intermediate target */
 } Target;
@@ -38,7 +39,7 @@ typedef struct Reader {
     Arena arena;
     double unit;     /* m */
     Vec2 sources;    /* mean position of the sources */
-    Target *targets; /* (target_count) sorted by id */
+    Target *targets; /* (target_count) sorted by id, then by place */
     size_t target_count;
     size_t later; /* number of sources that add people later */
 } Reader;
@@ -241,6 +242,7 @@ static bool absorbs(const json_t *target) {
 
 static void take_target(Reader *reader, const JsonNode *element, const Shape *shape) {
     Target target = {.id = (int)json_integer_value(json_object_get(element->value, "id")),
+                     .place = reader->target_count,
                      .middle = middle_of(shape),
                      .exit = SIZE_MAX};
     const json_t *waiter = json_object_get(element->value, "waiter");
@@ -256,12 +258,23 @@ static void take_target(Reader *reader, const JsonNode *element, const Shape *sh
 
 static int compare_targets(const void *a, const void *b) {
     const Target *p = a, *q = b;
+    if (p->id != q->id)
+        return p->id < q->id ? -1 : 1;
+    return p->place < q->place ? -1 : p->place > q->place;
+}
+
+static int compare_target_ids(const void *a, const void *b) {
+    const Target *p = a, *q = b;
     return p->id < q->id ? -1 : p->id > q->id;
 }
 
+/* Returns the first target of that id, or NULL. */
 static const Target *find_target(const Reader *reader, int id) {
     Target wanted = {.id = id};
-    return bsearch(&wanted, reader->targets, reader->target_count, sizeof wanted, compare_targets);
+    const Target *found = bsearch(&wanted, reader->targets, reader->target_count, sizeof wanted, compare_target_ids);
+    while (found && found > reader->targets && found[-1].id == id)
+        found--;
+    return found;
 }
 
 static bool read_targets(Reader *reader, const JsonNode *topography) {

@@ -36,7 +36,9 @@ static double depth_in(const Vec2 corners[4], Vec2 from, Vec2 to, double thickne
 
 static int compare_doors(const void *a, const void *b) {
     const Door *p = *(const Door *const *)a, *q = *(const Door *const *)b;
-    return (p->at > q->at) - (p->at < q->at);
+    if (p->at != q->at)
+        return p->at < q->at ? -1 : 1;
+    return (p > q) - (p < q); /* both are in the plan's list */
 }
 
 /* Returns the depth in a segment, whose doors (count), in order, are gaps. */

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/order.h"
 #include "base/parallel.h"
 #include "base/real.h"
 #include "study/batch.h"
@@ -144,8 +145,8 @@ static void confirm(Work *work) {
 
 static int compare_answers(const void *a, const void *b) {
     const TypesAnswer *x = a, *y = b;
-    int outcome = (x->outcome > y->outcome) - (x->outcome < y->outcome);
-    return outcome ? outcome : (x->measure > y->measure) - (x->measure < y->measure);
+    int outcome = order_rising(&x->outcome, &y->outcome);
+    return outcome ? outcome : order_rising(&x->measure, &y->measure);
 }
 
 static bool is_same(const TypesAnswer *a, const TypesAnswer *b) {

@@ -5,6 +5,7 @@
 
 #include "base/fault.h"
 #include "base/memory.h"
+#include "base/order.h"
 #include "base/parallel.h"
 #include "base/random.h"
 #include "base/text.h"
@@ -38,6 +39,14 @@ TEST(uniform_and_normal_numbers_have_their_moments) {
     CHECK_NEAR(square / DRAWS, 1.0 / 3, 0.003);
     CHECK_NEAR(mean / DRAWS, 0.69, 0.004);
     CHECK_NEAR(sqrt(variance / DRAWS), 0.35, 0.004);
+}
+
+TEST(numbers_have_one_rising_order_whatever_they_are) {
+    const double rising[] = {-INFINITY, -1, -0.0, 0, 5e-324, 1, INFINITY, NAN};
+    enum { COUNT = sizeof rising / sizeof *rising };
+    for (int i = 0; i < COUNT; i++)
+        for (int k = 0; k < COUNT; k++)
+            CHECK(order_rising(&rising[i], &rising[k]) == (i > k) - (i < k));
 }
 
 TEST(the_nearest_word_is_what_was_meant) {
