@@ -1,0 +1,176 @@
+#include "check.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "imported.h"
+
+/* Turns groups of a drawing, "0 LINE 8 WALL 10 0 ...", into lines. */
+static Imported import_drawing(const char *header, const char *blocks, const char *entities, ImportOptions options) {
+    Text text = {0};
+    text_format(&text,
+                "0 SECTION 2 HEADER %s 0 ENDSEC 0 SECTION 2 BLOCKS %s 0 ENDSEC 0 SECTION 2 ENTITIES %s 0 ENDSEC 0 EOF ",
+                header, blocks, entities);
+    for (char *c = text.text; *c; c++)
+        *c = *c == ' ' ? '\n' : *c;
+    for (char *from = text.text, *to = text.text;; from++) { /* blanks where a part is empty */
+        if (!(*from == '\n' && (to == text.text || to[-1] == '\n')))
+            *to++ = *from;
+        if (!*from)
+            break;
+    }
+    Imported import = imported_text(".dxf", text.text, options);
+    memory_free(text.text);
+    return import;
+}
+
+static const char millimetres[] = "9 $INSUNITS 70 4";
+static const char room[] = "0 LWPOLYLINE 8 A-WALL 90 4 70 1 10 0 20 0 10 6000 20 0 10 6000 20 4000 10 0 20 4000 ";
+
+TEST(lines_of_a_drawing_are_joined_into_walls) {
+    Imported import =
+        import_drawing(millimetres, "",
+                       "0 LINE 8 A-WALL 10 0 20 0 11 3000 21 0 0 LINE 8 A-WALL 10 6000 20 0 11 3000 21 0 "
+                       "0 LINE 8 A-WALL 10 6000 20 0 11 6000 21 4000 0 LINE 8 A-WALL 10 0 20 0 11 3000 21 0 "
+                       "0 POLYLINE 8 A-WALL 70 0 40 100 0 VERTEX 10 0 20 2000 0 VERTEX 10 2000 20 2000 0 SEQEND",
+                       (ImportOptions){0});
+    imported_check_lists(&import.plan, "  'walls': [\n"
+                                       "    {'id': 'w1', 'points': [[0, 0], [6, 0], [6, 4]], 'thickness': 0},\n"
+                                       "    {'id': 'w2', 'points': [[0, 2], [2, 2]], 'thickness': 0.1}\n"
+                                       "  ]\n}\n");
+    CHECK(imported_noted(&import, "the unit is mm, as the file says: the plan is 6 m by 4 m"));
+    CHECK(imported_left_out(&import, "SEQEND", 1));
+    imported_end(&import, true);
+}
+
+TEST(a_slender_rectangle_is_a_wall_as_thick_as_it_is_and_a_stout_one_is_its_sides) {
+    Imported import =
+        import_drawing(millimetres, "",
+                       "0 LWPOLYLINE 8 WALL 90 4 70 1 10 0 20 0 10 4000 20 0 10 4000 20 200 10 0 20 200 "
+                       "0 LWPOLYLINE 8 WALL 90 4 70 1 10 0 20 1000 10 400 20 1000 10 400 20 1300 10 0 20 1300",
+                       (ImportOptions){0});
+    imported_check_lists(&import.plan,
+                         "  'walls': [\n"
+                         "    {'id': 'w1', 'points': [[0, 0.1], [4, 0.1]], 'thickness': 0.2},\n"
+                         "    {'id': 'w2', 'points': [[0, 1], [0.4, 1], [0.4, 1.3], [0, 1.3], [0, 1]], 'thickness': "
+                         "0}\n"
+                         "  ]\n}\n");
+    imported_end(&import, true);
+}
+
+TEST(a_bulge_is_an_arc_to_the_right_of_its_way_when_positive) {
+    Imported import = import_drawing(millimetres, "", "0 LWPOLYLINE 8 WALL 90 2 70 0 10 0 20 0 42 1 10 4000 20 0",
+                                     (ImportOptions){0});
+    double lowest = 0;
+    for (size_t i = 0; import.good && i < import.plan.walls[0].points.count; i++) {
+        CHECK_NEAR(vec2_distance(import.plan.walls[0].points.at[i], vec2(2, 0)), 2, 1e-6);
+        lowest = fmin(lowest, import.plan.walls[0].points.at[i].y);
+    }
+    CHECK_NEAR(lowest, -2, 1e-6);
+    imported_end(&import, true);
+}
+
+TEST(an_arc_on_a_layer_of_doors_hangs_a_door_in_its_wall_or_in_its_gap) {
+    Text entities = {0};
+    text_format(&entities, "%s%s", room,
+                "0 LINE 8 A-WALL 10 3000 20 0 11 3000 21 1000 0 LINE 8 A-WALL 10 3000 20 1900 11 3000 21 4000 "
+                "0 ARC 8 A-DOOR 10 3000 20 1000 40 900 50 90 51 180 "
+                "0 ARC 8 A-DOOR 10 1900 20 0 40 900 50 90 51 180 "
+                "0 ARC 8 A-DOOR 10 100 20 100 40 50 50 0 51 90");
+    Imported import = import_drawing(millimetres, "", entities.text, (ImportOptions){0});
+    imported_check_lists(&import.plan,
+                         "  'walls': [\n"
+                         "    {'id': 'w1', 'points': [[0, 0], [6, 0], [6, 4], [0, 4], [0, 0]], 'thickness': 0},\n"
+                         "    {'id': 'w2', 'points': [[3, 0], [3, 1]], 'thickness': 0},\n"
+                         "    {'id': 'w3', 'points': [[3, 1.9], [3, 4]], 'thickness': 0},\n"
+                         "    {'id': 'w4', 'points': [[3, 1], [3, 1.9]], 'thickness': 0}\n"
+                         "  ],\n"
+                         "  'doors': [\n"
+                         "    {'id': 'd1', 'wall': 'w4', 'at': 0.45, 'width': 0.9, 'kind': 'hinged'},\n"
+                         "    {'id': 'd2', 'wall': 'w1', 'at': 1.45, 'width': 0.9, 'kind': 'hinged', 'hinge': 'end'}\n"
+                         "  ]\n}\n");
+    CHECK(imported_left_out(&import, "arcs on door layers that are not door swings", 1));
+    imported_end(&import, true);
+    memory_free(entities.text);
+}
+
+TEST(blocks_in_blocks_are_scaled_turned_and_moved_and_furniture_is_their_box) {
+    Text entities = {0};
+    text_format(&entities, "%s%s", room, "0 INSERT 8 0 2 SUITE 10 1000 20 1000 50 90 0 INSERT 8 0 2 NOWHERE 10 0 20 0");
+    Imported import = import_drawing(millimetres,
+                                     "0 BLOCK 2 BED 10 100 20 0 0 LINE 8 0 10 100 20 0 11 2100 21 0 0 LINE 8 0 10 2100 "
+                                     "20 0 11 2100 21 900 0 ENDBLK "
+                                     "0 BLOCK 2 SUITE 10 0 20 0 0 INSERT 8 FURN 2 BED 10 500 20 0 41 0.5 42 1 50 0 0 "
+                                     "LINE 8 A-WALL 10 0 20 0 11 1000 21 0 0 ENDBLK",
+                                     entities.text, (ImportOptions){0});
+    imported_check_lists(&import.plan,
+                         "  'walls': [\n"
+                         "    {'id': 'w1', 'points': [[0, 0], [6, 0], [6, 4], [0, 4], [0, 0]], 'thickness': 0},\n"
+                         "    {'id': 'w2', 'points': [[1, 1], [1, 2]], 'thickness': 0}\n"
+                         "  ],\n"
+                         "  'furniture': [\n"
+                         "    {'id': 'f1', 'name': 'BED', 'centre': [0.55, 2], 'size': [1, 0.9], 'angle': 90}\n"
+                         "  ]\n}\n");
+    CHECK(imported_left_out(&import, "blocks missing from the file", 1));
+    imported_end(&import, true);
+    memory_free(entities.text);
+}
+
+TEST(a_unit_that_makes_no_house_is_told_and_not_believed) {
+    Imported import = import_drawing("9 $INSUNITS 70 6", "", room, (ImportOptions){0});
+    CHECK(import.good && import.plan.walls[0].points.at[1].x == 6);
+    CHECK(imported_noted(&import,
+                         "its unit is m, which would make the plan 6000 m by 4000 m: mm is assumed, 6 m by 4 m; "
+                         "clearance import --unit overrides"));
+    imported_end(&import, true);
+    import = import_drawing("", "", room, (ImportOptions){0});
+    CHECK(import.good && import.plan.walls[0].points.at[1].x == 6);
+    CHECK(imported_noted(&import, "does not say its unit: mm is assumed"));
+    imported_end(&import, true);
+    import = import_drawing("9 $INSUNITS 70 6", "", room, (ImportOptions){.unit = import_unit("cm")});
+    CHECK(import.good && import.plan.walls[0].points.at[1].x == 60);
+    imported_end(&import, true);
+}
+
+TEST(layers_are_chosen_by_their_names_or_as_said) {
+    static const char lines[] =
+        "0 LINE 8 PLAN|W\u00e4nde 10 0 20 0 11 6000 21 0 0 LINE 8 FOO 10 0 20 1000 11 6000 21 "
+        "1000 0 LINE 8 A-DIMS 10 0 20 2000 11 6000 21 2000 0 LWPOLYLINE 8 BAR 90 2 70 0 10 0 20 "
+        "0 10 1000 20 0";
+    Imported import = import_drawing(millimetres, "", lines, (ImportOptions){0});
+    CHECK(import.plan.wall_count == 1 && imported_left_out(&import, "lines on layer FOO", 1));
+    CHECK(imported_noted(&import, "layers taken: PLAN|W\u00e4nde (walls)"));
+    imported_end(&import, true);
+    import = import_drawing(millimetres, "", lines, (ImportOptions){.layers = "walls=FOO,a-dims,exits=BAR"});
+    CHECK(import.plan.wall_count == 2 && import.plan.exit_count == 1);
+    imported_end(&import, true);
+    import = import_drawing(millimetres, "", lines, (ImportOptions){.layers = "walls=FOOO"});
+    CHECK(import.fault.count && strstr(import.fault.lines[0], "there is no layer \"FOOO\", there are 0, "));
+    imported_end(&import, false);
+    import = import_drawing(millimetres, "", lines, (ImportOptions){.layers = "FOO"});
+    CHECK(import.fault.count && strstr(import.fault.lines[0], "--layers must be like walls=NAME"));
+    imported_end(&import, false);
+}
+
+TEST(old_drawings_are_read_in_the_letters_of_their_code_page) {
+    static const char lines[] = "0 LINE 8 \x95\xc7 10 0 20 0 11 6000 21 0 0 LINE 8 W\xc4NDE 10 0 20 0 11 6000 21 0 ";
+    Imported import = import_drawing("9 $DWGCODEPAGE 3 ANSI_932 9 $INSUNITS 70 4", "", lines, (ImportOptions){0});
+    CHECK(imported_noted(&import, "layers taken: \u58c1 (walls)"));
+    imported_end(&import, true);
+    import = import_drawing("9 $DWGCODEPAGE 3 ANSI_1252 9 $INSUNITS 70 4", "", lines, (ImportOptions){0});
+    CHECK(imported_noted(&import, "layers taken: W\u00c4NDE (walls)"));
+    imported_end(&import, true);
+    import = import_drawing("9 $DWGCODEPAGE 3 ANSI_99 9 $INSUNITS 70 4", "", lines, (ImportOptions){0});
+    CHECK(imported_noted(&import, "layers taken: W\u00c4NDE (walls)"));
+    imported_end(&import, true);
+}
+
+TEST(a_plan_in_the_coordinates_of_a_survey_is_brought_to_its_origin) {
+    Imported import = import_drawing(
+        "9 $INSUNITS 70 6", "", "0 LINE 8 WALL 10 3500100.25 20 5600200 11 3500110.25 21 5600200", (ImportOptions){0});
+    imported_check_lists(&import.plan,
+                         "  'walls': [\n    {'id': 'w1', 'points': [[0.25, 0], [10.25, 0]], 'thickness': 0}\n  ]\n}\n");
+    CHECK(imported_noted(&import, "the plan was moved by (-3500100, -5600200) m to the origin"));
+    imported_end(&import, true);
+}
