@@ -2,7 +2,7 @@
 
 #include <stdio.h>
 
-#include "base/clock.h"
+#include "base/stopwatch.h"
 #include "command/progress.h"
 #include "house/run.h"
 #include "laboratory/shipped.h"
@@ -35,14 +35,14 @@ typedef struct Progress {
 
 static void show_progress(void *context, double time) {
     Progress *progress = context;
-    if (clock_now() - progress->begin < 1)
+    if (stopwatch_now() - progress->begin < 1)
         return;
     fprintf(stderr, "\rsimulated %.0f s ", time);
     progress->shown = true;
 }
 
 void house_file_run(Observation *observation, const House *house, const Options *options, size_t route) {
-    Progress progress = {.begin = clock_now()};
+    Progress progress = {.begin = stopwatch_now()};
     bool show = progress_is_shown(options);
     RunOptions run = {.route = route,
                       .jobs = options->jobs,

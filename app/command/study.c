@@ -2,7 +2,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "base/clock.h"
+#include "base/stopwatch.h"
 #include "base/digest.h"
 #include "base/json.h"
 #include "base/text.h"
@@ -139,7 +139,7 @@ static bool open_study(StudyJob *job, Fault *fault) {
 /* Prints progress once the work has taken more than a second. */
 static void show_progress(void *context, size_t done, size_t all) {
     StudyJob *job = context;
-    double seconds = clock_now() - job->begin;
+    double seconds = stopwatch_now() - job->begin;
     if (seconds < 1 || done <= job->done_before)
         return;
     double left = seconds * (double)(all - done) / (double)(done - job->done_before);
@@ -172,7 +172,7 @@ static bool is_whole(const Study *study) {
 static void run_study(StudyJob *job, Store *store) {
     const Options *options = job->options;
     bool show = progress_is_shown(options);
-    job->begin = clock_now();
+    job->begin = stopwatch_now();
     job->done_before = study_done(&job->study);
     study_run(&job->study, &(StudyOptions){.jobs = options->jobs,
                                            .stop = &progress_interrupted,

@@ -2,7 +2,7 @@
 
 #include <stdio.h>
 
-#include "base/clock.h"
+#include "base/stopwatch.h"
 #include "command/progress.h"
 #include "laboratory/shipped.h"
 
@@ -14,14 +14,14 @@ typedef struct Progress {
 
 static void show_progress(void *context, size_t tries) {
     Progress *progress = context;
-    if (clock_now() - progress->begin < 1)
+    if (stopwatch_now() - progress->begin < 1)
         return;
     fprintf(stderr, "\r%zu changed houses tried ", tries);
     progress->shown = true;
 }
 
 bool suggestions_find(SuggestList *list, const Options *options, Fault *fault) {
-    Progress progress = {.begin = clock_now()};
+    Progress progress = {.begin = stopwatch_now()};
     HouseOptions house_options = {.profiles = shipped_places()->profiles,
                                   .settings = options->settings,
                                   .setting_count = options->setting_count,

@@ -2,7 +2,7 @@
 
 #include <stdio.h>
 
-#include "base/clock.h"
+#include "base/stopwatch.h"
 #include "command/progress.h"
 #include "result/json.h"
 #include "result/text.h"
@@ -18,7 +18,7 @@ typedef struct Progress {
 /* After a second, so that what is quick stays quiet. */
 static void show_progress(void *context, size_t done, size_t all) {
     Progress *progress = context;
-    if (clock_now() - progress->begin < 1)
+    if (stopwatch_now() - progress->begin < 1)
         return;
     fprintf(stderr, "\rtypes: %zu of at most %zu runs", done, all);
     progress->shown = true;
@@ -26,7 +26,7 @@ static void show_progress(void *context, size_t done, size_t all) {
 
 bool types_answer_tell(Types *types, const Experiment *experiment, const Experiment *thorough, const char *const *names,
                        size_t name_count, const Options *options, Fault *fault) {
-    Progress progress = {.begin = clock_now()};
+    Progress progress = {.begin = stopwatch_now()};
     bool show = progress_is_shown(options);
     TypesTask task = {.experiment = experiment,
                       .thorough = thorough,

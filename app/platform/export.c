@@ -13,7 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "base/clock.h"
+#include "base/stopwatch.h"
 #include "base/memory.h"
 #include "base/text.h"
 #include "platform/folder.h"
@@ -323,7 +323,7 @@ const ExportStatus *export_update(Export *export) {
             how = FAILED << 8; /* the exit code is lost */
         if (ended)
             conclude(export, how);
-        else if (export->cancelled && clock_now() - export->asked > PATIENCE)
+        else if (export->cancelled && stopwatch_now() - export->asked > PATIENCE)
             kill(export->child, SIGKILL);
     }
     ExportStatus *status = &export->status;
@@ -341,16 +341,16 @@ void export_cancel(Export *export) {
     if (!export->child || export->cancelled)
         return;
     export->cancelled = true;
-    export->asked = clock_now();
+    export->asked = stopwatch_now();
     kill(export->child, SIGINT);
 }
 
 /* Ends the child, after a moment in which it may finish its file. */
 static void end_child(Export *export) {
     export_cancel(export);
-    export->asked = clock_now();
+    export->asked = stopwatch_now();
     while (export_update(export)->stage == EXPORT_RUNNING) {
-        if (clock_now() - export->asked > LAST_PATIENCE)
+        if (stopwatch_now() - export->asked > LAST_PATIENCE)
             kill(export->child, SIGKILL);
         usleep(10000);
     }

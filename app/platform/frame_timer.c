@@ -6,7 +6,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "base/clock.h"
+#include "base/stopwatch.h"
 #include "base/memory.h"
 #include "base/order.h"
 #include "base/text.h"
@@ -15,10 +15,10 @@
 #define MILLI 1000.0
 
 double frame_timer_wait(FrameTimer *timer, bool hurried) {
-    double now = clock_now(), due = timer->last + 1 / FRAME_TIMER_RATE;
+    double now = stopwatch_now(), due = timer->last + 1 / FRAME_TIMER_RATE;
     if (!hurried && now < due)
         sdl_window_sleep(due - now);
-    now = clock_now();
+    now = stopwatch_now();
     double since = timer->last > 0 ? now - timer->last : 0;
     timer->last = now;
     return since;
@@ -57,11 +57,11 @@ void frame_timer_count(FrameTimer *timer) {
     timer->counting = true;
     timer->count = 0;
     timer->worked = 0;
-    timer->begun = clock_now();
+    timer->begun = stopwatch_now();
 }
 
 void frame_timer_print(FrameTimer *timer, const char *what, int width, int height) {
-    double passed = clock_now() - timer->begun;
+    double passed = stopwatch_now() - timer->begun;
     if (!timer->count)
         return;
     qsort(timer->times, timer->count, sizeof *timer->times, order_rising);

@@ -3,7 +3,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "base/clock.h"
+#include "base/stopwatch.h"
 #include "base/digest.h"
 #include "window/notice.h"
 #include "window/plan_input.h"
@@ -62,7 +62,7 @@ void autosave_update(Window *window) {
     uint64_t state = state_of(editor);
     if (state != watch->state) {
         watch->state = state;
-        watch->since = clock_now();
+        watch->since = stopwatch_now();
         watch->waits = true;
     }
     if (!tab_unsaved(tab)) {
@@ -70,7 +70,7 @@ void autosave_update(Window *window) {
             recovery_remove(window->recovery);
         watch->waits = watch->written = false;
     }
-    if (!watch->waits || clock_now() - watch->since < PATIENCE)
+    if (!watch->waits || stopwatch_now() - watch->since < PATIENCE)
         return;
     watch->waits = false;
     write_recovery(window, tab, editor);

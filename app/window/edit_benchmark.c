@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/clock.h"
+#include "base/stopwatch.h"
 #include "base/order.h"
 #include "window/plan_input.h"
 
@@ -74,7 +74,7 @@ static bool begin(Window *window) {
         return false;
     push(window, benchmark->middle, SDL_WINDOW_EVENT_MOUSE, false);
     push(window, benchmark->middle, SDL_WINDOW_EVENT_BUTTON, true);
-    benchmark->begun = clock_now();
+    benchmark->begun = stopwatch_now();
     frame_timer_count(&window->frame_timer);
     return true;
 }
@@ -107,8 +107,8 @@ static void print(Window *window) {
     printf("%s, %d x %d, dragged for %.1f s: %zu edits, %zu unanswered; from an edit to its answer on the screen %.1f "
            "ms (median), %.1f ms (99 of 100); a frame takes %.1f ms (median), %.1f ms (99 of 100), %.1f ms (longest)\n",
            window_tab(window)->laboratory->title(window_tab(window)->session), window->width, window->height,
-           clock_now() - benchmark->begun, benchmark->count + benchmark->missed, benchmark->missed, median, late, frame,
-           slow, longest);
+           stopwatch_now() - benchmark->begun, benchmark->count + benchmark->missed, benchmark->missed, median, late,
+           frame, slow, longest);
     if (benchmark->count && frames->count)
         printf("{\"edits\":%zu,\"unanswered\":%zu,\"answer_ms\":{\"median\":%.3f,\"p99\":%.3f},\"frame_ms\":"
                "{\"median\":%.3f,\"p99\":%.3f,\"longest\":%.3f}}\n",
@@ -120,7 +120,7 @@ static void print(Window *window) {
 static void look(Window *window) {
     EditBenchmark *benchmark = &window->edit_benchmark;
     const Tab *tab = window_tab(window);
-    double now = clock_now();
+    double now = stopwatch_now();
     if (benchmark->frames++ == 0) {
         benchmark->edited = window->frame_timer.last; /* the beginning of that frame */
         return;
@@ -138,7 +138,7 @@ static void look(Window *window) {
 
 bool edit_benchmark_advance(Window *window, double begun) {
     EditBenchmark *benchmark = &window->edit_benchmark;
-    double now = clock_now();
+    double now = stopwatch_now();
     if (benchmark->begun <= 0)
         return now - begun > WARM && !begin(window);
     if (benchmark->waits)

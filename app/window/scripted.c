@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/clock.h"
+#include "base/stopwatch.h"
 #include "window/notice.h"
 #include "window/opening.h"
 #include "window/plan_input.h"
@@ -234,7 +234,7 @@ static void run(Scripted *scripted, Window *window, const ScriptCommand *command
         break;
     case SCRIPT_UNTIL:
         scripted->until = command;
-        scripted->since = clock_now();
+        scripted->since = stopwatch_now();
         break;
     case SCRIPT_OPEN:
         opening_file(window, command->words[0]);
@@ -309,7 +309,7 @@ static bool waits(Scripted *scripted, Window *window) {
         window->dirty = true; /* the next command is drawn in a frame of its own */
         return true;
     }
-    if (clock_now() - scripted->since > scripted->until->numbers[0]) {
+    if (stopwatch_now() - scripted->since > scripted->until->numbers[0]) {
         Fault fault = {0};
         script_fault(&scripted->script, scripted->until, &fault, "the condition was not met within %g s",
                      scripted->until->numbers[0]);

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/clock.h"
+#include "base/stopwatch.h"
 #include "base/text.h"
 #include "laboratory/edit/editor.h"
 
@@ -143,14 +143,14 @@ unsigned tab_update(Tab *tab, double seconds) {
     if (!tab->session)
         return 0;
     const Laboratory *kind = tab->laboratory;
-    double begun = clock_now();
+    double begun = stopwatch_now();
     RecordSpan span = kind->span(tab->session);
     double wish = player_wish(&tab->player, seconds, &span);
     kind->reach(tab->session, wish);
     unsigned changes = kind->update(tab->session, tab->player.time);
     span = kind->span(tab->session);
     player_advance(&tab->player, seconds, wish, &span);
-    tab->worked += clock_now() - begun;
+    tab->worked += stopwatch_now() - begun;
     follow(tab);
     if (changes & LABORATORY_VIEW) {
         keep_eye(tab);

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/clock.h"
+#include "base/stopwatch.h"
 #include "laboratory/shipped.h"
 #include "window/act.h"
 #include "window/autosave.h"
@@ -330,10 +330,10 @@ static void dismiss_old_note(Window *window) {
     const Message *last = messages_last(&window->messages);
     if (last && last->number != window->noted) {
         window->noted = last->number;
-        window->noted_at = clock_now();
+        window->noted_at = stopwatch_now();
     }
     if (last && last->kind == MESSAGE_NOTE && last->number > window->dismissed &&
-        clock_now() - window->noted_at > NOTE_STAY) {
+        stopwatch_now() - window->noted_at > NOTE_STAY) {
         window->dismissed = last->number;
         window->dirty = true;
     }
@@ -375,7 +375,7 @@ static void turn(Window *window, Scripted *scripted) {
     bool busy = scripted_is_busy(scripted), lively = is_lively(window);
     bool framed = busy && !scripted->until && !sdl_window_is_seen(window->sdl_window);
     bool hurried = (window->frame_timer.counting && window->options->benchmark > 0) || framed;
-    double seconds = frame_timer_wait(&window->frame_timer, hurried), begun = clock_now();
+    double seconds = frame_timer_wait(&window->frame_timer, hurried), begun = stopwatch_now();
     plan_input_animate(window, seconds);
     handle_events(window, lively || busy ? 0 : IDLE_WAIT);
     double worked = window_tab(window)->worked;
@@ -390,7 +390,7 @@ static void turn(Window *window, Scripted *scripted) {
         return;
     sdl_window_swap(window->sdl_window);
     frame_timer_note_first(&window->frame_timer);
-    frame_timer_note(&window->frame_timer, clock_now() - begun, window_tab(window)->worked - worked);
+    frame_timer_note(&window->frame_timer, stopwatch_now() - begun, window_tab(window)->worked - worked);
 }
 
 /* Beginning and end ------------------------------------------------------------------------------------------------ */
@@ -471,15 +471,15 @@ static void close_all(Window *window) {
 }
 
 static void loop(Window *window, Scripted *scripted) {
-    double begun = clock_now();
+    double begun = stopwatch_now();
     while (!window->quit) {
         turn(window, scripted);
         if (window->options->benchmark_edit > 0 && edit_benchmark_advance(window, begun))
             window->quit = true;
-        if (window->options->benchmark > 0 && !window->frame_timer.counting && clock_now() - begun > BENCHMARK_WARM)
+        if (window->options->benchmark > 0 && !window->frame_timer.counting && stopwatch_now() - begun > BENCHMARK_WARM)
             frame_timer_count(&window->frame_timer);
         if (window->options->benchmark > 0 && window->frame_timer.counting &&
-            clock_now() - begun > BENCHMARK_WARM + window->options->benchmark)
+            stopwatch_now() - begun > BENCHMARK_WARM + window->options->benchmark)
             window->quit = true;
     }
     if (window->options->benchmark > 0 && window->frame_timer.counting)

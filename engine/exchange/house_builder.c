@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "exchange/rectangle.h"
+#include "exchange/bounding_rectangle.h"
 #include "plan/plan_tables.h"
 
 static const double ROUNDED = 1e9;  /* per m: coordinates are rounded to a nanometre, for readable files */
@@ -217,7 +217,7 @@ size_t house_builder_piece_around(HouseBuilder *builder, const char *name, const
             return SIZE_MAX;
     if (count < 2)
         return SIZE_MAX;
-    Rectangle box = rectangle_around(points, count);
+    Rectangle box = bounding_rectangle(points, count);
     return house_builder_piece(builder, name, box.centre, box.size, box.angle, height);
 }
 

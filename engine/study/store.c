@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/clock.h"
+#include "base/stopwatch.h"
 #include "base/digest.h"
 #include "base/memory.h"
 #include "base/text.h"
@@ -211,7 +211,7 @@ Store *store_open(const char *path, Study *study, uint64_t digest, StoreFound *f
         free_store(store);
         return NULL;
     }
-    store->committed = clock_now();
+    store->committed = stopwatch_now();
     return store;
 }
 
@@ -256,7 +256,7 @@ void store_write(void *keeper, const Study *study, const size_t *done, size_t co
             note_failure(store);
             return;
         }
-    double now = clock_now();
+    double now = stopwatch_now();
     if (now - store->committed < 1)
         return;
     if (!commit(store))

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/clock.h"
+#include "base/stopwatch.h"
 #include "base/parameters_number.h"
 #include "base/text.h"
 #include "experiment/beam_numbers.h"
@@ -255,10 +255,10 @@ static RecordSpan span(const void *context) {
 static double reach(void *context, double time) {
     BeamSession *session = context;
     BeamTape *tape = &session->tape;
-    double until = clock_now() + BUSY_MOST;
+    double until = stopwatch_now() + BUSY_MOST;
     while (tape->front_time <= time && !beam_session_has_ended(session)) {
         advance(session);
-        if (clock_now() > until)
+        if (stopwatch_now() > until)
             break;
     }
     return tape->front_time;

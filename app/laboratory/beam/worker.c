@@ -6,7 +6,7 @@
 #include <sys/resource.h>
 #include <time.h>
 
-#include "base/clock.h"
+#include "base/stopwatch.h"
 #include "base/parallel.h"
 #include "base/text.h"
 
@@ -165,7 +165,7 @@ static void *work(void *context) {
     setpriority(PRIO_PROCESS, 0, GIVES_WAY);
     pthread_mutex_lock(&worker->lock);
     while (!worker->quit) {
-        double now = clock_now();
+        double now = stopwatch_now();
         if (is_due(&worker->verdict, now))
             tell_verdict(worker);
         else if (is_due(&worker->sweep, now))
@@ -220,7 +220,7 @@ void beam_worker_stop(BeamWorker *worker) {
 /* Stores a question; the lock must be held. */
 static void ask(BeamWorker *worker, Question *question) {
     question->asked = true;
-    question->since = clock_now();
+    question->since = stopwatch_now();
     parallel_stop(&question->stop);
     parallel_stop(&worker->stop_type);
     pthread_cond_signal(&worker->wake);

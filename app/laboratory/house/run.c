@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/clock.h"
+#include "base/stopwatch.h"
 #include "base/parallel.h"
 #include "house/observer.h"
 #include "house/run.h"
@@ -42,7 +42,7 @@ static void enter(HouseRun *run, HouseStage stage) {
     pthread_mutex_lock(&run->mutex);
     run->stage = stage;
     if (stage == HOUSE_READS)
-        run->begun = clock_now();
+        run->begun = stopwatch_now();
     pthread_mutex_unlock(&run->mutex);
 }
 
@@ -176,7 +176,7 @@ HouseStage house_run_stage(HouseRun *run) {
 
 double house_run_age(HouseRun *run) {
     pthread_mutex_lock(&run->mutex);
-    double age = run->begun > 0 ? clock_now() - run->begun : 0;
+    double age = run->begun > 0 ? stopwatch_now() - run->begun : 0;
     pthread_mutex_unlock(&run->mutex);
     return age;
 }

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "base/clock.h"
+#include "base/stopwatch.h"
 #include "base/parallel.h"
 #include "laboratory/house/picture.h"
 #include "visual/house/people_scene.h"
@@ -309,7 +309,7 @@ static void update_shown(HouseSession *session, double time) {
     if (session->film && !session->film_is_stale)
         film_extend(session->film);
     house_picture_make_plots(session, false);
-    if (clock_now() - session->words.said > GRACE) {
+    if (stopwatch_now() - session->words.said > GRACE) {
         session->retell = true;
         session->changed |= LABORATORY_WORDS;
     }

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/clock.h"
+#include "base/stopwatch.h"
 #include "laboratory/house/runs.h"
 #include "result/headline.h"
 #include "result/house.h"
@@ -307,7 +307,7 @@ static void tell_run(HouseSession *session) {
 void house_text_make(HouseSession *session, double time) {
     HouseWords *words = &session->words;
     words->row_count = 0;
-    words->said = clock_now();
+    words->said = stopwatch_now();
     words->time = time;
     if (session->retell)
         tell_run(session);
@@ -331,7 +331,7 @@ bool house_text_moved(const HouseSession *session, double time) {
     if (!session->runs[RUN_SHOWN] || session->selected.kind != HOUSE_PERSON || time == session->words.time)
         return false;
     const Trail *trail = &session->trails.trails[session->selected.index];
-    return clock_now() - session->words.said >= MOMENT &&
+    return stopwatch_now() - session->words.said >= MOMENT &&
            trail_row_at(trail, time) != trail_row_at(trail, session->words.time);
 }
 

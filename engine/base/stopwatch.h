@@ -2,4 +2,4 @@
 #pragma once
 
 /* Returns the time of a monotonic clock, s; its zero has no meaning. */
-double clock_now(void);
+double stopwatch_now(void);

@@ -1,8 +1,8 @@
-#include "base/clock.h"
+#include "base/stopwatch.h"
 
 #include <time.h>
 
-double clock_now(void) {
+double stopwatch_now(void) {
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
