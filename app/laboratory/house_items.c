@@ -36,21 +36,21 @@ size_t house_item_count(const House *house, const Observation *observation, int 
     case HOUSE_STOP:
         return observation ? observation->person_count : 0;
     case HOUSE_NOTHING:
-    case HOUSE_THINGS:
+    case HOUSE_ITEMS:
         break;
     }
     return 0;
 }
 
-const char *house_item_id(const House *house, Item thing) {
+const char *house_item_id(const House *house, Item item) {
     const Plan *plan = &house->plan;
-    size_t i = thing.index;
-    return thing.kind == HOUSE_PERSON      ? house->people[i].id
-           : thing.kind == HOUSE_DOOR      ? plan->doors[i].id
-           : thing.kind == HOUSE_FURNITURE ? plan->furniture[i].id
-           : thing.kind == HOUSE_WALL      ? plan->walls[i].id
-           : thing.kind == HOUSE_EXIT      ? plan->exits[i].id
-                                           : "";
+    size_t i = item.index;
+    return item.kind == HOUSE_PERSON      ? house->people[i].id
+           : item.kind == HOUSE_DOOR      ? plan->doors[i].id
+           : item.kind == HOUSE_FURNITURE ? plan->furniture[i].id
+           : item.kind == HOUSE_WALL      ? plan->walls[i].id
+           : item.kind == HOUSE_EXIT      ? plan->exits[i].id
+                                          : "";
 }
 
 Item house_item_find(const House *house, int kind, const char *id) {
@@ -60,24 +60,24 @@ Item house_item_find(const House *house, int kind, const char *id) {
     return (Item){0, 0};
 }
 
-void house_item_name(const House *house, const Observation *observation, Item thing, char *name, size_t size) {
+void house_item_name(const House *house, const Observation *observation, Item item, char *name, size_t size) {
     *name = 0;
-    if (thing.index >= house_item_count(house, observation, thing.kind))
+    if (item.index >= house_item_count(house, observation, item.kind))
         return;
-    const char *id = house_item_id(house, thing);
-    if (thing.kind == HOUSE_HAZARD)
-        snprintf(name, size, "dangerous point %zu: %s", thing.index + 1, observation->hazards[thing.index].what);
-    else if (thing.kind == HOUSE_STOP)
-        snprintf(name, size, "%s stops at %s", house->people[thing.index].id,
-                 observation->people[thing.index].blockage.what);
-    else if (thing.kind == HOUSE_FURNITURE)
-        outline_name(&house->plan, OWNER_FURNITURE, (int)thing.index, name, size);
+    const char *id = house_item_id(house, item);
+    if (item.kind == HOUSE_HAZARD)
+        snprintf(name, size, "dangerous point %zu: %s", item.index + 1, observation->hazards[item.index].what);
+    else if (item.kind == HOUSE_STOP)
+        snprintf(name, size, "%s stops at %s", house->people[item.index].id,
+                 observation->people[item.index].blockage.what);
+    else if (item.kind == HOUSE_FURNITURE)
+        outline_name(&house->plan, OWNER_FURNITURE, (int)item.index, name, size);
     else
         snprintf(name, size, "%s %s",
-                 thing.kind == HOUSE_PERSON ? "person"
-                 : thing.kind == HOUSE_DOOR ? "door"
-                 : thing.kind == HOUSE_WALL ? "wall"
-                                            : "exit",
+                 item.kind == HOUSE_PERSON ? "person"
+                 : item.kind == HOUSE_DOOR ? "door"
+                 : item.kind == HOUSE_WALL ? "wall"
+                                           : "exit",
                  id);
 }
 
@@ -135,32 +135,32 @@ static size_t outline_wall(const Wall *wall, Vec2 *points) {
     return 2 * count;
 }
 
-size_t house_item_outline(const HouseScenery *scenery, Item thing, double time, Vec2 *points) {
+size_t house_item_outline(const HouseScenery *scenery, Item item, double time, Vec2 *points) {
     const Plan *plan = &scenery->house->plan;
     Vec2 from, to;
-    if (thing.index >= house_item_count(scenery->house, scenery->observation, thing.kind))
+    if (item.index >= house_item_count(scenery->house, scenery->observation, item.kind))
         return 0;
-    switch ((HouseItem)thing.kind) {
+    switch ((HouseItem)item.kind) {
     case HOUSE_PERSON:
-        return outline_person(scenery, thing.index, time, points);
+        return outline_person(scenery, item.index, time, points);
     case HOUSE_HAZARD:
-        return outline_circle(scenery->observation->hazards[thing.index].at, HAZARD_SHOWN, points);
+        return outline_circle(scenery->observation->hazards[item.index].at, HAZARD_SHOWN, points);
     case HOUSE_STOP:
-        if (!blockage_scene_has(&scenery->observation->people[thing.index]))
+        if (!blockage_scene_has(&scenery->observation->people[item.index]))
             return 0;
-        return outline_circle(scenery->observation->people[thing.index].blockage.at, STOP_SHOWN, points);
+        return outline_circle(scenery->observation->people[item.index].blockage.at, STOP_SHOWN, points);
     case HOUSE_DOOR:
-        plan_geometry_door_ends(plan, &plan->doors[thing.index], &from, &to);
-        return outline_strip(from, to, plan->walls[plan->doors[thing.index].wall_index].thickness, points);
+        plan_geometry_door_ends(plan, &plan->doors[item.index], &from, &to);
+        return outline_strip(from, to, plan->walls[plan->doors[item.index].wall_index].thickness, points);
     case HOUSE_FURNITURE:
-        plan_geometry_corners(&plan->furniture[thing.index], points);
+        plan_geometry_corners(&plan->furniture[item.index], points);
         return 4;
     case HOUSE_WALL:
-        return outline_wall(&plan->walls[thing.index], points);
+        return outline_wall(&plan->walls[item.index], points);
     case HOUSE_EXIT:
-        return outline_strip(plan->exits[thing.index].from, plan->exits[thing.index].to, EXIT_DEPTH, points);
+        return outline_strip(plan->exits[item.index].from, plan->exits[item.index].to, EXIT_DEPTH, points);
     case HOUSE_NOTHING:
-    case HOUSE_THINGS:
+    case HOUSE_ITEMS:
         break;
     }
     return 0;
@@ -169,7 +169,7 @@ size_t house_item_outline(const HouseScenery *scenery, Item thing, double time, 
 /* Picking --------------------------------------------------------------------------------------------------------- */
 
 typedef struct Hit {
-    Item thing;
+    Item item;
     double area; /* m2 */
 } Hit;
 
@@ -208,12 +208,12 @@ static bool is_far(const HouseScenery *scenery, size_t person, Vec2 at, double t
 
 static bool hits(const HouseScenery *scenery, Hit *hit, Vec2 at, double time) {
     Vec2 points[LABORATORY_OUTLINE_MOST];
-    if (hit->thing.kind == HOUSE_PERSON && is_far(scenery, hit->thing.index, at, time))
+    if (hit->item.kind == HOUSE_PERSON && is_far(scenery, hit->item.index, at, time))
         return false;
-    size_t count = house_item_outline(scenery, hit->thing, time, points);
+    size_t count = house_item_outline(scenery, hit->item, time, points);
     hit->area = area_of(points, count);
-    if (hit->thing.kind == HOUSE_WALL)
-        return on_wall(&scenery->house->plan.walls[hit->thing.index], at);
+    if (hit->item.kind == HOUSE_WALL)
+        return on_wall(&scenery->house->plan.walls[hit->item.index], at);
     return count && holds(points, count, at);
 }
 
@@ -227,12 +227,12 @@ static int rank_of(int kind) {
 /* Sorts smaller items first; walls, which lie behind all other items, last. */
 static int compare_hits(const void *a, const void *b) {
     const Hit *p = a, *q = b;
-    if ((p->thing.kind == HOUSE_WALL) != (q->thing.kind == HOUSE_WALL))
-        return p->thing.kind == HOUSE_WALL ? 1 : -1;
+    if ((p->item.kind == HOUSE_WALL) != (q->item.kind == HOUSE_WALL))
+        return p->item.kind == HOUSE_WALL ? 1 : -1;
     if (p->area != q->area)
         return (p->area > q->area) - (p->area < q->area);
-    int ranks = rank_of(p->thing.kind) - rank_of(q->thing.kind);
-    return ranks ? ranks : (p->thing.index > q->thing.index) - (p->thing.index < q->thing.index);
+    int ranks = rank_of(p->item.kind) - rank_of(q->item.kind);
+    return ranks ? ranks : (p->item.index > q->item.index) - (p->item.index < q->item.index);
 }
 
 Item house_item_at(const HouseScenery *scenery, Vec2 at, double time, Item below) {
@@ -240,7 +240,7 @@ Item house_item_at(const HouseScenery *scenery, Vec2 at, double time, Item below
     size_t count = 0, capacity = 0, chosen = 0;
     for (size_t k = 0; k < KINDS; k++)
         for (size_t i = 0; i < house_item_count(scenery->house, scenery->observation, (int)order[k]); i++) {
-            Hit hit = {.thing = {(int)order[k], i}};
+            Hit hit = {.item = {(int)order[k], i}};
             if (!hits(scenery, &hit, at, time))
                 continue;
             list = memory_reserve(list, &capacity, count + 1, sizeof *list);
@@ -249,23 +249,23 @@ Item house_item_at(const HouseScenery *scenery, Vec2 at, double time, Item below
     if (count > 1)
         qsort(list, count, sizeof *list, compare_hits);
     for (size_t i = 0; i < count; i++)
-        if (below.kind && item_same(list[i].thing, below))
+        if (below.kind && item_same(list[i].item, below))
             chosen = (i + 1) % count;
-    Item thing = count ? list[chosen].thing : (Item){0, 0};
+    Item item = count ? list[chosen].item : (Item){0, 0};
     memory_free(list);
-    return thing;
+    return item;
 }
 
-Item house_item_next(const HouseScenery *scenery, Item thing, int step) {
+Item house_item_next(const HouseScenery *scenery, Item item, int step) {
     size_t total = 0, place = 0;
     for (size_t k = 0; k < KINDS; k++) {
-        if ((int)order[k] == thing.kind)
-            place = total + thing.index;
+        if ((int)order[k] == item.kind)
+            place = total + item.index;
         total += house_item_count(scenery->house, scenery->observation, (int)order[k]);
     }
     if (!total)
         return (Item){0, 0};
-    if (thing.kind == HOUSE_NOTHING)
+    if (item.kind == HOUSE_NOTHING)
         place = step > 0 ? total - 1 : 0;
     place = (place + total + (size_t)(step > 0 ? 1 : total - 1)) % total;
     for (size_t k = 0; k < KINDS; k++) {

@@ -17,21 +17,21 @@ typedef enum HouseItem {
     HOUSE_WALL,
     HOUSE_EXIT,
     HOUSE_STOP, /* the place where a person is stopped; not visited by Tab */
-    HOUSE_THINGS,
+    HOUSE_ITEMS,
 } HouseItem;
 
-enum { HOUSE_THING_NAME = 128 /* characters of an item's name */ };
+enum { HOUSE_ITEM_NAME = 128 /* characters of an item's name */ };
 
 size_t house_item_count(const House *house, const Observation *observation, int kind);
 
 /* Returns the id as in the house file; "" for a dangerous point. */
-const char *house_item_id(const House *house, Item thing);
+const char *house_item_id(const House *house, Item item);
 
 /* Finds the item with this id; kind 0: there is none. */
 Item house_item_find(const House *house, int kind, const char *id);
 
 /* "door d2", "wardrobe (f3)", "dangerous point 1: door d2" */
-void house_item_name(const House *house, const Observation *observation, Item thing, char *name, size_t size);
+void house_item_name(const House *house, const Observation *observation, Item item, char *name, size_t size);
 
 /* The house and its people's places over time: trails (person_count) belong to the observation. */
 typedef struct HouseScenery {
@@ -41,6 +41,6 @@ typedef struct HouseScenery {
 } HouseScenery;
 
 /* As outline, pick and next of a Laboratory. */
-size_t house_item_outline(const HouseScenery *scenery, Item thing, double time, Vec2 *points);
+size_t house_item_outline(const HouseScenery *scenery, Item item, double time, Vec2 *points);
 Item house_item_at(const HouseScenery *scenery, Vec2 at, double time, Item below);
-Item house_item_next(const HouseScenery *scenery, Item thing, int step);
+Item house_item_next(const HouseScenery *scenery, Item item, int step);

@@ -10,7 +10,7 @@
 typedef struct ImportFile {
     char *text;         /* text of a house file */
     char *name;         /* name of the house */
-    Fault told;         /* (told.count) assumptions and omissions, one per line */
+    Fault notes;        /* (notes.count) assumptions and omissions, one per line */
     Text left;          /* short summary of the omissions: "3 windows, 1 staircase"; empty: none */
     const char *format; /* "Sweet Home 3D" */
 } ImportFile;

@@ -34,9 +34,9 @@ typedef struct LaboratoryOptions {
 enum {
     LABORATORY_VIEW = 1,       /* the layers: the static one must be repainted */
     LABORATORY_PLOTS = 2,      /* the number or the kind of plots */
-    LABORATORY_WORDS = 4,      /* answer, rows, ticks */
+    LABORATORY_TEXTS = 4,      /* answer, rows, ticks */
     LABORATORY_PARAMETERS = 8, /* the list of parameters, or their values */
-    LABORATORY_TROUBLE = 16,   /* a new error: see `trouble` */
+    LABORATORY_ERROR = 16,     /* a new error: see `error` */
     LABORATORY_ALL = 31,
 };
 
@@ -50,7 +50,7 @@ typedef struct RecordSpan {
     double fastest;    /* highest useful speed, a power of two */
 } RecordSpan;
 
-typedef enum TimelineMarkKind { TIMELINE_CONTACT, TIMELINE_EXIT, TIMELINE_CHANGE, TIMELINE_TROUBLE } TimelineMarkKind;
+typedef enum TimelineMarkKind { TIMELINE_CONTACT, TIMELINE_EXIT, TIMELINE_CHANGE, TIMELINE_ERROR } TimelineMarkKind;
 
 /* A mark on the timeline. */
 typedef struct TimelineMark {
@@ -80,7 +80,7 @@ static inline bool item_same(Item a, Item b) {
 /* A row of the panel, as in a scene's list; choosing it shows its place, or goes to its time. */
 typedef struct PanelRow {
     SceneRow row;
-    Item thing;  /* item that choosing the row selects */
+    Item item;   /* item that choosing the row selects */
     Item place;  /* place of the row's main result; "Show place" uses the first row that has one */
     double time; /* s, time that choosing the row displays; NAN: none */
 } PanelRow;
@@ -115,7 +115,7 @@ typedef struct LaboratoryPlot {
     unsigned revision; /* changes with the axes or series: the drawn plot is then invalid */
     bool still;        /* the plot does not depend on the displayed time */
     double cursor;     /* place of a vertical line, a value of x; NAN: none */
-    const char *cursor_words;
+    const char *cursor_text;
     const char *cursor_parameter; /* parameter that a click at a value of x sets; NULL: none */
     double cursor_factor;         /* value of x = cursor_factor x the parameter's value */
     Role now;    /* role of the disc at the present end of the series; ROLE_PAPER: each series' own role */
@@ -127,9 +127,9 @@ typedef struct Editor Editor;
 
 /* A choice among a few words: the ghost, the route, the pass of a sweep. */
 typedef struct PanelChoice {
-    const char *name;         /* "Ghost" */
-    const char *meaning;      /* a sentence */
-    const char *const *words; /* (count) "none", "before", "miura" */
+    const char *name;           /* "Ghost" */
+    const char *meaning;        /* a sentence */
+    const char *const *options; /* (count) "none", "before", "miura" */
     size_t count, chosen;
 } PanelChoice;
 
@@ -143,12 +143,12 @@ typedef struct Laboratory {
     const char *const *meanings; /* (layer_count) a sentence each */
     size_t layer_count;          /* at most LABORATORY_LAYERS_MOST */
     unsigned layers_at_first;    /* bits of the layers that are shown at first */
-    bool raised;                 /* an raised view is available */
+    bool raised;                 /* a raised view is available */
     bool numbers_first;          /* the panel begins with the parameters */
 
     /* Opens a file (`path` NULL: an empty one, if there is an editor); the first pictures come with an update. NULL:
      * faults give the reasons. Reading that takes longer than about 50 ms runs in the background and reports its
-     * faults as trouble. `close` ends all threads. */
+     * faults by `error`. `close` ends all threads. */
     void *(*open)(const char *path, const LaboratoryOptions *options, Fault *fault);
     void (*close)(void *session);
 
@@ -165,19 +165,19 @@ typedef struct Laboratory {
     bool (*show)(void *session, double time);
 
     /* True if drawing at `time` gives the same pixels as the last draw. NULL: unknown. */
-    bool (*rests)(const void *session, double time);
+    bool (*is_unchanged)(const void *session, double time);
     const Scene *(*still)(void *session);
     const Scene *(*added)(const void *session);
     const Scene *(*moving)(const void *session);
 
     /* Set the camera and the bits of the shown layers. */
-    void (*look)(void *session, Camera camera);
-    void (*reveal)(void *session, unsigned layers);
+    void (*set_camera)(void *session, Camera camera);
+    void (*set_layers)(void *session, unsigned layers);
 
     /* Plots. `until`: number of points of a series that are drawn at a time. */
     size_t (*plot_count)(const void *session);
     LaboratoryPlot (*plot)(const void *session, size_t index);
-    size_t (*until)(const void *session, size_t plot, size_t series, double time);
+    size_t (*points_until)(const void *session, size_t plot, size_t series, double time);
 
     Result (*answer)(void *session);
 
@@ -188,11 +188,11 @@ typedef struct Laboratory {
     const char *(*note)(void *session);
     const char *(*title)(const void *session); /* name of the displayed house or beam */
     const PanelRow *(*rows)(const void *session, size_t *count);
-    const TimelineMark *(*ticks)(void *session, size_t *count);
+    const TimelineMark *(*marks)(void *session, size_t *count);
 
     /* Returns the last error, with cause and remedy, and its time (s; NAN: it belongs to no time of the record);
      * NULL: none. The last valid state stays displayed. */
-    const char *(*trouble)(const void *session, double *time);
+    const char *(*error)(const void *session, double *time);
 
     /* Parameters, valid until the next update that changes them. False: the fault says which values are allowed, and
      * the value is unchanged. */
@@ -202,31 +202,31 @@ typedef struct Laboratory {
 
     /* Start and end the dragging of a slider: all changes by `set` before `settle` form one undo step, and the clock
      * must be paused. NULL: there are no undo steps. */
-    void (*hold)(void *session, const char *name);
-    void (*settle)(void *session);
+    void (*begin_number)(void *session, const char *name);
+    void (*end_number)(void *session);
 
     const Preset *(*presets)(const void *session, size_t *count);
-    void (*prefer)(void *session, size_t preset);
+    void (*apply_preset)(void *session, size_t preset);
 
     const PanelChoice *(*choices)(void *session, size_t *count);
     void (*choose)(void *session, size_t choice, size_t word);
 
     /* Restart with the same parameters; save the displayed run for comparison (false: there is nothing to save yet);
      * discard the saved run, the trace and the points so far. */
-    void (*again)(void *session);
-    bool (*keep)(void *session, double time);
-    void (*clear)(void *session, double time);
+    void (*restart)(void *session);
+    bool (*save_run)(void *session, double time);
+    void (*clear_runs)(void *session, double time);
 
     /* Returns the item at a place, m on the floor; `below`: the next item under this one. */
     Item (*pick)(const void *session, Vec2 at, double time, Item below);
-    Item (*next)(const void *session, Item thing, int step); /* cycles through the items in a fixed order */
-    void (*select)(void *session, Item thing);
+    Item (*next)(const void *session, Item item, int step); /* cycles through the items in a fixed order */
+    void (*select)(void *session, Item item);
     Item (*selected)(void *session);
-    const char *(*name_thing)(void *session, Item thing); /* "door d2" */
+    const char *(*item_name)(void *session, Item item); /* "door d2" */
 
     /* Writes the outline of an item at a time (m); returns the number of points, at most LABORATORY_OUTLINE_MOST; 0:
      * the item has no place at that time. */
-    size_t (*outline)(void *session, Item thing, double time, Vec2 *points);
+    size_t (*outline)(void *session, Item item, double time, Vec2 *points);
 
     /* Returns the words after "clearance" that reproduce the displayed run: "run", FILE, "--set", ... (count). */
     const char *const *(*command)(void *session, size_t *count);

@@ -26,11 +26,11 @@ static size_t sentence_of(const char *note) {
 }
 
 /* Returns the bytes of the part of a text that fits: at most THUMBNAIL_LINE characters, up to the end of a word. */
-static size_t shortened(const char *words, size_t length) {
+static size_t shortened(const char *sentence, size_t length) {
     size_t characters = 0, word = 0;
     for (size_t i = 0; i < length; i++) {
-        characters += ((unsigned char)words[i] & 0xc0) != 0x80;
-        if (words[i] == ' ')
+        characters += ((unsigned char)sentence[i] & 0xc0) != 0x80;
+        if (sentence[i] == ' ')
             word = i;
         if (characters > THUMBNAIL_LINE)
             return word ? word : i;
@@ -42,14 +42,14 @@ static size_t shortened(const char *words, size_t length) {
 static const char *line_of(Thumbnail *thumbnail, const char *note) {
     static const char assumed[] = "assumed plan: ";
     bool is_assumed = strncmp(note, assumed, strlen(assumed)) == 0;
-    const char *words = is_assumed ? note + strlen(assumed) : note;
-    size_t length = sentence_of(words), shown = shortened(words, length);
+    const char *sentence = is_assumed ? note + strlen(assumed) : note;
+    size_t length = sentence_of(sentence), shown = shortened(sentence, length);
     if (!shown)
         return "";
-    while (shown < length && shown > 1 && strchr(",;:", words[shown - 1]))
+    while (shown < length && shown > 1 && strchr(",;:", sentence[shown - 1]))
         shown--;
-    return text_in_arena(&thumbnail->arena, "%c%.*s%s%s", toupper((unsigned char)words[0]), (int)shown - 1, words + 1,
-                         shown < length ? " \u2026" : "", is_assumed ? " (assumed plan)" : "");
+    return text_in_arena(&thumbnail->arena, "%c%.*s%s%s", toupper((unsigned char)sentence[0]), (int)shown - 1,
+                         sentence + 1, shown < length ? " \u2026" : "", is_assumed ? " (assumed plan)" : "");
 }
 
 static void tell(Thumbnail *thumbnail, const char *path, const char *name, const char *note) {

@@ -80,7 +80,7 @@ static void next_word(Window *window, Tab *tab, const char *name) {
     for (size_t i = 0; i < count; i++)
         if (strcmp(choices[i].name, name) == 0) {
             size_t word = (choices[i].chosen + 1) % choices[i].count;
-            notice_post(window, "%s: %s", name, choices[i].words[word]);
+            notice_post(window, "%s: %s", name, choices[i].options[word]);
             tab->laboratory->choose(tab->session, i, word);
             return;
         }
@@ -103,7 +103,7 @@ static void toggle_sound(Window *window) {
 /* Items ------------------------------------------------------------------------------------------------------------ */
 
 /* Selects the next item of the view; after the last one the focus goes to the next pane. */
-static void walk_things(Window *window, Tab *tab, int step) {
+static void walk_items(Window *window, Tab *tab, int step) {
     Item now = tab->laboratory->selected(tab->session), next = tab->laboratory->next(tab->session, now, step);
     Item first = tab->laboratory->next(tab->session, (Item){0}, step);
     if (!next.kind || (now.kind && item_same(next, first))) {
@@ -233,7 +233,7 @@ static bool do_tab(Window *window, Tab *tab, Action action) {
         return true;
     case ACTION_KEEP:
         notice_post(window, "%s",
-                    tab->laboratory->keep(tab->session, tab->player.time)
+                    tab->laboratory->save_run(tab->session, tab->player.time)
                         ? "Saved for comparison"
                         : "Nothing to save yet: the run is still being computed");
         return true;
@@ -244,16 +244,16 @@ static bool do_tab(Window *window, Tab *tab, Action action) {
         next_word(window, tab, "Sweep");
         return true;
     case ACTION_CLEAR:
-        tab->laboratory->clear(tab->session, tab->player.time);
+        tab->laboratory->clear_runs(tab->session, tab->player.time);
         return true;
     case ACTION_AGAIN:
         act_play_again(tab);
         return true;
     case ACTION_NEXT_THING:
-        walk_things(window, tab, 1);
+        walk_items(window, tab, 1);
         return true;
     case ACTION_PREVIOUS_THING:
-        walk_things(window, tab, -1);
+        walk_items(window, tab, -1);
         return true;
     case ACTION_EDIT_NUMBERS:
         window->panel = window->drawer = true;

@@ -53,7 +53,7 @@ void act_play_do(Tab *tab, Action action) {
 
 void act_play_again(Tab *tab) {
     bool playing = tab->player.playing;
-    tab->laboratory->again(tab->session);
+    tab->laboratory->restart(tab->session);
     RecordSpan span = tab->laboratory->span(tab->session);
     player_seek(&tab->player, span.begin, &span);
     tab->player.playing = playing;

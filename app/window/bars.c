@@ -254,8 +254,8 @@ static double key_width(Window *window, const KeyRow *row) {
 /* Returns the name of the selected item and the position of the pointer, m. */
 static const char *place_text(Window *window, Tab *tab) {
     Vec2 at = vec2_scale(window->mouse, 1 / window->unit);
-    Item thing = tab->laboratory->selected(tab->session);
-    const char *name = thing.kind ? tab->laboratory->name_thing(tab->session, thing) : "";
+    Item item = tab->laboratory->selected(tab->session);
+    const char *name = item.kind ? tab->laboratory->item_name(tab->session, item) : "";
     if (!tab_editor(tab) || !box_holds(window->frame.view, at) || !tab->view_layers.painted)
         return name;
     Vec2 floor = view_layers_floor(&tab->view_layers, vec2_sub(at, window->frame.view.low));

@@ -18,10 +18,10 @@
 /* Dragging --------------------------------------------------------------------------------------------------------- */
 
 /* Selects an item and returns its name if it is furniture; NULL: it is something else. */
-static const char *piece_name(Tab *tab, Item thing) {
+static const char *piece_name(Tab *tab, Item item) {
     static const char begin[] = "furniture.", end[] = ".name";
     size_t count;
-    tab_select(tab, thing);
+    tab_select(tab, item);
     const EditText *texts = editor_texts(tab_editor(tab), &count);
     for (size_t i = 0; i < count; i++) {
         size_t length = strlen(texts[i].name);
@@ -34,24 +34,24 @@ static const char *piece_name(Tab *tab, Item thing) {
 
 /* Returns the first wardrobe, or else the first piece of furniture. */
 static Item find_piece(Tab *tab) {
-    Item first = tab->laboratory->next(tab->session, (Item){0}, 1), thing = first, found = {0};
+    Item first = tab->laboratory->next(tab->session, (Item){0}, 1), item = first, found = {0};
     do {
-        const char *name = thing.kind ? piece_name(tab, thing) : NULL;
+        const char *name = item.kind ? piece_name(tab, item) : NULL;
         if (name && strstr(name, "wardrobe"))
-            return thing;
+            return item;
         if (name && !found.kind)
-            found = thing;
-        thing = tab->laboratory->next(tab->session, thing, 1);
-    } while (thing.kind && !item_same(thing, first));
+            found = item;
+        item = tab->laboratory->next(tab->session, item, 1);
+    } while (item.kind && !item_same(item, first));
     return found;
 }
 
 /* Selects the piece to drag and finds its middle, m; false: there is none. */
 static bool find_middle(Tab *tab, Vec2 *middle) {
     Vec2 points[LABORATORY_OUTLINE_MOST];
-    Item thing = find_piece(tab);
-    size_t count = thing.kind ? tab->laboratory->outline(tab->session, thing, tab->player.time, points) : 0;
-    tab_select(tab, thing);
+    Item item = find_piece(tab);
+    size_t count = item.kind ? tab->laboratory->outline(tab->session, item, tab->player.time, points) : 0;
+    tab_select(tab, item);
     *middle = vec2(0, 0);
     for (size_t i = 0; i < count; i++)
         *middle = vec2_along(*middle, 1 / (double)count, points[i]);

@@ -70,10 +70,10 @@ bool opening_copy(Window *window, const char *path, const char *origin, const ch
 /* Other programs' files -------------------------------------------------------------------------------------------- */
 
 /* Posts what an import did and left out, one line each, then a summary. */
-static void tell(Window *window, const char *path, const ImportFile *import) {
-    for (size_t i = 0; i < import->told.count; i++)
-        notice_post(window, "%s: %s", path, import->told.lines[i]);
-    const char *more = import->told.count ? " Press F7 for details." : "";
+static void add_notes(Window *window, const char *path, const ImportFile *import) {
+    for (size_t i = 0; i < import->notes.count; i++)
+        notice_post(window, "%s: %s", path, import->notes.lines[i]);
+    const char *more = import->notes.count ? " Press F7 for details." : "";
     if (import->left.text)
         notice_post(window, "Imported a new house from %s. Left out: %s.%s", import->format, import->left.text, more);
     else
@@ -103,7 +103,7 @@ static bool import(Window *window, const char *path) {
     notice_fault(window, &fault, NAN);
     read = read && open_text(window, path, &import);
     if (read)
-        tell(window, path, &import);
+        add_notes(window, path, &import);
     import_file_clear(&import);
     return read;
 }

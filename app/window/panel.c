@@ -16,7 +16,7 @@ enum { DIGITS_MOST = 6, PRESETS_IN_ROW = 2 };
 
 /* True if the row can be chosen. */
 static bool is_usable(const PanelRow *row) {
-    return row->thing.kind || !isnan(row->time);
+    return row->item.kind || !isnan(row->time);
 }
 
 static void show_row(Window *window, Tab *tab, const PanelRow *row, size_t index) {
@@ -38,14 +38,14 @@ static void show_row(Window *window, Tab *tab, const PanelRow *row, size_t index
                    .cells = {scene->cells[0], scene->cells[1], scene->cells[2]},
                    .help = usable ? text_in_arena(&window->arena, "%s: Select it and go to its time", scene->cells[0])
                                   : NULL,
-                   .selected = row->thing.kind && item_same(row->thing, tab->laboratory->selected(tab->session)),
+                   .selected = row->item.kind && item_same(row->item, tab->laboratory->selected(tab->session)),
                    .usable = usable};
-    Item thing = row->thing;
+    Item item = row->item;
     double time = row->time;
     if (!ui_list_row(window->ui, &shown))
         return;
-    if (thing.kind)
-        tab_select(tab, thing);
+    if (item.kind)
+        tab_select(tab, item);
     if (!isnan(time))
         tab_seek(tab, time);
     window->dirty = true;
@@ -78,7 +78,7 @@ static void show_choices(Window *window, Tab *tab) {
         if (choices[i].count < 2)
             continue;
         const char *help = text_in_arena(&window->arena, "%s: %s", choices[i].name, choices[i].meaning);
-        if (ui_choice(window->ui, choices[i].name, choices[i].name, help, choices[i].words, choices[i].count,
+        if (ui_choice(window->ui, choices[i].name, choices[i].name, help, choices[i].options, choices[i].count,
                       &chosen)) {
             tab->laboratory->choose(tab->session, i, chosen);
             choices = tab->laboratory->choices(tab->session, &count);
@@ -98,7 +98,7 @@ static void show_presets(Window *window, Tab *tab) {
             ui_row(window->ui, PRESETS_IN_ROW);
         const char *help = text_in_arena(&window->arena, "%s: %s", presets[i].name, presets[i].meaning);
         if (ui_button(window->ui, &(UiButton){.label = presets[i].name, .help = help})) {
-            tab->laboratory->prefer(tab->session, i);
+            tab->laboratory->apply_preset(tab->session, i);
             return;
         }
     }

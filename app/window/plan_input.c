@@ -330,10 +330,10 @@ const char *plan_input_step_label(Window *window, Action action) {
 
 void plan_input_hold_number(Window *window, const char *name) {
     Tab *tab = window_tab(window);
-    if (!tab->session || !tab->laboratory->hold || window->plan_input.number)
+    if (!tab->session || !tab->laboratory->begin_number || window->plan_input.number)
         return;
     window->plan_input.number = true;
-    tab->laboratory->hold(tab->session, name);
+    tab->laboratory->begin_number(tab->session, name);
 }
 
 void plan_input_hold_clock(Window *window) {
@@ -344,7 +344,7 @@ void plan_input_hold_clock(Window *window) {
         return;
     if (input->number && !window->input.down[SDL_WINDOW_EVENT_LEFT]) {
         input->number = false;
-        tab->laboratory->settle(tab->session);
+        tab->laboratory->end_number(tab->session);
     }
     bool hold = input->number || editor_gesture(editor)->active;
     if (hold && !input->holds)
@@ -377,7 +377,7 @@ void plan_input_reset(Window *window) {
     if (!editor)
         return;
     if (window->plan_input.number)
-        tab->laboratory->settle(tab->session);
+        tab->laboratory->end_number(tab->session);
     editor_set_tool(editor, TOOL_SELECT);
     if (window->plan_input.holds)
         tab->player.playing = window->plan_input.plays_on;

@@ -217,9 +217,9 @@ static void show_marks(Window *window, Tab *tab, const GestureView *gesture, Lab
 
 /* What is selected ------------------------------------------------------------------------------------------------- */
 
-static void frame_thing(Window *window, Tab *tab, Item thing) {
+static void frame_item(Window *window, Tab *tab, Item item) {
     Vec2 points[LABORATORY_OUTLINE_MOST];
-    size_t count = thing.kind ? tab->laboratory->outline(tab->session, thing, tab->player.time, points) : 0;
+    size_t count = item.kind ? tab->laboratory->outline(tab->session, item, tab->player.time, points) : 0;
     for (size_t i = 0; i < count; i++)
         points[i] = on_page(window, tab, points[i]);
     if (!count)
@@ -232,14 +232,14 @@ static void show_selection(Window *window, Tab *tab) {
     Editor *editor = tab_editor(tab);
     Item last = tab->laboratory->selected(tab->session);
     size_t count = 0;
-    const Item *things = editor ? editor_selection(editor, &count) : NULL;
+    const Item *items = editor ? editor_selection(editor, &count) : NULL;
     bool framed = false;
     for (size_t i = 0; i < count; i++) {
-        framed |= item_same(things[i], last);
-        frame_thing(window, tab, things[i]);
+        framed |= item_same(items[i], last);
+        frame_item(window, tab, items[i]);
     }
     if (!framed)
-        frame_thing(window, tab, last);
+        frame_item(window, tab, last);
 }
 
 /* What is typed ---------------------------------------------------------------------------------------------------- */

@@ -30,10 +30,10 @@ void plot_panes_clear(PlotPanes *panes, PaintGlScreen *screen) {
 }
 
 /* Returns the index of the plot with a name of `length` bytes; the number of plots if there is none. */
-static size_t find_plot(const Laboratory *kind, const void *session, const char *name, size_t length) {
-    size_t count = kind->plot_count(session), i = 0;
-    while (i < count &&
-           (strlen(kind->plot(session, i).name) != length || memcmp(kind->plot(session, i).name, name, length) != 0))
+static size_t find_plot(const Laboratory *laboratory, const void *session, const char *name, size_t length) {
+    size_t count = laboratory->plot_count(session), i = 0;
+    while (i < count && (strlen(laboratory->plot(session, i).name) != length ||
+                         memcmp(laboratory->plot(session, i).name, name, length) != 0))
         i++;
     return i;
 }
@@ -49,15 +49,15 @@ static PlotPane take_pane(PlotPanes *before, const LaboratoryPlot *plot) {
     return (PlotPane){.source = *plot, .cursor = NAN};
 }
 
-void plot_panes_choose(PlotPanes *panes, const Laboratory *kind, void *session, const char *names,
+void plot_panes_choose(PlotPanes *panes, const Laboratory *laboratory, void *session, const char *names,
                        PaintGlScreen *screen) {
     PlotPanes before = *panes;
     panes->count = 0;
     for (const char *at = names; *at && panes->count < PLOT_PANES_MOST; at += strcspn(at, ","), at += *at == ',') {
-        size_t plot = find_plot(kind, session, at, strcspn(at, ","));
-        if (plot == kind->plot_count(session))
+        size_t plot = find_plot(laboratory, session, at, strcspn(at, ","));
+        if (plot == laboratory->plot_count(session))
             continue;
-        LaboratoryPlot shown = kind->plot(session, plot);
+        LaboratoryPlot shown = laboratory->plot(session, plot);
         panes->panes[panes->count++] = take_pane(&before, &shown);
     }
     plot_panes_clear(&before, screen);
@@ -113,7 +113,7 @@ static PlotPixels together(PlotPixels a, PlotPixels b) {
     return (PlotPixels){left, top, right - left, bottom - top};
 }
 
-static void draw(PlotPane *pane, const Laboratory *kind, const void *session, size_t index, double time,
+static void draw(PlotPane *pane, const Laboratory *laboratory, const void *session, size_t index, double time,
                  PaintGlScreen *screen) {
     PlotPixels changed = {0};
     if (isnan(pane->time) || (time < pane->time && !pane->source.still)) {
@@ -122,7 +122,8 @@ static void draw(PlotPane *pane, const Laboratory *kind, const void *session, si
     }
     pane->time = time;
     for (size_t s = 0; s < pane->shown.series_count; s++)
-        changed = together(changed, plot_canvas_advance(pane->canvas, s, kind->until(session, index, s, time)));
+        changed =
+            together(changed, plot_canvas_advance(pane->canvas, s, laboratory->points_until(session, index, s, time)));
     if (changed.width > 0)
         paint_gl_screen_fill(screen, &pane->texture, plot_canvas_pixels(pane->canvas), pane->width, pane->height,
                              plot_canvas_stride(pane->canvas), changed.x, changed.y, changed.width, changed.height);
@@ -156,16 +157,17 @@ static void mark_tail(const PlotPane *pane, const PlotSeries *series, size_t fir
 }
 
 /* Marks the present end of each series. */
-static void mark_present(const PlotPane *pane, const Laboratory *kind, const void *session, size_t index, double time,
-                         Ui *ui) {
+static void mark_present(const PlotPane *pane, const Laboratory *laboratory, const void *session, size_t index,
+                         double time, Ui *ui) {
     Box frame = frame_of(pane);
     for (size_t s = 0; s < pane->shown.series_count && !pane->source.still; s++) {
         const PlotSeries *series = &pane->shown.series[s];
-        size_t count = kind->until(session, index, s, time);
+        size_t count = laboratory->points_until(session, index, s, time);
         count = count < series->count ? count : series->count;
         if (!count || series->role == ROLE_GHOST || series->width <= 0)
             continue;
-        size_t first = pane->source.tail > 0 ? kind->until(session, index, s, time - pane->source.tail) : count;
+        size_t first =
+            pane->source.tail > 0 ? laboratory->points_until(session, index, s, time - pane->source.tail) : count;
         if (first < count)
             mark_tail(pane, series, first, count, frame, ui);
         Vec2 at = place_of(pane, plot_value(series, count - 1));
@@ -204,17 +206,17 @@ static void draw_box(const PlotPane *pane, Ui *ui) {
         ui_draw_frame(ui, box_include(box_include(box_empty(), from), to), ROLE_IMPACT, CURSOR_WIDTH);
 }
 
-void plot_panes_show(PlotPane *pane, const Laboratory *kind, const void *session, size_t index, double time, Box place,
-                     double unit, Theme theme, PaintGlScreen *screen, Ui *ui) {
-    LaboratoryPlot now = kind->plot(session, index);
+void plot_panes_show(PlotPane *pane, const Laboratory *laboratory, const void *session, size_t index, double time,
+                     Box place, double unit, Theme theme, PaintGlScreen *screen, Ui *ui) {
+    LaboratoryPlot now = laboratory->plot(session, index);
     int width = (int)lround(box_width(place) * unit), height = (int)lround(box_height(place) * unit);
     pane->place = place;
     refresh(pane, &now, width, height, unit, theme);
-    draw(pane, kind, session, index, time, screen);
+    draw(pane, laboratory, session, index, time, screen);
     ui_image(ui, &pane->texture, place);
-    mark_present(pane, kind, session, index, time, ui);
+    mark_present(pane, laboratory, session, index, time, ui);
     if (!isnan(now.cursor))
-        draw_cursor(pane, now.cursor, now.cursor_words, ui);
+        draw_cursor(pane, now.cursor, now.cursor_text, ui);
     if (!isnan(pane->cursor))
         draw_cursor(pane, pane->cursor, NULL, ui);
     draw_box(pane, ui);
@@ -234,7 +236,7 @@ static void format_axis(char *text, size_t size, const PlotAxis *axis, double va
     snprintf(text, size, "%s %.6g%s%s", axis->title, value, pure ? "" : " ", pure ? "" : axis->unit);
 }
 
-bool plot_panes_read(const PlotPane *pane, const Laboratory *kind, const void *session, size_t index, double time,
+bool plot_panes_read(const PlotPane *pane, const Laboratory *laboratory, const void *session, size_t index, double time,
                      Vec2 at, Vec2 *nearest, char text[PLOT_PANES_TEXT]) {
     double least = NEAR;
     Vec2 value = {0};
@@ -242,7 +244,7 @@ bool plot_panes_read(const PlotPane *pane, const Laboratory *kind, const void *s
         return false;
     for (size_t s = 0; s < pane->shown.series_count; s++) {
         const PlotSeries *series = &pane->shown.series[s];
-        size_t count = kind->until(session, index, s, time);
+        size_t count = laboratory->points_until(session, index, s, time);
         for (size_t i = 0; i < count && i < series->count; i++) {
             Vec2 place = place_of(pane, plot_value(series, i));
             double apart = vec2_distance(place, at);

@@ -43,7 +43,7 @@ typedef struct PlotPanes {
 
 /* Chooses the plots with the given names, separated by commas, in that order. Panes that stay keep their pictures and
  * axes. */
-void plot_panes_choose(PlotPanes *panes, const Laboratory *kind, void *session, const char *names,
+void plot_panes_choose(PlotPanes *panes, const Laboratory *laboratory, void *session, const char *names,
                        PaintGlScreen *screen);
 void plot_panes_clear(PlotPanes *panes, PaintGlScreen *screen);
 
@@ -51,14 +51,14 @@ void plot_panes_clear(PlotPanes *panes, PaintGlScreen *screen);
 PlotPane *plot_panes_focused(PlotPanes *panes, const Ui *ui);
 
 /* Draws a plot in its place, design points of `unit` pixels. */
-void plot_panes_show(PlotPane *pane, const Laboratory *kind, const void *session, size_t index, double time, Box place,
-                     double unit, Theme theme, PaintGlScreen *screen, Ui *ui);
+void plot_panes_show(PlotPane *pane, const Laboratory *laboratory, const void *session, size_t index, double time,
+                     Box place, double unit, Theme theme, PaintGlScreen *screen, Ui *ui);
 
 /* Finds the values at a point of the window; false: it is outside of the axes. */
 bool plot_panes_value(const PlotPane *pane, Vec2 at, Vec2 *value);
 
 /* Formats the point of a series nearest to a point of the window, "x 0.12 mm, y 0.3 m/s"; false: none is near. */
-bool plot_panes_read(const PlotPane *pane, const Laboratory *kind, const void *session, size_t index, double time,
+bool plot_panes_read(const PlotPane *pane, const Laboratory *laboratory, const void *session, size_t index, double time,
                      Vec2 at, Vec2 *nearest, char text[PLOT_PANES_TEXT]);
 
 /* Zoom to the box between two points (values); go back to the previous axes; go back to the plot's own axes. */

@@ -63,7 +63,7 @@ static json_t *choices_state(const Tab *tab) {
     size_t count;
     const PanelChoice *choices = tab->laboratory->choices(tab->session, &count);
     for (size_t i = 0; i < count; i++)
-        json_object_set_new(state, choices[i].name, json_string(choices[i].words[choices[i].chosen]));
+        json_object_set_new(state, choices[i].name, json_string(choices[i].options[choices[i].chosen]));
     return state;
 }
 
@@ -130,9 +130,9 @@ static json_t *gesture_state(const GestureView *gesture) {
 static json_t *selection_state(const Tab *tab, Editor *editor) {
     json_t *state = json_array();
     size_t count;
-    const Item *things = editor_selection(editor, &count);
+    const Item *items = editor_selection(editor, &count);
     for (size_t i = 0; i < count; i++)
-        json_array_append_new(state, json_string(tab->laboratory->name_thing(tab->session, things[i])));
+        json_array_append_new(state, json_string(tab->laboratory->item_name(tab->session, items[i])));
     return state;
 }
 
@@ -178,7 +178,7 @@ static void add_tab(json_t *state, Window *window) {
     const Tab *tab = window_tab(window);
     const Player *player = &tab->player;
     RecordSpan span = tab->laboratory->span(tab->session);
-    Item thing = tab->laboratory->selected(tab->session);
+    Item item = tab->laboratory->selected(tab->session);
     char digest[32];
     snprintf(digest, sizeof digest, "%016llx",
              tab->laboratory->digest ? (unsigned long long)tab->laboratory->digest(tab->session) : 0ull);
@@ -201,7 +201,7 @@ static void add_tab(json_t *state, Window *window) {
     json_object_set_new(state, "layers", json_integer(tab_layers(tab)));
     json_object_set_new(state, "clock", json_string(tab->laboratory->clock(tab->session, player->time)));
     json_object_set_new(state, "selected",
-                        thing.kind ? json_string(tab->laboratory->name_thing(tab->session, thing)) : json_null());
+                        item.kind ? json_string(tab->laboratory->item_name(tab->session, item)) : json_null());
     json_object_set_new(state, "floor", floor_state(window, tab));
     json_object_set_new(state, "answer", answer_state(tab));
     json_object_set_new(state, "rows", rows_state(tab));

@@ -70,17 +70,17 @@ bool tab_open(Tab *tab, const char *path, const LaboratoryOptions *options, Pain
     tab->plot_panes_stale = true;
     fit(tab);
     view_layers_invalidate(&tab->view_layers);
-    tab->laboratory->reveal(session, tab_layers(tab));
+    tab->laboratory->set_layers(session, tab_layers(tab));
     tab_apply_camera(tab);
     return true;
 }
 
 /* Finds the box of an item now, m; false: it is not in the view. */
-static bool box_of(const Tab *tab, Item thing, Box *box) {
+static bool box_of(const Tab *tab, Item item, Box *box) {
     Vec2 points[LABORATORY_OUTLINE_MOST];
-    if (!tab->session || !thing.kind)
+    if (!tab->session || !item.kind)
         return false;
-    size_t count = tab->laboratory->outline(tab->session, thing, tab->player.time, points);
+    size_t count = tab->laboratory->outline(tab->session, item, tab->player.time, points);
     *box = box_empty();
     for (size_t i = 0; i < count; i++)
         *box = box_include(*box, points[i]);
@@ -90,8 +90,8 @@ static bool box_of(const Tab *tab, Item thing, Box *box) {
 /* Keeps the followed item in the middle of the view. */
 static void follow(Tab *tab) {
     Box box;
-    Item thing = tab->laboratory->selected(tab->session);
-    if (!tab->follows || !tab->view_layers.painted || !box_of(tab, thing, &box))
+    Item item = tab->laboratory->selected(tab->session);
+    if (!tab->follows || !tab->view_layers.painted || !box_of(tab, item, &box))
         return;
     Vec2 at = view_layers_point(&tab->view_layers, vec2_scale(vec2_add(box.low, box.high), 0.5));
     Box plan = tab->view_layers.still.frame;
@@ -181,7 +181,7 @@ void tab_toggle_layer(Tab *tab, size_t layer) {
         tab->named = !tab->named;
     else
         tab->layers ^= 1u << layer;
-    tab->laboratory->reveal(tab->session, tab_layers(tab));
+    tab->laboratory->set_layers(tab->session, tab_layers(tab));
 }
 
 void tab_set_cramped(Tab *tab, bool cramped) {
@@ -190,14 +190,14 @@ void tab_set_cramped(Tab *tab, bool cramped) {
     tab->cramped = cramped;
     tab->named = false;
     if (tab->session)
-        tab->laboratory->reveal(tab->session, tab_layers(tab));
+        tab->laboratory->set_layers(tab->session, tab_layers(tab));
 }
 
 /* Looking ---------------------------------------------------------------------------------------------------------- */
 
 void tab_apply_camera(Tab *tab) {
     if (tab->session)
-        tab->laboratory->look(tab->session, tab->camera);
+        tab->laboratory->set_camera(tab->session, tab->camera);
 }
 
 void tab_zoom(Tab *tab, double times, Vec2 about) {
@@ -226,8 +226,8 @@ void tab_fit(Tab *tab) {
     tab_apply_camera(tab);
 }
 
-void tab_select(Tab *tab, Item thing) {
-    tab->laboratory->select(tab->session, thing);
+void tab_select(Tab *tab, Item item) {
+    tab->laboratory->select(tab->session, item);
 }
 
 void tab_show_selected(Tab *tab) {

@@ -53,7 +53,7 @@ void tab_pan(Tab *tab, Vec2 metres);
 void tab_fit(Tab *tab);
 
 /* Select an item; zoom to the selection. */
-void tab_select(Tab *tab, Item thing);
+void tab_select(Tab *tab, Item item);
 void tab_show_selected(Tab *tab);
 
 /* Goes to a time. */

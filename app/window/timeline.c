@@ -87,7 +87,7 @@ static double time_at(const Track *track, double x) {
  * across. */
 static void show_ticks(Ui *ui, const Track *track, const Tab *tab) {
     size_t count;
-    const TimelineMark *ticks = tab->laboratory->ticks(tab->session, &count);
+    const TimelineMark *ticks = tab->laboratory->marks(tab->session, &count);
     double y = middle_of(track->box).y;
     for (size_t i = 0; i < count; i++) {
         if (ticks[i].time < track->span.begin || ticks[i].time > track->span.end)

@@ -41,19 +41,20 @@ static void add_more(ViewLayers *view_layers, const Scene *scene) {
     paint_gl_add(view_layers->paint, (Layer){scene, &view_layers->added});
 }
 
-void view_layers_show(ViewLayers *view_layers, const Laboratory *kind, void *session, double time) {
-    if (view_layers->painted && kind->rests && kind->rests(session, time))
+void view_layers_show(ViewLayers *view_layers, const Laboratory *laboratory, void *session, double time) {
+    if (view_layers->painted && laboratory->is_unchanged && laboratory->is_unchanged(session, time))
         return;
     if (!view_layers->painted) {
-        paint_still(view_layers, kind->still(session));
-        kind->show(session, kind->span(session).begin); /* back to the beginning, so that `added` holds everything */
-        add_more(view_layers, kind->added(session));
+        paint_still(view_layers, laboratory->still(session));
+        laboratory->show(session,
+                         laboratory->span(session).begin); /* back to the beginning, so that `added` holds everything */
+        add_more(view_layers, laboratory->added(session));
     }
-    if (!kind->show(session, time))
+    if (!laboratory->show(session, time))
         paint_gl_rewind(view_layers->paint);
-    add_more(view_layers, kind->added(session));
-    layout_make_over(&view_layers->moving, &view_layers->still, kind->moving(session));
-    paint_gl_frame(view_layers->paint, (Layer){kind->moving(session), &view_layers->moving});
+    add_more(view_layers, laboratory->added(session));
+    layout_make_over(&view_layers->moving, &view_layers->still, laboratory->moving(session));
+    paint_gl_frame(view_layers->paint, (Layer){laboratory->moving(session), &view_layers->moving});
 }
 
 Vec2 view_layers_floor(const ViewLayers *view_layers, Vec2 at) {

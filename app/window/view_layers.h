@@ -22,7 +22,7 @@ void view_layers_clear(ViewLayers *view_layers);
 void view_layers_invalidate(ViewLayers *view_layers);
 
 /* Draws the laboratory at a time; view_layers_fit must have been called. */
-void view_layers_show(ViewLayers *view_layers, const Laboratory *kind, void *session, double time);
+void view_layers_show(ViewLayers *view_layers, const Laboratory *laboratory, void *session, double time);
 
 /* Convert between a point of the picture, design points, and the place on the floor under it, m. */
 Vec2 view_layers_floor(const ViewLayers *view_layers, Vec2 at);

@@ -285,7 +285,7 @@ static bool is_lively(Window *window) {
 
 static void report_trouble(Window *window, Tab *tab) {
     double time = NAN;
-    const char *trouble = tab->laboratory->trouble(tab->session, &time);
+    const char *trouble = tab->laboratory->error(tab->session, &time);
     if (!trouble)
         return;
     messages_add(&window->messages, MESSAGE_FAULT, time, "%s", trouble);
@@ -356,7 +356,7 @@ static void update(Window *window, double seconds) {
     double before = tab->player.time;
     for (size_t i = 0; i < laboratories_count; i++) {
         unsigned changes = tab_update(&window->tabs[i], i == window->current ? seconds : 0);
-        if (changes & LABORATORY_TROUBLE)
+        if (changes & LABORATORY_ERROR)
             report_trouble(window, &window->tabs[i]);
         window->dirty |= changes && i == window->current;
     }

@@ -85,7 +85,7 @@ static bool is_another(const BeamLately *lately, const BeamVerdict *verdict) {
     return fabs(lately->peaks.max - verdict->peaks.max) > ALIKE * fmax(lately->peaks.max, verdict->peaks.max);
 }
 
-static void another_words(const BeamLately *lately, char *text, size_t size) {
+static void format_another(const BeamLately *lately, char *text, size_t size) {
     char peaks[60];
     peaks_words(&lately->peaks, peaks, sizeof peaks);
     if (lately->period > 0)
@@ -104,7 +104,7 @@ static void write_detail(BeamAnswer *answer, const Beam *beam, const BeamLately 
         snprintf(exponent, sizeof exponent, "   lyapunov %+.2f per cycle", verdict->exponent.value);
     if (verdict && is_another(lately, verdict)) {
         strcpy(another, "   ");
-        another_words(lately, another + 3, sizeof another - 3);
+        format_another(lately, another + 3, sizeof another - 3);
     }
     answer->result.detail = text_in_arena(&answer->arena, "%s%s%s   %.1f Hz, gap %.3g mm%s", type, peaks, exponent,
                                           beam->frequency, 1000 * beam->clearance, another);
@@ -177,10 +177,10 @@ static void write_rows(BeamAnswer *answer, const BeamLately *lately, const BeamV
     add_facts(answer, &verdict->motion);
     add_facts(answer, &verdict->forces);
     if (is_another(lately, verdict)) {
-        char words[100];
-        another_words(lately, words, sizeof words);
+        char text[100];
+        format_another(lately, text, sizeof text);
         add_row(answer, ROW_HEADING, "Another motion is running", NULL);
-        add_row(answer, ROW_PLAIN, arena_text(&answer->arena, words), NULL);
+        add_row(answer, ROW_PLAIN, arena_text(&answer->arena, text), NULL);
         add_row(answer, ROW_PLAIN, "What a beam does can depend on how it began; \"Run again\" begins from rest.",
                 NULL);
     }
@@ -210,7 +210,7 @@ void beam_answer_clear(BeamAnswer *answer) {
     arena_clear(&answer->arena);
 }
 
-const char *beam_answer_trouble(const BeamTape *tape, Arena *arena) {
+const char *beam_answer_error(const BeamTape *tape, Arena *arena) {
     if (tape->status == MOTION_CHATTERS)
         return text_in_arena(arena,
                              "In cycle %zu the tip switches more than %d times and cannot be followed further: more "

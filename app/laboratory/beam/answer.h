@@ -31,4 +31,4 @@ void beam_answer_write(BeamAnswer *answer, const BeamTape *tape, const Beam *bea
 void beam_answer_clear(BeamAnswer *answer);
 
 /* Returns the reason why the record has ended, with a remedy, in the arena. */
-const char *beam_answer_trouble(const BeamTape *tape, Arena *arena);
+const char *beam_answer_error(const BeamTape *tape, Arena *arena);

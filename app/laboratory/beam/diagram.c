@@ -41,9 +41,9 @@ static void take_points(BeamDiagram *diagram) {
         diagram->series[s].y = diagram->points[s].peak;
         diagram->series[s].count = diagram->points[s].count;
     }
-    bool kept = diagram->points[0].count > 0;
-    diagram->series[0].name = kept ? "before" : NULL;
-    diagram->series[1 + BEAM_SWEEP_REST].name = kept && !diagram->carried ? "now" : NULL;
+    bool stored = diagram->points[0].count > 0;
+    diagram->series[0].name = stored ? "before" : NULL;
+    diagram->series[1 + BEAM_SWEEP_REST].name = stored && !diagram->carried ? "now" : NULL;
     diagram->series[1 + BEAM_SWEEP_UP].name = diagram->carried ? "upwards" : NULL;
     diagram->series[1 + BEAM_SWEEP_DOWN].name = diagram->carried ? "downwards" : NULL;
 }
@@ -98,7 +98,7 @@ static double round_up(double value) {
     return steps[i] * power;
 }
 
-void beam_diagram_take(BeamDiagram *diagram, BeamNews *news) {
+void beam_diagram_apply(BeamDiagram *diagram, BeamNews *news) {
     double most = 0;
     if (news->sweep_begins)
         begin_anew(diagram);
@@ -117,7 +117,7 @@ void beam_diagram_take(BeamDiagram *diagram, BeamNews *news) {
     take_points(diagram);
 }
 
-void beam_diagram_keep(BeamDiagram *diagram, bool keep) {
+void beam_diagram_store(BeamDiagram *diagram, bool keep) {
     diagram->points[0].count = 0;
     for (size_t s = 1; s <= BEAM_SWEEP_PASSES && keep; s++)
         for (size_t i = 0; i < diagram->points[s].count; i++)

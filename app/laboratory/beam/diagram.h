@@ -30,7 +30,7 @@ void beam_diagram_close(BeamDiagram *diagram);
 void beam_diagram_ask(BeamDiagram *diagram, const BeamControls *controls, const Beam *beam, BeamWorker *worker);
 
 /* Takes over new points. */
-void beam_diagram_take(BeamDiagram *diagram, BeamNews *news);
+void beam_diagram_apply(BeamDiagram *diagram, BeamNews *news);
 
 /* Saves the diagram for comparison, or forgets the saved one. */
-void beam_diagram_keep(BeamDiagram *diagram, bool keep);
+void beam_diagram_store(BeamDiagram *diagram, bool keep);

@@ -18,13 +18,13 @@ enum { STEPS = 60 /* steps per cycle from frame to frame */ };
 
 /* Records one more cycle, or stores the reason why the record has ended. */
 static void advance(BeamSession *session) {
-    session->news |= session->tape.next ? LABORATORY_WORDS : 0;
+    session->news |= session->tape.next ? LABORATORY_TEXTS : 0;
     if (beam_tape_advance(&session->tape))
         return;
-    arena_clear(&session->troubles);
-    session->trouble = beam_answer_trouble(&session->tape, &session->troubles);
+    arena_clear(&session->error_texts);
+    session->error = beam_answer_error(&session->tape, &session->error_texts);
     session->looked = SIZE_MAX;
-    session->news |= LABORATORY_TROUBLE | LABORATORY_WORDS;
+    session->news |= LABORATORY_ERROR | LABORATORY_TEXTS;
 }
 
 /* Changes ----------------------------------------------------------------------------------------------------------*/
@@ -37,20 +37,20 @@ static void show_choices(BeamSession *session) {
     session->choices[CHOICE_SWEEP] = (PanelChoice){.name = "Sweep",
                                                    .meaning = "how each value of the orbit diagram begins: at rest, or "
                                                               "from where the value beside it has ended",
-                                                   .words = sweeps,
+                                                   .options = sweeps,
                                                    .count = sizeof sweeps / sizeof *sweeps,
                                                    .chosen = session->diagram.carried};
     session->choices[CHOICE_OVER] = (PanelChoice){.name = "Orbit over",
                                                   .meaning = "the number that the orbit diagram goes over",
-                                                  .words = beam_diagram_words,
+                                                  .options = beam_diagram_words,
                                                   .count = BEAM_DIAGRAM_OVER,
                                                   .chosen = session->diagram.over};
 }
 
 static void ask_worker(BeamSession *session, bool verdict) {
-    session->news |= LABORATORY_WORDS | LABORATORY_PARAMETERS;
+    session->news |= LABORATORY_TEXTS | LABORATORY_PARAMETERS;
     session->looked = SIZE_MAX;
-    session->told = session->told && beam_numbers_same(&session->verdict.beam, &session->beam);
+    session->has_verdict = session->has_verdict && beam_numbers_same(&session->verdict.beam, &session->beam);
     beam_controls_show(&session->controls, &session->beam);
     beam_diagram_ask(&session->diagram, &session->controls, &session->beam, session->worker);
     if (verdict)
@@ -96,7 +96,7 @@ static const Preset *presets(const void *context, size_t *count) {
     return session->controls.presets;
 }
 
-static void prefer(void *context, size_t preset) {
+static void apply_preset(void *context, size_t preset) {
     BeamSession *session = context;
     Beam beam;
     Fault none = {0};
@@ -120,7 +120,7 @@ static void choose(void *context, size_t choice, size_t word) {
     ask_worker(session, false);
 }
 
-static void again(void *context) {
+static void restart(void *context) {
     BeamSession *session = context;
     Fault none = {0};
     if (beam_tape_restart(&session->tape, &session->beam, &none)) {
@@ -128,23 +128,23 @@ static void again(void *context) {
         beam_traces_forget(&session->traces, 0);
         session->shown = 0;
         session->looked = SIZE_MAX;
-        session->news |= LABORATORY_WORDS;
+        session->news |= LABORATORY_TEXTS;
     }
     fault_clear(&none);
 }
 
-static bool keep(void *context, double time) {
+static bool save_run(void *context, double time) {
     BeamSession *session = context;
-    beam_traces_keep(&session->traces, time);
-    beam_diagram_keep(&session->diagram, true);
+    beam_traces_store(&session->traces, time);
+    beam_diagram_store(&session->diagram, true);
     return true;
 }
 
-static void clear(void *context, double time) {
+static void clear_runs(void *context, double time) {
     BeamSession *session = context;
     double phase;
-    beam_traces_keep(&session->traces, -1);
-    beam_diagram_keep(&session->diagram, false);
+    beam_traces_store(&session->traces, -1);
+    beam_diagram_store(&session->diagram, false);
     beam_traces_forget(&session->traces, beam_tape_cycle_at(&session->tape, time, &phase));
     beam_traces_show(&session->traces, &session->tape, time);
 }
@@ -190,8 +190,8 @@ static void look_at_answer(BeamSession *session) {
     session->looked = session->tape.front;
     BeamLately lately = beam_answer_look(&session->tape);
     beam_answer_write(&session->answer, &session->tape, &session->beam, &lately,
-                      session->told ? &session->verdict : NULL);
-    session->news |= LABORATORY_WORDS;
+                      session->has_verdict ? &session->verdict : NULL);
+    session->news |= LABORATORY_TEXTS;
 }
 
 static void *open_live(const char *path, const LaboratoryOptions *options, Fault *fault) {
@@ -213,7 +213,7 @@ static void *open_live(const char *path, const LaboratoryOptions *options, Fault
     beam_diagram_open(&session->diagram);
     session->worker = beam_worker_start(options->jobs);
     show_choices(session);
-    session->news = LABORATORY_ALL & ~LABORATORY_TROUBLE;
+    session->news = LABORATORY_ALL & ~LABORATORY_ERROR;
     advance(session);
     ask_worker(session, true);
     look_at_answer(session);
@@ -232,7 +232,7 @@ static void close_live(void *context) {
     beam_controls_close(&session->controls);
     beam_free(&session->opened);
     arena_clear(&session->command_words);
-    arena_clear(&session->troubles);
+    arena_clear(&session->error_texts);
     memory_free(session->path);
     memory_free(session);
 }
@@ -255,10 +255,10 @@ static RecordSpan span(const void *context) {
 static double reach(void *context, double time) {
     BeamSession *session = context;
     BeamTape *tape = &session->tape;
-    double until = stopwatch_now() + BUSY_MOST;
+    double deadline = stopwatch_now() + BUSY_MOST;
     while (tape->front_time <= time && !beam_session_has_ended(session)) {
         advance(session);
-        if (stopwatch_now() > until)
+        if (stopwatch_now() > deadline)
             break;
     }
     return tape->front_time;
@@ -267,30 +267,30 @@ static double reach(void *context, double time) {
 static bool show(void *context, double time) {
     BeamSession *session = context;
     session->shown = time;
-    bool anew = beam_view_show(&session->view, &session->tape, time);
+    bool restarted = beam_view_show(&session->view, &session->tape, time);
     beam_traces_show(&session->traces, &session->tape, time);
-    if (anew)
+    if (restarted)
         session->news |= LABORATORY_VIEW;
-    return !anew;
+    return !restarted;
 }
 
 /* Answer ------------------------------------------------------------------------------------------------------------*/
 
-static void take_news(BeamSession *session, BeamNews *news) {
-    if (news->verdict && beam_numbers_same(&news->told.beam, &session->beam)) {
+static void apply_news(BeamSession *session, BeamNews *news) {
+    if (news->verdict && beam_numbers_same(&news->result.beam, &session->beam)) {
         beam_verdict_clear(&session->verdict);
-        session->verdict = news->told;
-        session->told = true;
+        session->verdict = news->result;
+        session->has_verdict = true;
         session->looked = SIZE_MAX;
         bool typed = session->verdict.typed && session->verdict.type != TYPES_UNRESOLVED;
         if (typed &&
             beam_controls_name_type(&session->controls, &session->verdict.beam, types_kind_name(session->verdict.type)))
             session->news |= LABORATORY_PARAMETERS;
     } else if (news->verdict) {
-        beam_verdict_clear(&news->told);
+        beam_verdict_clear(&news->result);
     }
     if (news->swept)
-        beam_diagram_take(&session->diagram, news);
+        beam_diagram_apply(&session->diagram, news);
 }
 
 /* Reports the work in progress, if there is any. */
@@ -299,7 +299,7 @@ static void note_doing(BeamSession *session, const BeamNews *news) {
     size_t size = sizeof answer->doing, done = news->sweep_done, all = news->sweep_all;
     answer->result.doing = answer->doing;
     answer->result.part = NAN;
-    if (news->telling) {
+    if (news->deciding) {
         snprintf(answer->doing, size, "verdict: running it from rest");
     } else if (news->types_all) {
         snprintf(answer->doing, size, "type: %zu of at most %zu runs", news->types_done, news->types_all);
@@ -318,13 +318,13 @@ static unsigned update(void *context, double time) {
     BeamSession *session = context;
     BeamNews news;
     beam_worker_take(session->worker, &news);
-    take_news(session, &news);
+    apply_news(session, &news);
     look_at_answer(session);
     char before[sizeof session->answer.doing];
     memcpy(before, session->answer.doing, sizeof before);
     note_doing(session, &news);
     if (strcmp(before, session->answer.doing) != 0)
-        session->news |= LABORATORY_WORDS;
+        session->news |= LABORATORY_TEXTS;
     unsigned changed = session->news;
     session->news = 0;
     return changed;
@@ -360,21 +360,21 @@ static const char *title(const void *context) {
     return ((const BeamSession *)context)->opened.name;
 }
 
-static const TimelineMark *ticks(void *context, size_t *count) {
+static const TimelineMark *marks(void *context, size_t *count) {
     BeamSession *session = context;
     const BeamTape *tape = &session->tape;
     *count = 0;
     for (size_t p = 1; p < tape->part_count; p++)
         session->ticks[(*count)++] = (TimelineMark){tape->parts[p]->begin, TIMELINE_CHANGE};
     if (beam_session_has_ended(session))
-        session->ticks[(*count)++] = (TimelineMark){tape->front_time, TIMELINE_TROUBLE};
+        session->ticks[(*count)++] = (TimelineMark){tape->front_time, TIMELINE_ERROR};
     return session->ticks;
 }
 
-static const char *trouble(const void *context, double *time) {
+static const char *error(const void *context, double *time) {
     const BeamSession *session = context;
     *time = session->tape.front_time;
-    return beam_session_has_ended(session) ? session->trouble : NULL;
+    return beam_session_has_ended(session) ? session->error : NULL;
 }
 
 static const char *const layer_names[] = {"loupe", "forces", "names", "sources"};
@@ -389,13 +389,13 @@ static Item pick(const void *context, Vec2 at, double time, Item below) {
     return (Item){0};
 }
 
-static Item next(const void *context, Item thing, int step) {
-    (void)context, (void)thing, (void)step;
+static Item next(const void *context, Item item, int step) {
+    (void)context, (void)item, (void)step;
     return (Item){0};
 }
 
-static void select_thing(void *context, Item thing) {
-    (void)context, (void)thing;
+static void select_item(void *context, Item item) {
+    (void)context, (void)item;
 }
 
 static Item selected(void *context) {
@@ -403,13 +403,13 @@ static Item selected(void *context) {
     return (Item){0};
 }
 
-static const char *name_thing(void *context, Item thing) {
-    (void)context, (void)thing;
+static const char *item_name(void *context, Item item) {
+    (void)context, (void)item;
     return "";
 }
 
-static size_t outline(void *context, Item thing, double time, Vec2 *points) {
-    (void)context, (void)thing, (void)time, (void)points;
+static size_t outline(void *context, Item item, double time, Vec2 *points) {
+    (void)context, (void)item, (void)time, (void)points;
     return 0;
 }
 
@@ -437,33 +437,33 @@ const Laboratory beam_laboratory = {
     .still = beam_show_still,
     .added = beam_show_added,
     .moving = beam_show_moving,
-    .look = beam_show_look,
-    .reveal = beam_show_reveal,
+    .set_camera = beam_show_look,
+    .set_layers = beam_show_reveal,
     .plot_count = beam_show_plot_count,
     .plot = beam_show_plot,
-    .until = beam_show_until,
+    .points_until = beam_show_until,
     .answer = answer,
     .clock = clock_words,
     .note = note,
     .title = title,
     .rows = rows,
-    .ticks = ticks,
-    .trouble = trouble,
+    .marks = marks,
+    .error = error,
     .parameters = parameters,
     .set = set_number,
     .reset = reset_numbers,
     .presets = presets,
-    .prefer = prefer,
+    .apply_preset = apply_preset,
     .choices = choices,
     .choose = choose,
-    .again = again,
-    .keep = keep,
-    .clear = clear,
+    .restart = restart,
+    .save_run = save_run,
+    .clear_runs = clear_runs,
     .pick = pick,
     .next = next,
-    .select = select_thing,
+    .select = select_item,
     .selected = selected,
-    .name_thing = name_thing,
+    .item_name = item_name,
     .outline = outline,
     .command = command,
     .save = save,

@@ -21,17 +21,17 @@ typedef struct BeamSession {
     BeamWorker *worker;
     BeamAnswer answer;
     BeamVerdict verdict;
-    bool told;     /* the verdict is known */
-    size_t looked; /* front of the record when the answer was last written */
-    double shown;  /* s, the displayed time */
-    unsigned news; /* LABORATORY_... bits of the next update */
-    Scene added;   /* always empty */
-    const char *trouble;
+    bool has_verdict; /* the verdict is known */
+    size_t looked;    /* front of the record when the answer was last written */
+    double shown;     /* s, the displayed time */
+    unsigned news;    /* LABORATORY_... bits of the next update */
+    Scene added;      /* always empty */
+    const char *error;
     TimelineMark ticks[BEAM_TAPE_PARTS + 1];
     PanelChoice choices[2];
     Arena command_words;
     const char *command[3 + 2 * BEAM_VALUES];
-    Arena troubles; /* holds the texts of errors */
+    Arena error_texts; /* holds the texts of errors */
     char clock[64];
 } BeamSession;
 

@@ -46,7 +46,7 @@ static LaboratoryPlot diagram_plot(const BeamSession *session) {
                             .revision = diagram->revision,
                             .still = true,
                             .cursor = diagram->factor * beam_controls_find(&session->controls, over)->value,
-                            .cursor_words = diagram->cursor,
+                            .cursor_text = diagram->cursor,
                             .cursor_parameter = over,
                             .cursor_factor = diagram->factor,
                             .now = ROLE_PAPER};

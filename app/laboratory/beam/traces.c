@@ -74,7 +74,7 @@ void beam_traces_open(BeamTraces *traces) {
         traces->plots[p].guides = traces->guides[p];
         traces->strides[p] = traces->revisions[p] = 1;
     }
-    set_series(traces, BEAM_TRACE_PHASE, SERIES_KEPT, &traces->kept,
+    set_series(traces, BEAM_TRACE_PHASE, SERIES_KEPT, &traces->stored,
                (PlotSeries){.role = ROLE_GHOST, .width = LINE_WIDTH, .style = LINE_DASHED});
     set_series(traces, BEAM_TRACE_PHASE, SERIES_LINE, &traces->phase, line);
     set_series(traces, BEAM_TRACE_PHASE, SERIES_SECTION, &traces->section,
@@ -89,7 +89,7 @@ void beam_traces_open(BeamTraces *traces) {
 
 void beam_traces_close(BeamTraces *traces) {
     BeamCurve *const curves[] = {&traces->phase, &traces->section,  &traces->points,
-                                 &traces->force, &traces->spectrum, &traces->kept};
+                                 &traces->force, &traces->spectrum, &traces->stored};
     for (size_t i = 0; i < sizeof curves / sizeof *curves; i++)
         beam_curve_clear(curves[i]);
     arena_clear(&traces->arena);
@@ -388,9 +388,9 @@ size_t beam_traces_until(const BeamTraces *traces, size_t plot, size_t series, d
     return traces->whole[plot][series] ? curve->count : beam_curve_until(curve, time);
 }
 
-void beam_traces_keep(BeamTraces *traces, double time) {
-    beam_curve_copy(&traces->kept, &traces->phase, time);
-    bool some = traces->kept.count > 0;
+void beam_traces_store(BeamTraces *traces, double time) {
+    beam_curve_copy(&traces->stored, &traces->phase, time);
+    bool some = traces->stored.count > 0;
     traces->series[BEAM_TRACE_PHASE][SERIES_KEPT].name = some ? "before" : NULL;
     traces->series[BEAM_TRACE_PHASE][SERIES_LINE].name = some ? "now" : NULL;
     renew(traces, BEAM_TRACE_PHASE);

@@ -43,7 +43,7 @@ typedef struct BeamTraces {
     bool whole[BEAM_TRACES][BEAM_TRACE_SERIES];              /* the series is drawn at every time */
     unsigned revisions[BEAM_TRACES];
     BeamPage pages[BEAM_TRACES];
-    BeamCurve phase, section, points, force, spectrum, kept;
+    BeamCurve phase, section, points, force, spectrum, stored;
     BeamExtent seen;        /* extent of all cycles since the last clearing, for the axes */
     size_t seen_to;         /* cycle up to which `seen` is complete */
     Box plane;              /* box of the Poincare map's points */
@@ -68,7 +68,7 @@ void beam_traces_show(BeamTraces *traces, BeamTape *tape, double time);
 size_t beam_traces_until(const BeamTraces *traces, size_t plot, size_t series, double time);
 
 /* Saves the phase plane at a time for comparison; a time below 0 removes the saved one. */
-void beam_traces_keep(BeamTraces *traces, double time);
+void beam_traces_store(BeamTraces *traces, double time);
 
 /* Removes the drawn cycles before this one, and resets the extent of the axes. */
 void beam_traces_forget(BeamTraces *traces, size_t cycle);

@@ -6,7 +6,7 @@
 #include "visual/study/advice.h"
 #include "experiment/beam_experiment.h"
 
-bool beam_verdict_tell(BeamVerdict *verdict, const Beam *beam, const volatile sig_atomic_t *stop) {
+bool beam_verdict_decide(BeamVerdict *verdict, const Beam *beam, const volatile sig_atomic_t *stop) {
     *verdict = (BeamVerdict){.beam = *beam};
     Rig rig;
     Fault fault = {0};
@@ -41,7 +41,7 @@ bool beam_verdict_tell_type(BeamVerdict *verdict, int jobs, const volatile sig_a
     Experiment quick, thorough;
     Types types;
     Fault fault = {0};
-    bool told = false;
+    bool decided = false;
     if (beam_experiment_of(&quick, &verdict->beam, verdict->beam.name, &fault)) {
         if (beam_experiment_of(&thorough, &verdict->beam, verdict->beam.name, &fault)) {
             beam_experiment_be_thorough(&thorough);
@@ -53,15 +53,15 @@ bool beam_verdict_tell_type(BeamVerdict *verdict, int jobs, const volatile sig_a
                               .stop = stop,
                               .progress = progress,
                               .context = context};
-            told = types_classify(&types, &task, &fault) && !parallel_stopped(stop);
-            if (told)
+            decided = types_classify(&types, &task, &fault) && !parallel_stopped(stop);
+            if (decided)
                 write_advice(verdict, &types, &quick);
             beam_experiment_close(&thorough);
         }
         beam_experiment_close(&quick);
     }
     fault_clear(&fault);
-    return told;
+    return decided;
 }
 
 BeamVerdict beam_verdict_copy(const BeamVerdict *verdict) {

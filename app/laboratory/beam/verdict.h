@@ -19,7 +19,7 @@ typedef struct BeamVerdict {
 } BeamVerdict;
 
 /* Runs the beam and fills the verdict. False: the run was stopped, or a fault. */
-bool beam_verdict_tell(BeamVerdict *verdict, const Beam *beam, const volatile sig_atomic_t *stop);
+bool beam_verdict_decide(BeamVerdict *verdict, const Beam *beam, const volatile sig_atomic_t *stop);
 
 /* Also determines the type; progress as in TypesTask. False: the search was stopped, or a fault, and the verdict is
  * unchanged. */

@@ -37,8 +37,8 @@ bool beam_view_show(BeamView *view, const BeamTape *tape, double time) {
     const Motion *motion = &view->sight.motion;
     const BeamPart *part = beam_tape_part(tape, view->sight.cycle);
     const BeamCycle *cycle = beam_tape_cycle(tape, view->sight.cycle);
-    bool anew = take_cycle(view, part, cycle);
-    if (anew)
+    bool restarted = take_cycle(view, part, cycle);
+    if (restarted)
         make_still(view, &part->beam);
     beam_shape_set(&view->shape, motion);
     BeamMoment moment = {.time = time,
@@ -51,7 +51,7 @@ bool beam_view_show(BeamView *view, const BeamTape *tape, double time) {
     scene_reset(&view->moving);
     beam_scene_moving(&view->moving, &part->beam, &view->scale, &view->shape, &moment);
     view->moving.clock = NULL;
-    return anew;
+    return restarted;
 }
 
 void beam_view_renew(BeamView *view) {

@@ -31,8 +31,8 @@ struct BeamWorker {
     volatile sig_atomic_t stop_type; /* set by either question */
     Beam beam;
     BeamSweepTask task;
-    bool told, typed; /* the verdict is known, and its type */
-    bool telling;
+    bool decided, typed; /* the verdict is known, and its type */
+    bool deciding;
     BeamNews news;
 
     /* Used by the thread alone. */
@@ -55,8 +55,8 @@ static void take_up(Question *question) {
 
 /* Publishes a copy of the verdict; the lock must be held. */
 static void publish_verdict(BeamWorker *worker) {
-    beam_verdict_clear(&worker->news.told);
-    worker->news.told = beam_verdict_copy(&worker->own);
+    beam_verdict_clear(&worker->news.result);
+    worker->news.result = beam_verdict_copy(&worker->own);
     worker->news.verdict = true;
 }
 
@@ -64,15 +64,15 @@ static void publish_verdict(BeamWorker *worker) {
 static void tell_verdict(BeamWorker *worker) {
     Beam beam = worker->beam;
     take_up(&worker->verdict);
-    worker->told = worker->typed = false;
-    worker->telling = true;
+    worker->decided = worker->typed = false;
+    worker->deciding = true;
     pthread_mutex_unlock(&worker->lock);
     beam_verdict_clear(&worker->own);
-    bool told = beam_verdict_tell(&worker->own, &beam, &worker->verdict.stop);
+    bool decided = beam_verdict_decide(&worker->own, &beam, &worker->verdict.stop);
     pthread_mutex_lock(&worker->lock);
-    worker->telling = false;
-    worker->told = told && !worker->verdict.asked;
-    if (worker->told)
+    worker->deciding = false;
+    worker->decided = decided && !worker->verdict.asked;
+    if (worker->decided)
         publish_verdict(worker);
 }
 
@@ -156,7 +156,7 @@ static bool sweeps(const BeamWorker *worker) {
 }
 
 static bool wants_type(const BeamWorker *worker) {
-    return worker->told && !worker->typed && !worker->verdict.asked && !worker->sweep.asked;
+    return worker->decided && !worker->typed && !worker->verdict.asked && !worker->sweep.asked;
 }
 
 /* Works until the worker is stopped. Threads started by this one inherit its low priority. */
@@ -210,7 +210,7 @@ void beam_worker_stop(BeamWorker *worker) {
     beam_verdict_clear(&worker->own);
     if (worker->sweeps)
         beam_sweep_close(&worker->sweeping);
-    beam_verdict_clear(&worker->news.told);
+    beam_verdict_clear(&worker->news.result);
     forget_points(worker);
     pthread_cond_destroy(&worker->wake);
     pthread_mutex_destroy(&worker->lock);
@@ -244,9 +244,9 @@ void beam_worker_ask_sweep(BeamWorker *worker, const BeamSweepTask *task) {
 void beam_worker_take(BeamWorker *worker, BeamNews *news) {
     pthread_mutex_lock(&worker->lock);
     *news = worker->news;
-    news->telling = worker->telling || worker->verdict.asked;
+    news->deciding = worker->deciding || worker->verdict.asked;
     worker->news.verdict = worker->news.swept = worker->news.sweep_begins = false;
-    worker->news.told = (BeamVerdict){.advice = NULL};
+    worker->news.result = (BeamVerdict){.advice = NULL};
     memset(worker->news.points, 0, sizeof worker->news.points);
     pthread_mutex_unlock(&worker->lock);
 }

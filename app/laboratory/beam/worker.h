@@ -21,12 +21,12 @@ void beam_worker_ask_sweep(BeamWorker *worker, const BeamSweepTask *task);
 /* Results since the last call. */
 typedef struct BeamNews {
     bool verdict;                              /* there is a new verdict, or its type is new */
-    BeamVerdict told;                          /* valid if `verdict`; the taker must clear it */
+    BeamVerdict result;                        /* valid if `verdict`; the taker must clear it */
     bool swept;                                /* there are new points of the orbit diagram */
     bool sweep_begins;                         /* the points belong to a new diagram: discard earlier points */
     BeamSweepPoints points[BEAM_SWEEP_PASSES]; /* the taker must clear them */
     size_t sweep_done, sweep_all;              /* number of values of the orbit diagram */
     size_t types_done, types_all;              /* runs while the type is being determined; otherwise 0 */
-    bool telling;                              /* the verdict is being computed */
+    bool deciding;                             /* the verdict is being computed */
 } BeamNews;
 void beam_worker_take(BeamWorker *worker, BeamNews *news);

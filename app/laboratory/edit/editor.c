@@ -111,7 +111,7 @@ void editor_set_selected(Editor *edit, Item item) {
     edit->selected = item;
 }
 
-void editor_settle(Editor *edit) {
+void editor_end_number(Editor *edit) {
     Fault none = {0}; /* a refused value was reported when it was set */
     if (!edit->number_dragged)
         return;
@@ -123,18 +123,18 @@ void editor_settle(Editor *edit) {
 
 /* Cancels the gesture and completes the dragged number, before another action on the selection. */
 static void prepare(Editor *edit) {
-    editor_settle(edit);
+    editor_end_number(edit);
     edit_gesture_cancel(edit);
     edit_select_sync(edit);
 }
 
-void editor_hold_number(Editor *edit, const char *step) {
+void editor_begin_number(Editor *edit, const char *step) {
     prepare(edit);
     draft_begin(edit->draft, step);
     edit->number_dragged = true;
 }
 
-bool editor_holds_number(Editor *edit) {
+bool editor_drags_number(Editor *edit) {
     edit->number_dragged = edit->number_dragged &&
                            draft_is_open(edit->draft); /* the end of the step also ends the dragging of its number */
     return edit->number_dragged;
@@ -153,14 +153,14 @@ bool editor_reset(Editor *edit, const char *step) {
     return draft_revision(edit->draft) != before;
 }
 
-const char *editor_image_trouble(Editor *edit) {
-    return edit_image_trouble(edit);
+const char *editor_image_error(Editor *edit) {
+    return edit_image_error(edit);
 }
 
 /* Tools, pointer and keys ------------------------------------------------------------------------------------------ */
 
 void editor_set_tool(Editor *edit, EditTool tool) {
-    editor_settle(edit);
+    editor_end_number(edit);
     edit_pointer_set_tool(edit, tool);
 }
 
@@ -173,7 +173,7 @@ void editor_point(Editor *edit, const Pointer *pointer) {
 }
 
 void editor_press(Editor *edit, const Pointer *pointer, bool twice) {
-    editor_settle(edit);
+    editor_end_number(edit);
     edit_pointer_press(edit, pointer, twice);
 }
 
@@ -182,17 +182,17 @@ void editor_release(Editor *edit, const Pointer *pointer) {
 }
 
 bool editor_type(Editor *edit, const char *letters) {
-    editor_settle(edit);
+    editor_end_number(edit);
     return edit_pointer_type(edit, letters);
 }
 
 bool editor_enter(Editor *edit) {
-    editor_settle(edit);
+    editor_end_number(edit);
     return edit_pointer_enter(edit);
 }
 
 bool editor_back(Editor *edit) {
-    editor_settle(edit);
+    editor_end_number(edit);
     return edit_pointer_back(edit);
 }
 
@@ -201,14 +201,14 @@ bool editor_tab(Editor *edit, int step) {
 }
 
 bool editor_escape(Editor *edit) {
-    editor_settle(edit);
+    editor_end_number(edit);
     return edit_pointer_escape(edit);
 }
 
 /* Returns the text of the tool's strip while there is no gesture. */
 static const char *strip_text(Editor *edit) {
     const Plan *plan = draft_plan(edit->draft);
-    const char *trouble = edit->tool == TOOL_IMAGE ? edit_image_trouble(edit) : NULL;
+    const char *trouble = edit->tool == TOOL_IMAGE ? edit_image_error(edit) : NULL;
     if (trouble)
         return trouble;
     if (edit->tool == TOOL_IMAGE && !plan->background.image)
@@ -311,7 +311,7 @@ const char *editor_shake_result(const Editor *edit) {
 /* Steps ------------------------------------------------------------------------------------------------------------ */
 
 static bool step(Editor *edit, bool (*go)(Draft *draft)) {
-    editor_settle(edit);
+    editor_end_number(edit);
     if (edit->gesture) {
         edit_gesture_cancel(edit);
         return true;

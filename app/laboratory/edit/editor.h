@@ -166,10 +166,10 @@ bool editor_next_shake(Editor *editor, EditorShake *shake);
 Item editor_selected(const Editor *editor);
 void editor_set_selected(Editor *editor, Item item);
 
-/* Starts dragging a number of the panel: all its changes until editor_settle form one undo step, called `step`. */
-void editor_hold_number(Editor *editor, const char *step);
-bool editor_holds_number(Editor *editor);
-void editor_settle(Editor *editor);
+/* Starts dragging a number of the panel: all its changes until editor_end_number form one undo step, called `step`. */
+void editor_begin_number(Editor *editor, const char *step);
+bool editor_drags_number(Editor *editor);
+void editor_end_number(Editor *editor);
 
 /* Cancels the gesture or the dragged number, then restores the house of the file as one step. False: the draft was as
  * in the file. */
@@ -177,7 +177,7 @@ bool editor_reset(Editor *editor, const char *step);
 
 /* Returns one line that says why the trace image is missing or differs from the original; NULL: it is unchanged, or
  * there is none. */
-const char *editor_image_trouble(Editor *editor);
+const char *editor_image_error(Editor *editor);
 
 /* Tools, pointer and keys ------------------------------------------------------------------------------------------ */
 

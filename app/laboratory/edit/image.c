@@ -105,7 +105,7 @@ static void find(Editor *edit) {
         edit->image_other = *background->digest && strcmp(digest, background->digest) != 0;
 }
 
-const char *edit_image_trouble(Editor *edit) {
+const char *edit_image_error(Editor *edit) {
     find(edit);
     if (!edit->image)
         return NULL;

@@ -17,4 +17,4 @@ void edit_image_fade(Editor *edit, double opacity);
 TraceImage edit_image_get(Editor *edit);
 
 /* Returns one line that says why the trace image differs from the original; NULL: it is unchanged, or there is none. */
-const char *edit_image_trouble(Editor *edit);
+const char *edit_image_error(Editor *edit);

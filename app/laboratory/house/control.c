@@ -17,7 +17,7 @@ void house_control_select(HouseSession *session, Item chosen) {
         return;
     bool people = chosen.kind == HOUSE_PERSON || session->selected.kind == HOUSE_PERSON;
     session->selected = chosen;
-    session->changed |= LABORATORY_WORDS | LABORATORY_PARAMETERS | (people ? LABORATORY_PLOTS : 0);
+    session->changed |= LABORATORY_TEXTS | LABORATORY_PARAMETERS | (people ? LABORATORY_PLOTS : 0);
 }
 
 HouseSession *house_control_sync(void *context) {
@@ -39,27 +39,27 @@ const PanelParameter *house_control_parameters(const void *context, size_t *coun
     return session->values.listed;
 }
 
-void house_control_hold(void *context, const char *name) {
+void house_control_begin_number(void *context, const char *name) {
     HouseSession *session = house_control_sync(context);
     size_t row = house_value_find(&session->values, name);
-    char step[2 * HOUSE_THING_NAME] = "Change a number";
+    char step[2 * HOUSE_ITEM_NAME] = "Change a number";
     if (row != SIZE_MAX)
         snprintf(step, sizeof step, "%s: %s", session->values.rows[row].group, session->values.rows[row].label);
-    editor_hold_number(session->editor, step);
+    editor_begin_number(session->editor, step);
 }
 
-void house_control_settle(void *context) {
+void house_control_end_number(void *context) {
     HouseSession *session = house_control_sync(context);
-    editor_settle(session->editor);
+    editor_end_number(session->editor);
     house_control_sync(session); /* the number counts from the displayed time, before another gesture begins */
 }
 
 /* Sets the value of a row in the draft: as its own step, unless a number is being dragged. */
 static bool set_in_draft(HouseSession *session, size_t row, Fault *fault) {
     const PanelParameter *value = &session->values.rows[row];
-    char name[HOUSE_THING_NAME];
+    char name[HOUSE_ITEM_NAME];
     snprintf(name, sizeof name, "%s: %s", value->group, value->label);
-    bool held = editor_holds_number(session->editor);
+    bool held = editor_drags_number(session->editor);
     if (held)
         draft_rewind(session->draft);
     else
@@ -94,7 +94,7 @@ bool house_control_set(void *context, const char *name, double value, Fault *fau
         return true;
     if (!set_in_draft(session, row, fault)) {
         session->values.rows[row].value = before;
-        if (editor_holds_number(session->editor)) /* an earlier valid value, if there was one, is put back */
+        if (editor_drags_number(session->editor)) /* an earlier valid value, if there was one, is put back */
             put_back(session, row);
         return false;
     }
@@ -109,7 +109,7 @@ void house_control_reset(void *context) {
     bool other = editor_reset(session->editor, "Reset scene");
     for (size_t i = 0; i < session->values.count; i++)
         session->values.rows[i].value = session->values.rows[i].initial;
-    if (other && session->kept_itself)
+    if (other && session->stored_by_itself)
         house_schedule_clear(session);
     if (other)
         house_history_begin(&session->history, draft_text(session->draft), draft_revision(session->draft));
@@ -124,18 +124,19 @@ void house_control_reset(void *context) {
 
 static PanelChoice *add_choice(HouseSession *session, const char *name, const char *meaning) {
     PanelChoice *choice = &session->choices[session->choice_count];
-    *choice = (PanelChoice){.name = name, .meaning = meaning, .words = session->choice_words[session->choice_count]};
+    *choice =
+        (PanelChoice){.name = name, .meaning = meaning, .options = session->choice_options[session->choice_count]};
     session->choice_count++;
     return choice;
 }
 
 /* Adds a word to a choice; `chosen`: the word is the present value. */
-static void add_word(HouseSession *session, PanelChoice *choice, const char *word, bool chosen) {
-    if (choice->count == HOUSE_CHOICE_WORDS)
+static void add_option(HouseSession *session, PanelChoice *choice, const char *word, bool chosen) {
+    if (choice->count == HOUSE_CHOICE_OPTIONS)
         return;
     if (chosen)
         choice->chosen = choice->count;
-    session->choice_words[choice - session->choices][choice->count++] = word;
+    session->choice_options[choice - session->choices][choice->count++] = word;
 }
 
 static bool anybody_rides(const House *house) {
@@ -151,19 +152,19 @@ static void list(HouseSession *session) {
     PanelChoice *ghost = add_choice(session, GHOST,
                                     "What is shown behind, for comparison: the run that was kept with K, "
                                     "or the same house with the other way of driving.");
-    add_word(session, ghost, "none", session->ghost == GHOST_NONE);
+    add_option(session, ghost, "none", session->ghost == GHOST_NONE);
     if (session->runs[RUN_BEFORE])
-        add_word(session, ghost, "before", session->ghost == GHOST_BEFORE);
+        add_option(session, ghost, "before", session->ghost == GHOST_BEFORE);
     if (rides)
-        add_word(session, ghost, profile_driving_name(house_runs_other_driving(session)),
-                 session->ghost == GHOST_RIVAL);
+        add_option(session, ghost, profile_driving_name(house_runs_other_driving(session)),
+                   session->ghost == GHOST_RIVAL);
     const Plan *plan = draft_plan(session->draft);
     if (plan->route_count > 1) {
         PanelChoice *route = add_choice(session, ROUTE, "Whose route is driven: everybody's, or one alone.");
-        add_word(session, route, "everybody", !session->wish.route);
+        add_option(session, route, "everybody", !session->wish.route);
         for (size_t r = 0; r < plan->route_count; r++) {
             const char *id = plan->routes[r].id;
-            add_word(session, route, id, session->wish.route && strcmp(session->wish.route, id) == 0);
+            add_option(session, route, id, session->wish.route && strcmp(session->wish.route, id) == 0);
         }
     }
     if (!rides)
@@ -171,15 +172,15 @@ static void list(HouseSession *session) {
     PanelChoice *driving = add_choice(session, DRIVING,
                                       "The way of driving: as each profile says, a driver who turns the "
                                       "chair, or the paper's disc on straight legs and corners.");
-    add_word(session, driving, "as in the file", session->wish.driving < 0);
+    add_option(session, driving, "as in the file", session->wish.driving < 0);
     for (int way = DRIVING_DRIVER; way <= DRIVING_MIURA; way++)
-        add_word(session, driving, profile_driving_name(way), session->wish.driving == way);
+        add_option(session, driving, profile_driving_name(way), session->wish.driving == way);
 }
 
-static void take_ghost(HouseSession *session, const char *word) {
+static void apply_ghost(HouseSession *session, const char *word) {
     session->ghost = strcmp(word, "none") == 0 ? GHOST_NONE : strcmp(word, "before") == 0 ? GHOST_BEFORE : GHOST_RIVAL;
-    session->retell = true;
-    session->changed |= LABORATORY_WORDS | LABORATORY_PLOTS;
+    session->texts_are_stale = true;
+    session->changed |= LABORATORY_TEXTS | LABORATORY_PLOTS;
     house_picture_void_film(session);
 }
 
@@ -195,9 +196,9 @@ static void apply_choice(HouseSession *session, size_t choice, size_t word) {
         return;
     const PanelChoice *taken = &session->choices[choice];
     if (strcmp(taken->name, GHOST) == 0) {
-        take_ghost(session, taken->words[word]);
+        apply_ghost(session, taken->options[word]);
     } else if (strcmp(taken->name, ROUTE) == 0) {
-        session->wish.route = word ? arena_text(&session->arena, taken->words[word]) : NULL;
+        session->wish.route = word ? arena_text(&session->arena, taken->options[word]) : NULL;
         house_schedule_request(session);
     } else {
         session->wish.driving = (int)word - 1;
@@ -215,7 +216,7 @@ const Preset *house_control_presets(const void *context, size_t *count) {
     return NULL;
 }
 
-void house_control_prefer(void *context, size_t preset) {
+void house_control_apply_preset(void *context, size_t preset) {
     (void)context;
     (void)preset;
 }
@@ -230,17 +231,17 @@ void house_control_choose(void *context, size_t choice, size_t word) {
 
 /* Restarts the displayed run. A run is deterministic, so it is computed again only if it was stopped, diverged, or
  * contains a change of the plan. */
-void house_control_again(void *context) {
+void house_control_restart(void *context) {
     HouseSession *session = house_control_sync(context);
     house_schedule_restart(session);
-    if (session->trouble.text && !session->runs[RUN_LATEST])
+    if (session->error.text && !session->runs[RUN_LATEST])
         house_schedule_request(session);
 }
 
-bool house_control_keep(void *context, double time) {
+bool house_control_save_run(void *context, double time) {
     HouseSession *session = house_control_sync(context);
     (void)time;
-    session->changed |= LABORATORY_WORDS | LABORATORY_PLOTS;
+    session->changed |= LABORATORY_TEXTS | LABORATORY_PLOTS;
     return house_schedule_store(session, false);
 }
 

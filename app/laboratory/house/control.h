@@ -13,16 +13,16 @@ const PanelParameter *house_control_parameters(const void *context, size_t *coun
 bool house_control_set(void *context, const char *name, double value, Fault *fault);
 void house_control_reset(void *context);
 const Preset *house_control_presets(const void *context, size_t *count);
-void house_control_prefer(void *context, size_t preset);
+void house_control_apply_preset(void *context, size_t preset);
 const PanelChoice *house_control_choices(void *context, size_t *count);
 void house_control_choose(void *context, size_t choice, size_t word);
-void house_control_again(void *context);
-bool house_control_keep(void *context, double time);
+void house_control_restart(void *context);
+bool house_control_save_run(void *context, double time);
 void house_control_clear(void *context, double time);
 
 /* Start and end the dragging of a number, as in Laboratory. */
-void house_control_hold(void *context, const char *name);
-void house_control_settle(void *context);
+void house_control_begin_number(void *context, const char *name);
+void house_control_end_number(void *context);
 
 /* Implements the function `command` of Laboratory. */
 const char *const *house_control_command(void *context, size_t *count);

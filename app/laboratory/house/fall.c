@@ -16,7 +16,7 @@ static FurnitureFall *find(HouseFall *falls, const char *id) {
 }
 
 /* Gives a fall the present piece, with the fall's own copy of the id. */
-static void take(FurnitureFall *fall, const Furniture *piece) {
+static void set_piece(FurnitureFall *fall, const Furniture *piece) {
     const char *id = fall->piece.id;
     fall->piece = *piece;
     fall->piece.id = id;
@@ -31,7 +31,7 @@ static FurnitureFall *begin(HouseFall *falls, const Furniture *piece, bool lay) 
         fall = &falls->pieces[falls->count++];
         *fall = (FurnitureFall){.piece = {.id = arena_text(&falls->arena, piece->id)}, .way = lay};
     }
-    take(fall, piece);
+    set_piece(fall, piece);
     fall->delay = 0;
     return fall;
 }
@@ -45,7 +45,7 @@ static bool all_rest(const HouseFall *falls) {
 
 static void forget(HouseFall *falls) {
     falls->count = 0;
-    *falls->words = 0;
+    *falls->text = 0;
     arena_clear(&falls->arena);
 }
 
@@ -93,20 +93,20 @@ static bool begin_changed(HouseFall *falls, const Plan *plan) {
         if (!seen || seen->toppled == piece->toppled || !same_place(seen, piece))
             continue;
         begin(falls, piece, seen->toppled);
-        *falls->words = 0;
+        *falls->text = 0;
         any = true;
     }
     return any;
 }
 
 /* Moves falling pieces to their edited places, and forgets removed pieces. */
-static bool follow_moved(HouseFall *falls, const Plan *plan) {
+static bool update_moved(HouseFall *falls, const Plan *plan) {
     size_t kept = 0, count = falls->count;
     for (size_t i = 0; i < count; i++) {
         const Furniture *piece = find_piece(plan->furniture, plan->furniture_count, falls->pieces[i].piece.id);
         if (!piece)
             continue;
-        take(&falls->pieces[i], piece);
+        set_piece(&falls->pieces[i], piece);
         falls->pieces[kept++] = falls->pieces[i];
     }
     falls->count = kept;
@@ -119,11 +119,11 @@ static bool is_drawn(const HouseSession *session) {
     return run && house_run_revision(run) == draft_revision(session->draft);
 }
 
-void house_fall_follow(HouseSession *session) {
+void house_fall_update(HouseSession *session) {
     HouseFall *falls = &session->fall;
     bool other = false;
     if (!falls->noted || falls->revision != draft_revision(session->draft)) {
-        other = follow_moved(falls, draft_plan(session->draft));
+        other = update_moved(falls, draft_plan(session->draft));
         other |= falls->wanted && falls->noted && begin_changed(falls, draft_plan(session->draft));
         note(falls, session->draft);
     }
@@ -150,7 +150,7 @@ void house_fall_shake(HouseSession *session, uint64_t seed, const char *const *i
     const Plan *plan = draft_plan(session->draft);
     if (!falls->wanted)
         return;
-    follow_moved(falls, plan);
+    update_moved(falls, plan);
     for (size_t i = 0; i < plan->furniture_count; i++) {
         const Furniture *piece = &plan->furniture[i];
         const Furniture *seen = find_seen(falls, plan, i);
@@ -162,22 +162,22 @@ void house_fall_shake(HouseSession *session, uint64_t seed, const char *const *i
         fall->delay = drops ? furniture_fall_delay(seed, piece->id) : 0;
     }
     hurry(falls);
-    snprintf(falls->words, sizeof falls->words, "shaking (seed %" PRIu64 ")", seed);
+    snprintf(falls->text, sizeof falls->text, "shaking (seed %" PRIu64 ")", seed);
     note(falls, session->draft);
     house_picture_void_film(session);
 }
 
 /* Display --------------------------------------------------------------------------------------------------------- */
 
-void house_fall_move(HouseSession *session, double seconds) {
+void house_fall_advance(HouseSession *session, double seconds) {
     HouseFall *falls = &session->fall;
     falls->wanted = true;
     for (size_t i = 0; i < falls->count; i++)
         furniture_fall_move(&falls->pieces[i], seconds);
 }
 
-const char *house_fall_words(const HouseSession *session) {
-    return all_rest(&session->fall) ? NULL : session->fall.words;
+const char *house_fall_text(const HouseSession *session) {
+    return all_rest(&session->fall) ? NULL : session->fall.text;
 }
 
 size_t house_fall_count(const HouseSession *session, double time) {

@@ -17,21 +17,21 @@ typedef struct HouseFall {
     Arena seen_arena;  /* the arena of its ids, */
     uint64_t revision; /* and the draft's revision at the last look */
     bool noted;
-    char words[48];
+    char text[48];
 } HouseFall;
 
 /* Begins the falls caused by the last edit, and removes the falls that have ended. */
-void house_fall_follow(HouseSession *session);
+void house_fall_update(HouseSession *session);
 
 /* Animates an earthquake of this seed that was just made in the draft: the pieces with these ids (count) fall, all
  * other pieces take their position in the draft at once. */
 void house_fall_shake(HouseSession *session, uint64_t seed, const char *const *ids, size_t count);
 
 /* Advances the animation by a number of seconds of real time. */
-void house_fall_move(HouseSession *session, double seconds);
+void house_fall_advance(HouseSession *session, double seconds);
 
 /* Returns "shaking (seed 3)", "" for other falls; NULL: all pieces rest. */
-const char *house_fall_words(const HouseSession *session);
+const char *house_fall_text(const HouseSession *session);
 
 /* Returns how many pieces are drawn at a time, s; none at a time before the edit. */
 size_t house_fall_count(const HouseSession *session, double time);

@@ -1,7 +1,7 @@
 #include "laboratory/house/history.h"
 
 /* Keeps the first epochs and appends one. */
-static void take(HouseHistory *history, size_t kept, HouseEpoch last) {
+static void replace(HouseHistory *history, size_t kept, HouseEpoch last) {
     Arena arena = {0};
     HouseEpoch *epochs = arena_allocate(&arena, (kept + 1) * sizeof *epochs);
     for (size_t i = 0; i < kept; i++) {
@@ -15,7 +15,7 @@ static void take(HouseHistory *history, size_t kept, HouseEpoch last) {
 }
 
 void house_history_begin(HouseHistory *history, const char *text, uint64_t revision) {
-    take(history, 0, (HouseEpoch){0, text, revision});
+    replace(history, 0, (HouseEpoch){0, text, revision});
 }
 
 void house_history_change(HouseHistory *history, double time, const char *text, uint64_t revision) {
@@ -27,7 +27,7 @@ void house_history_change(HouseHistory *history, double time, const char *text, 
     if (history->at[kept - 1].revision == revision)
         history->count = kept; /* an edit that was undone at the time at which it was made */
     else
-        take(history, kept, (HouseEpoch){time, text, revision});
+        replace(history, kept, (HouseEpoch){time, text, revision});
 }
 
 const HouseEpoch *house_history_copy(const HouseEpoch *epochs, size_t count, Arena *arena) {

@@ -198,17 +198,17 @@ double house_run_reach(HouseRun *run) {
     return reach;
 }
 
-bool house_run_say(HouseRun *run, const char *who, char *words, size_t size) {
+bool house_run_describe(HouseRun *run, const char *who, char *text, size_t size) {
     switch (house_run_stage(run)) {
     case HOUSE_WAITS:
     case HOUSE_READS:
-        snprintf(words, size, "%sreading the house", who);
+        snprintf(text, size, "%sreading the house", who);
         return true;
     case HOUSE_PLANS:
-        snprintf(words, size, "%splanning the ways", who);
+        snprintf(text, size, "%splanning the ways", who);
         return true;
     case HOUSE_DRIVES:
-        snprintf(words, size, "%scomputed %.1f s", who, house_run_reach(run));
+        snprintf(text, size, "%scomputed %.1f s", who, house_run_reach(run));
         return true;
     case HOUSE_OVER:
     case HOUSE_FAILED:
@@ -239,7 +239,7 @@ Observation house_run_begin(const HouseRun *run) {
     return growing;
 }
 
-size_t house_run_take(HouseRun *run, Observation *growing, size_t least) {
+size_t house_run_copy_rows(HouseRun *run, Observation *growing, size_t least) {
     pthread_mutex_lock(&run->mutex);
     size_t rows = run->fresh.rows;
     if (rows >= least && rows) {

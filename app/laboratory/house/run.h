@@ -100,10 +100,10 @@ double house_run_age(HouseRun *run);
 double house_run_reach(HouseRun *run);
 
 /* Writes the progress after `who`, "computed 12.3 s"; false: the run is over. */
-bool house_run_say(HouseRun *run, const char *who, char *words, size_t size);
+bool house_run_describe(HouseRun *run, const char *who, char *text, size_t size);
 
-/* Returns an observation of all people in the run, without rows; house_run_take fills it. */
+/* Returns an observation of all people in the run, without rows; house_run_copy_rows fills it. */
 Observation house_run_begin(const HouseRun *run);
 
 /* Takes over the rows recorded since the last call if there are at least `least`; returns their number. */
-size_t house_run_take(HouseRun *run, Observation *growing, size_t least);
+size_t house_run_copy_rows(HouseRun *run, Observation *growing, size_t least);

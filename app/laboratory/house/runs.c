@@ -80,7 +80,7 @@ void house_runs_ask(HouseSession *session, HouseRunRole role, bool brief) {
     wish.brief = brief;
     house_runs_set(session, role, house_run_create(&wish));
     house_worker_ask(session->worker, session->runs[role]);
-    session->changed |= LABORATORY_WORDS;
+    session->changed |= LABORATORY_TEXTS;
 }
 
 bool house_runs_is_over(const HouseSession *session, HouseRunRole role) {

@@ -37,14 +37,14 @@ void house_schedule_request(HouseSession *session) {
 /* Drops the requested runs. */
 static void forget_asked(HouseSession *session) {
     house_runs_drop(session, RUNS_ANSWER);
-    session->changed |= LABORATORY_WORDS | LABORATORY_PARAMETERS;
+    session->changed |= LABORATORY_TEXTS | LABORATORY_PARAMETERS;
 }
 
 /* Sets the run of the answer; NULL: the displayed one. */
 static void set_clean(HouseSession *session, HouseRun *run) {
     house_runs_set(session, RUN_CLEAN, run);
-    session->retell = true;
-    session->changed |= LABORATORY_WORDS;
+    session->texts_are_stale = true;
+    session->changed |= LABORATORY_TEXTS;
 }
 
 /* True if the displayed run is over and has the present history. */
@@ -102,7 +102,7 @@ void house_schedule_apply_edit(HouseSession *session) {
     if (!draft_is_open(session->draft))
         note_history(session);
     ask_missing(session);
-    if (session->kept_itself && house_run_revision(session->runs[RUN_BEFORE]) == draft_revision(session->draft))
+    if (session->stored_by_itself && house_run_revision(session->runs[RUN_BEFORE]) == draft_revision(session->draft))
         house_schedule_clear(session); /* nothing has changed */
 }
 
@@ -117,56 +117,56 @@ bool house_schedule_store(HouseSession *session, bool by_itself) {
     if (!session->whole || (by_itself && (session->runs[RUN_BEFORE] || !session->runs[RUN_SHOWN]->house.person_count)))
         return false;
     house_runs_set(session, RUN_BEFORE, session->runs[RUN_SHOWN]);
-    session->kept_itself = by_itself;
+    session->stored_by_itself = by_itself;
     session->ghost = by_itself && session->ghost != GHOST_NONE ? session->ghost : GHOST_BEFORE;
-    session->retell = true;
+    session->texts_are_stale = true;
     house_picture_void_film(session);
     return true;
 }
 
 void house_schedule_clear(HouseSession *session) {
     house_runs_set(session, RUN_BEFORE, NULL);
-    session->kept_itself = false;
+    session->stored_by_itself = false;
     session->ghost = session->ghost == GHOST_BEFORE ? GHOST_NONE : session->ghost;
-    session->retell = true;
-    session->changed |= LABORATORY_WORDS | LABORATORY_PLOTS;
+    session->texts_are_stale = true;
+    session->changed |= LABORATORY_TEXTS | LABORATORY_PLOTS;
     house_picture_void_film(session);
 }
 
 /* Errors ---------------------------------------------------------------------------------------------------------- */
 
-static void say_trouble(HouseSession *session, double time) {
-    session->trouble_time = time;
-    session->changed |= LABORATORY_TROUBLE | LABORATORY_WORDS;
+static void report_error(HouseSession *session, double time) {
+    session->error_time = time;
+    session->changed |= LABORATORY_ERROR | LABORATORY_TEXTS;
 }
 
-static void clear_trouble(HouseSession *session) {
-    memory_free(session->trouble.text);
-    session->trouble = (Text){0};
-    session->changed |= LABORATORY_WORDS;
+static void clear_error(HouseSession *session) {
+    memory_free(session->error.text);
+    session->error = (Text){0};
+    session->changed |= LABORATORY_TEXTS;
 }
 
 /* Reports each person whose numbers diverged, with the time and a remedy. */
-static void tell_divergence(HouseSession *session) {
+static void report_divergence(HouseSession *session) {
     for (size_t i = 0; i < session->observation->person_count; i++) {
         const PersonObservation *person = &session->observation->people[i];
         const Inhabitant *who = &session->runs[RUN_SHOWN]->house.people[i];
         if (person->reason != REASON_DIVERGED)
             continue;
-        text_format(&session->trouble,
+        text_format(&session->error,
                     "%sthe numbers of person %s diverged at %.3f s, the run ends with the last good state: smaller "
                     "run.dt or softer contact of %s would help",
-                    session->trouble.used ? "\n" : "", who->id, person->time, who->profile->name);
-        say_trouble(session, person->time);
+                    session->error.used ? "\n" : "", who->id, person->time, who->profile->name);
+        report_error(session, person->time);
     }
 }
 
 /* Undoes an edit that made the plan invalid, and restarts the displayed run if it was cancelled. */
 static void undo_invalid(HouseSession *session, HouseRun *run) {
-    clear_trouble(session);
+    clear_error(session);
     for (size_t i = 0; i < run->fault.count; i++)
-        text_format(&session->trouble, "%s%s", i ? "\n" : "", run->fault.lines[i]);
-    say_trouble(session, NAN);
+        text_format(&session->error, "%s%s", i ? "\n" : "", run->fault.lines[i]);
+    report_error(session, NAN);
     session->changed |= LABORATORY_PARAMETERS;
     if (!session->runs[RUN_SHOWN])
         return;
@@ -177,7 +177,7 @@ static void undo_invalid(HouseSession *session, HouseRun *run) {
         note_history(session);
     session->wish.driving = session->runs[RUN_SHOWN]->wish.driving;
     editor_set_driving(session->editor, session->wish.driving);
-    house_value_list_again(&session->values, &session->opened, &session->runs[RUN_SHOWN]->house);
+    house_value_rebuild(&session->values, &session->opened, &session->runs[RUN_SHOWN]->house);
     if ((undone && !is_up_to_date(session)) ||
         (!session->whole && house_run_stage(session->runs[RUN_SHOWN]) == HOUSE_STOPPED))
         ask_missing(session);
@@ -186,13 +186,13 @@ static void undo_invalid(HouseSession *session, HouseRun *run) {
 /* Display --------------------------------------------------------------------------------------------------------- */
 
 /* Reselects by id; a dangerous point does not survive a new run. */
-static void select_again(HouseSession *session, const House *before, const House *now) {
-    Item thing = session->selected;
+static void reselect(HouseSession *session, const House *before, const House *now) {
+    Item item = session->selected;
     session->selected = (Item){0, 0};
     editor_set_selected(session->editor, session->selected);
-    if (thing.kind == HOUSE_HAZARD || thing.index >= house_item_count(before, NULL, thing.kind))
+    if (item.kind == HOUSE_HAZARD || item.index >= house_item_count(before, NULL, item.kind))
         return;
-    session->selected = house_item_find(now, thing.kind, house_item_id(before, thing));
+    session->selected = house_item_find(now, item.kind, house_item_id(before, item));
     editor_set_selected(session->editor, session->selected);
 }
 
@@ -204,9 +204,9 @@ static void finish(HouseSession *session) {
     session->whole = true;
     session->observation = &session->runs[RUN_SHOWN]->observation;
     trail_grow(&session->trails, session->observation);
-    tell_divergence(session);
-    session->retell = true;
-    session->changed |= LABORATORY_WORDS | LABORATORY_PLOTS;
+    report_divergence(session);
+    session->texts_are_stale = true;
+    session->changed |= LABORATORY_TEXTS | LABORATORY_PLOTS;
 }
 
 /* Displays another run. */
@@ -215,9 +215,9 @@ static void swap_in(HouseSession *session, HouseRun *run) {
     house_picture_void_film(session);
     trail_clear(&session->trails);
     observation_free(&session->growing);
-    clear_trouble(session);
+    clear_error(session);
     if (last)
-        select_again(session, &last->house, &run->house);
+        reselect(session, &last->house, &run->house);
     house_runs_set(session, RUN_SHOWN, run);
     house_runs_set(session, RUN_EARLY, NULL);
     session->whole = false;
@@ -227,16 +227,16 @@ static void swap_in(HouseSession *session, HouseRun *run) {
     if (house_run_stage(run) == HOUSE_OVER) {
         finish(session);
     } else {
-        house_run_take(run, &session->growing, 1);
+        house_run_copy_rows(run, &session->growing, 1);
         trail_grow(&session->trails, session->observation);
     }
     if (!session->opened.count)
         house_value_list(&session->opened, &run->house);
-    if (!editor_holds_number(session->editor) &&
+    if (!editor_drags_number(session->editor) &&
         house_run_revision(run) == draft_revision(session->draft)) /* otherwise the sliders are ahead of the run */
-        house_value_list_again(&session->values, &session->opened, &run->house);
-    session->retell = true;
-    session->changed |= LABORATORY_ALL & ~LABORATORY_TROUBLE;
+        house_value_rebuild(&session->values, &session->opened, &run->house);
+    session->texts_are_stale = true;
+    session->changed |= LABORATORY_ALL & ~LABORATORY_ERROR;
 }
 
 /* Updates --------------------------------------------------------------------------------------------------------- */
@@ -303,15 +303,15 @@ static void update_shown(HouseSession *session, double time) {
     }
     bool near = time + TAKE_NEAR > house_runs_reach(session);
     size_t least = near ? 1 : session->observation->trace.rows / TAKE_PART + 1;
-    if (!house_run_take(session->runs[RUN_SHOWN], &session->growing, least))
+    if (!house_run_copy_rows(session->runs[RUN_SHOWN], &session->growing, least))
         return;
     trail_grow(&session->trails, session->observation);
     if (session->film && !session->film_is_stale)
         film_extend(session->film);
     house_picture_make_plots(session, false);
-    if (stopwatch_now() - session->words.said > GRACE) {
-        session->retell = true;
-        session->changed |= LABORATORY_WORDS;
+    if (stopwatch_now() - session->texts.said > GRACE) {
+        session->texts_are_stale = true;
+        session->changed |= LABORATORY_TEXTS;
     }
 }
 
@@ -331,8 +331,8 @@ static void update_companions(HouseSession *session) {
     if (!session->whole || session->runs[RUN_LATEST] || session->runs[RUN_MIXED])
         return;
     if (update_companion(session, RUN_RIVAL)) {
-        session->retell = true;
-        session->changed |= LABORATORY_WORDS | LABORATORY_PLOTS;
+        session->texts_are_stale = true;
+        session->changed |= LABORATORY_TEXTS | LABORATORY_PLOTS;
     }
     update_companion(session, RUN_ROUTES);
 }

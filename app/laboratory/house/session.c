@@ -25,7 +25,7 @@ static HouseScenery scenery_of(const HouseSession *session) {
 /* The editor ------------------------------------------------------------------------------------------------------- */
 
 /* Passes the displayed house to the editor. */
-static void tell_editor(HouseSession *session) {
+static void update_editor_scene(HouseSession *session) {
     EditorScene scene = {.time = session->time};
     if (session->runs[RUN_SHOWN]) {
         scene.scenery = scenery_of(session);
@@ -43,9 +43,9 @@ static unsigned update(void *context, double time) {
     size_t rows = rows_recorded(session);
     session->time = time;
     house_schedule_update(session, time);
-    house_fall_follow(session);
+    house_fall_update(session);
     if (house_text_moved(session, time))
-        session->changed |= LABORATORY_WORDS;
+        session->changed |= LABORATORY_TEXTS;
     unsigned changed = session->changed;
     session->changed = 0;
     if (session->runs[RUN_SHOWN]) {
@@ -57,19 +57,19 @@ static unsigned update(void *context, double time) {
         session->fresh = session->fresh || changed & LABORATORY_VIEW;
         if (changed & LABORATORY_PLOTS)
             house_picture_make_plots(session, true);
-        if (changed & LABORATORY_WORDS)
+        if (changed & LABORATORY_TEXTS)
             house_text_make(session, time);
         if (changed & LABORATORY_PARAMETERS)
             house_value_sort(&session->values, &session->runs[RUN_SHOWN]->house, session->selected);
     }
-    tell_editor(session);
-    bool other = house_text_does_other(session) || rows_recorded(session) != rows;
-    return changed | (other ? LABORATORY_WORDS : 0);
+    update_editor_scene(session);
+    bool other = house_text_progress_changed(session) || rows_recorded(session) != rows;
+    return changed | (other ? LABORATORY_TEXTS : 0);
 }
 
 /* Opening and closing --------------------------------------------------------------------------------------------- */
 
-static void keep_wish(HouseSession *session, const char *path, const LaboratoryOptions *options) {
+static void store_wish(HouseSession *session, const char *path, const LaboratoryOptions *options) {
     const char **settings = arena_allocate(&session->arena, (options->setting_count + 1) * sizeof *settings);
     for (size_t i = 0; i < options->setting_count; i++)
         settings[i] = arena_text(&session->arena, options->settings[i]);
@@ -84,7 +84,7 @@ static void keep_wish(HouseSession *session, const char *path, const LaboratoryO
                                 .jobs = options->jobs};
 }
 
-static bool know_route(const Plan *plan, const char *path, const char *route, Fault *fault) {
+static bool check_route(const Plan *plan, const char *path, const char *route, Fault *fault) {
     if (!route || plan_find_route(plan, route) != SIZE_MAX)
         return true;
     Text known = {0};
@@ -99,7 +99,7 @@ static Draft *open_draft(const char *path, const LaboratoryOptions *options, Fau
     if (!path)
         return draft_create("new house");
     Draft *draft = draft_file_read(path, options->settings, options->setting_count, fault);
-    if (draft && know_route(draft_plan(draft), path, options->route, fault))
+    if (draft && check_route(draft_plan(draft), path, options->route, fault))
         return draft;
     draft_destroy(draft);
     return NULL;
@@ -118,7 +118,7 @@ static void *open_house(const char *path, const LaboratoryOptions *options, Faul
     session->draft = draft;
     session->nothing = (Scene){.box = {{0, 0}, {1, 1}}, .bare = true, .unscaled = true};
     session->layers = house_laboratory.layers_at_first;
-    keep_wish(session, options->origin ? options->origin : path ? path : "", options);
+    store_wish(session, options->origin ? options->origin : path ? path : "", options);
     session->editor = editor_create(draft, &(EditorOptions){.path = session->wish.path,
                                                             .profiles = session->wish.profiles,
                                                             .seed = session->wish.seed,
@@ -143,7 +143,7 @@ static void close_house(void *context) {
     house_value_clear(&session->opened);
     draft_destroy(session->draft);
     house_history_clear(&session->history);
-    memory_free(session->trouble.text);
+    memory_free(session->error.text);
     memory_free(session->command);
     arena_clear(&session->command_arena);
     arena_clear(&session->arena);
@@ -170,7 +170,7 @@ static bool show(void *context, double time) {
     HouseSession *session = house_control_sync(context);
     session->time = time;
     house_picture_make_film(session, time);
-    tell_editor(session);
+    update_editor_scene(session);
     if (!house_picture_has_film(session))
         return false;
     if (session->fresh)
@@ -180,7 +180,7 @@ static bool show(void *context, double time) {
     return onwards;
 }
 
-static bool rests(const void *context, double time) {
+static bool is_unchanged(const void *context, double time) {
     const HouseSession *session = context;
     return house_picture_has_film(session) && !session->fresh && !session->fall.count &&
            house_run_epoch(session->runs[RUN_SHOWN], time) == session->epoch && film_is_unchanged(session->film, time);
@@ -202,7 +202,7 @@ static const Scene *moving(const void *context) {
     return house_picture_has_film(session) ? film_moving(session->film) : &session->nothing;
 }
 
-static void look(void *context, Camera camera) {
+static void set_camera(void *context, Camera camera) {
     HouseSession *session = house_control_sync(context);
     if (camera.kind != session->camera.kind)
         house_picture_void_film(session);
@@ -210,7 +210,7 @@ static void look(void *context, Camera camera) {
     session->changed |= LABORATORY_VIEW;
 }
 
-static void reveal(void *context, unsigned layers) {
+static void set_layers(void *context, unsigned layers) {
     HouseSession *session = context;
     if (layers != session->layers)
         house_picture_void_film(session);
@@ -226,7 +226,7 @@ static LaboratoryPlot plot(const void *context, size_t index) {
     return house_picture_plot(context, index);
 }
 
-static size_t until(const void *context, size_t plot, size_t series, double time) {
+static size_t points_until(const void *context, size_t plot, size_t series, double time) {
     const HouseSession *session = context;
     return house_plots_until(&session->plots.plots, plot, series, time);
 }
@@ -237,24 +237,24 @@ static Result answer(void *context) {
     return house_text_answer(house_control_sync(context));
 }
 
-static const char *say_clock(void *context, double time) {
+static const char *format_clock(void *context, double time) {
     HouseSession *session = context;
-    HouseWords *words = &session->words;
-    snprintf(words->clock, sizeof words->clock, "%.1f s", time);
-    return words->clock;
+    HouseTexts *texts = &session->texts;
+    snprintf(texts->clock, sizeof texts->clock, "%.1f s", time);
+    return texts->clock;
 }
 
 static void add_note(HouseSession *session, const char *more) {
-    char *words = session->words.note;
-    size_t used = strlen(words);
-    snprintf(words + used, sizeof session->words.note - used, "%s%s", used ? "; " : "", more);
+    char *texts = session->texts.note;
+    size_t used = strlen(texts);
+    snprintf(texts + used, sizeof session->texts.note - used, "%s%s", used ? "; " : "", more);
 }
 
 static const char *note(void *context) {
     HouseSession *session = house_control_sync(context);
     const HouseWish *wish = session->runs[RUN_SHOWN] ? &session->runs[RUN_SHOWN]->wish : NULL;
-    const char *picture = editor_image_trouble(session->editor);
-    *session->words.note = 0;
+    const char *picture = editor_image_error(session->editor);
+    *session->texts.note = 0;
     if (wish && wish->epoch_count > 1) {
         char mixed[64];
         snprintf(mixed, sizeof mixed, "mixed: plan changed at %.1f s, R runs it clean",
@@ -265,7 +265,7 @@ static const char *note(void *context) {
         add_note(session, "assumed plan: not measured");
     if (picture)
         add_note(session, picture);
-    return session->words.note;
+    return session->texts.note;
 }
 
 static const char *title(const void *context) {
@@ -276,20 +276,20 @@ static const char *title(const void *context) {
 
 static const PanelRow *rows(const void *context, size_t *count) {
     const HouseSession *session = context;
-    *count = session->words.row_count;
-    return session->words.rows;
+    *count = session->texts.row_count;
+    return session->texts.rows;
 }
 
-static const TimelineMark *ticks(void *context, size_t *count) {
+static const TimelineMark *marks(void *context, size_t *count) {
     const HouseSession *session = context;
-    *count = session->words.tick_count;
-    return session->words.ticks;
+    *count = session->texts.tick_count;
+    return session->texts.ticks;
 }
 
-static const char *trouble(const void *context, double *time) {
+static const char *error(const void *context, double *time) {
     const HouseSession *session = context;
-    *time = session->trouble_time;
-    return session->trouble.text;
+    *time = session->error_time;
+    return session->error.text;
 }
 
 /* Picking --------------------------------------------------------------------------------------------------------- */
@@ -300,17 +300,17 @@ static Item pick(const void *context, Vec2 at, double time, Item below) {
     return session->runs[RUN_SHOWN] ? house_item_at(&scenery, at, time, below) : (Item){0, 0};
 }
 
-static Item next(const void *context, Item thing, int step) {
+static Item next(const void *context, Item item, int step) {
     const HouseSession *session = context;
     HouseScenery scenery = session->runs[RUN_SHOWN] ? scenery_of(session) : (HouseScenery){NULL, NULL, NULL};
-    return session->runs[RUN_SHOWN] ? house_item_next(&scenery, thing, step) : (Item){0, 0};
+    return session->runs[RUN_SHOWN] ? house_item_next(&scenery, item, step) : (Item){0, 0};
 }
 
-static void select_thing(void *context, Item thing) {
+static void select_item(void *context, Item item) {
     HouseSession *session = house_control_sync(context);
     bool known = session->runs[RUN_SHOWN] &&
-                 thing.index < house_item_count(&session->runs[RUN_SHOWN]->house, session->observation, thing.kind);
-    Item chosen = known ? thing : (Item){0, 0};
+                 item.index < house_item_count(&session->runs[RUN_SHOWN]->house, session->observation, item.kind);
+    Item chosen = known ? item : (Item){0, 0};
     house_control_select(session, chosen);
     editor_set_selected(session->editor, chosen);
 }
@@ -319,35 +319,35 @@ static Item selected(void *context) {
     return house_control_sync(context)->selected;
 }
 
-static const char *name_thing(void *context, Item thing) {
+static const char *item_name(void *context, Item item) {
     HouseSession *session = context;
-    HouseWords *words = &session->words;
-    *words->name = 0;
+    HouseTexts *texts = &session->texts;
+    *texts->name = 0;
     if (session->runs[RUN_SHOWN])
-        house_item_name(&session->runs[RUN_SHOWN]->house, session->observation, thing, words->name, sizeof words->name);
-    return words->name;
+        house_item_name(&session->runs[RUN_SHOWN]->house, session->observation, item, texts->name, sizeof texts->name);
+    return texts->name;
 }
 
-static size_t outline(void *context, Item thing, double time, Vec2 *points) {
+static size_t outline(void *context, Item item, double time, Vec2 *points) {
     HouseSession *session = context;
     if (!session->runs[RUN_SHOWN])
         return 0;
     HouseScenery scenery = scenery_of(session);
-    size_t count = house_item_outline(&scenery, thing, time, points);
+    size_t count = house_item_outline(&scenery, item, time, points);
     const FurnitureFall *fall = NULL;
-    if (count && thing.kind == HOUSE_FURNITURE)
-        fall = house_fall_find(session, house_item_id(&session->runs[RUN_SHOWN]->house, thing));
+    if (count && item.kind == HOUSE_FURNITURE)
+        fall = house_fall_find(session, house_item_id(&session->runs[RUN_SHOWN]->house, item));
     if (fall)
         furniture_fall_corners(&fall->piece, furniture_fall_share(fall), points);
     return count;
 }
 
 static void animate(void *context, double seconds) {
-    house_fall_move(house_control_sync(context), seconds);
+    house_fall_advance(house_control_sync(context), seconds);
 }
 
 static const char *animation(void *context) {
-    return house_fall_words(house_control_sync(context));
+    return house_fall_text(house_control_sync(context));
 }
 
 static bool save(void *context, const char *path, Fault *fault) {
@@ -401,45 +401,45 @@ const Laboratory house_laboratory = {
     .span = span,
     .reach = reach,
     .show = show,
-    .rests = rests,
+    .is_unchanged = is_unchanged,
     .still = still,
     .added = added,
     .moving = moving,
-    .look = look,
-    .reveal = reveal,
+    .set_camera = set_camera,
+    .set_layers = set_layers,
     .plot_count = plot_count,
     .plot = plot,
-    .until = until,
+    .points_until = points_until,
     .answer = answer,
-    .clock = say_clock,
+    .clock = format_clock,
     .note = note,
     .title = title,
     .rows = rows,
-    .ticks = ticks,
-    .trouble = trouble,
+    .marks = marks,
+    .error = error,
     .parameters = house_control_parameters,
     .set = house_control_set,
     .reset = house_control_reset,
     .presets = house_control_presets,
-    .prefer = house_control_prefer,
+    .apply_preset = house_control_apply_preset,
     .choices = house_control_choices,
     .choose = house_control_choose,
-    .again = house_control_again,
-    .keep = house_control_keep,
-    .clear = house_control_clear,
+    .restart = house_control_restart,
+    .save_run = house_control_save_run,
+    .clear_runs = house_control_clear,
     .pick = pick,
     .next = next,
-    .select = select_thing,
+    .select = select_item,
     .selected = selected,
-    .name_thing = name_thing,
+    .item_name = item_name,
     .outline = outline,
     .command = house_control_command,
     .digest = house_session_digest,
     .save = save,
     .sound = sound,
     .editor = editor,
-    .hold = house_control_hold,
-    .settle = house_control_settle,
+    .begin_number = house_control_begin_number,
+    .end_number = house_control_end_number,
     .animate = animate,
     .animation = animation,
 };

@@ -28,7 +28,7 @@ typedef enum HouseLayer {
 } HouseLayer;
 _Static_assert((int)LAYERS <= (int)LABORATORY_LAYERS_MOST, "a key for each layer");
 
-enum { HOUSE_CHOICES = 3, HOUSE_CHOICE_WORDS = 32 /* at most this many words in a choice */ };
+enum { HOUSE_CHOICES = 3, HOUSE_CHOICE_OPTIONS = 32 /* a choice has at most this many */ };
 
 /* The plots of the displayed run, and how far their axes have grown. */
 typedef struct ShownPlots {
@@ -39,7 +39,7 @@ typedef struct ShownPlots {
 } ShownPlots;
 
 /* The texts about the displayed run. */
-typedef struct HouseWords {
+typedef struct HouseTexts {
     Scene clean;                 /* holds the answer of the draft when the run is mixed */
     Scene run;                   /* holds the texts about the run: its answer, its list */
     Scene moment;                /* holds the texts about the selection and the comparison */
@@ -51,8 +51,8 @@ typedef struct HouseWords {
     Role role;
     double said; /* s, of a steady clock, at the last update of the texts */
     double time; /* s, the time that the texts describe */
-    char doing[96], done[96], clock[32], note[192], name[HOUSE_THING_NAME];
-} HouseWords;
+    char doing[96], done[96], clock[32], note[192], name[HOUSE_ITEM_NAME];
+} HouseTexts;
 
 /* The roles of runs: see runs.h. */
 typedef enum HouseRunRole {
@@ -79,7 +79,7 @@ typedef struct HouseSession {
 
     HouseWorker *worker;
     HouseRun *runs[RUN_ROLES]; /* see runs.h; NULL: none */
-    bool kept_itself;          /* the saved run was saved automatically by a change */
+    bool stored_by_itself;     /* the saved run was saved automatically by a change */
 
     Observation growing;            /* the observation of the displayed run while it is in progress */
     const Observation *observation; /* the observation of the displayed run */
@@ -97,15 +97,15 @@ typedef struct HouseSession {
     unsigned layers;
     Item selected;
     unsigned changed;           /* LABORATORY_... bits since the last update */
-    bool retell;                /* the texts of the run are out of date, not only the texts of the moment */
+    bool texts_are_stale;       /* the texts of the run are out of date, not only the texts of the moment */
     HouseValues values, opened; /* the present values; the values at the opening */
     ShownPlots plots;
-    HouseWords words;
-    Text trouble;
-    double trouble_time; /* s; NAN: the error belongs to no time */
+    HouseTexts texts;
+    Text error;
+    double error_time; /* s; NAN: the error belongs to no time */
 
     PanelChoice choices[HOUSE_CHOICES]; /* (choice_count) */
-    const char *choice_words[HOUSE_CHOICES][HOUSE_CHOICE_WORDS];
+    const char *choice_options[HOUSE_CHOICES][HOUSE_CHOICE_OPTIONS];
     size_t choice_count;
     const char **command; /* the words of the command line */
     Arena command_arena;

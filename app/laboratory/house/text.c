@@ -22,9 +22,9 @@ enum { TICKS_MOST = 2000 };
 #define NEW_CONTACT 0.1 /* s: a body that has been free for less is still touching */
 
 static PanelRow *add_row(HouseSession *session, RowKind kind, const char *first) {
-    HouseWords *words = &session->words;
-    words->rows = memory_reserve(words->rows, &words->row_capacity, words->row_count + 1, sizeof *words->rows);
-    PanelRow *row = &words->rows[words->row_count++];
+    HouseTexts *texts = &session->texts;
+    texts->rows = memory_reserve(texts->rows, &texts->row_capacity, texts->row_count + 1, sizeof *texts->rows);
+    PanelRow *row = &texts->rows[texts->row_count++];
     *row = (PanelRow){.row = {.kind = kind, .role = ROLE_TEXT, .cells = {first}}, .time = NAN};
     return row;
 }
@@ -35,8 +35,8 @@ static void add_pair(HouseSession *session, const char *what, const char *value)
     add_row(session, ROW_PLAIN, what)->row.cells[1] = value;
 }
 
-static void say_moment(HouseSession *session, size_t person, double time) {
-    Scene *scene = &session->words.moment;
+static void add_moment(HouseSession *session, size_t person, double time) {
+    Scene *scene = &session->texts.moment;
     const double *row = trail_row_at(&session->trails.trails[person], time);
     if (!row)
         return;
@@ -50,7 +50,7 @@ static void say_moment(HouseSession *session, size_t person, double time) {
 
 /* Adds a row for each fact of a record that has a value, from row `first` on. */
 static void add_record(HouseSession *session, ResultTable *table, size_t first) {
-    Arena *arena = &session->words.moment.arena;
+    Arena *arena = &session->texts.moment.arena;
     for (size_t r = first; r < table->row_count; r++) {
         SceneRow line;
         const ResultRow *row = result_at(table, 0, r);
@@ -62,7 +62,7 @@ static void add_record(HouseSession *session, ResultTable *table, size_t first) 
     result_clear(table);
 }
 
-static void say_person(HouseSession *session, size_t i, double time) {
+static void add_person(HouseSession *session, size_t i, double time) {
     if (!session->observation->people[i].took_part) {
         add_pair(session, "not in this run", NULL);
         return;
@@ -70,53 +70,53 @@ static void say_person(HouseSession *session, size_t i, double time) {
     ResultTable table = {0};
     result_house_add_person(&table, &session->runs[RUN_SHOWN]->house, session->observation, i);
     add_record(session, &table, 1); /* the name is the heading */
-    say_moment(session, i, time);
+    add_moment(session, i, time);
 }
 
-static void say_door(HouseSession *session, const Door *door) {
+static void add_door(HouseSession *session, const Door *door) {
     static const char *const kinds[] = {"opening", "hinged", "sliding"}, *const states[] = {"open", "closed", "locked"};
-    Scene *scene = &session->words.moment;
+    Scene *scene = &session->texts.moment;
     add_pair(session, "clear width", scene_text(scene, "%.3f m", door->width));
     add_pair(session, "kind", kinds[door->kind]);
     add_pair(session, "state", states[door->state]);
     add_pair(session, "in wall", arena_text(&scene->arena, door->wall));
 }
 
-static void say_hazard(HouseSession *session, size_t hazard) {
+static void add_hazard(HouseSession *session, size_t hazard) {
     ResultTable table = {0};
     result_house_add_hazard(&table, session->observation, hazard);
     add_record(session, &table, 1); /* the rank is in the heading */
 }
 
 static void add_selected(HouseSession *session, double time) {
-    Scene *scene = &session->words.moment;
+    Scene *scene = &session->texts.moment;
     const Plan *plan = &session->runs[RUN_SHOWN]->house.plan;
-    Item thing = session->selected;
-    char name[HOUSE_THING_NAME];
-    house_item_name(&session->runs[RUN_SHOWN]->house, session->observation, thing, name, sizeof name);
+    Item item = session->selected;
+    char name[HOUSE_ITEM_NAME];
+    house_item_name(&session->runs[RUN_SHOWN]->house, session->observation, item, name, sizeof name);
     if (!*name)
         return;
     *name = (char)toupper((unsigned char)*name);
     add_row(session, ROW_HEADING, scene_text(scene, "%s", name));
-    if (thing.kind == HOUSE_PERSON) {
-        say_person(session, thing.index, time);
-    } else if (thing.kind == HOUSE_HAZARD) {
-        say_hazard(session, thing.index);
-    } else if (thing.kind == HOUSE_STOP) {
-        const char *widths = blockage_scene_widths(scene, &session->observation->people[thing.index].blockage);
+    if (item.kind == HOUSE_PERSON) {
+        add_person(session, item.index, time);
+    } else if (item.kind == HOUSE_HAZARD) {
+        add_hazard(session, item.index);
+    } else if (item.kind == HOUSE_STOP) {
+        const char *widths = blockage_scene_widths(scene, &session->observation->people[item.index].blockage);
         if (*widths)
             add_row(session, ROW_PLAIN, widths);
-    } else if (thing.kind == HOUSE_DOOR) {
-        say_door(session, &plan->doors[thing.index]);
-    } else if (thing.kind == HOUSE_FURNITURE) {
-        const Furniture *piece = &plan->furniture[thing.index];
+    } else if (item.kind == HOUSE_DOOR) {
+        add_door(session, &plan->doors[item.index]);
+    } else if (item.kind == HOUSE_FURNITURE) {
+        const Furniture *piece = &plan->furniture[item.index];
         add_pair(session, "size", scene_text(scene, "%.2f x %.2f m", piece->size.x, piece->size.y));
         add_pair(session, "height", scene_text(scene, "%.2f m", piece->height));
         add_pair(session, "toppled", piece->toppled ? "yes" : "no");
-    } else if (thing.kind == HOUSE_WALL) {
-        add_pair(session, "thickness", scene_text(scene, "%.3f m", plan->walls[thing.index].thickness));
-    } else if (thing.kind == HOUSE_EXIT) {
-        const Exit *exit = &plan->exits[thing.index];
+    } else if (item.kind == HOUSE_WALL) {
+        add_pair(session, "thickness", scene_text(scene, "%.3f m", plan->walls[item.index].thickness));
+    } else if (item.kind == HOUSE_EXIT) {
+        const Exit *exit = &plan->exits[item.index];
         add_pair(session, "width", scene_text(scene, "%.2f m", vec2_distance(exit->from, exit->to)));
     }
 }
@@ -126,7 +126,7 @@ static void add_selected(HouseSession *session, double time) {
 /* Adds the facts of the whole run before and now. */
 static void compare(HouseSession *session) {
     Before ghost = house_runs_compared(session);
-    Scene *scene = &session->words.moment;
+    Scene *scene = &session->texts.moment;
     if (!ghost.observation || !session->whole)
         return;
     ResultTable before = result_house_totals(ghost.house, ghost.observation),
@@ -146,7 +146,7 @@ static void compare(HouseSession *session) {
 /* Finds the time when a person is nearest to each dangerous point, minus AHEAD; s. */
 static void find_times(HouseSession *session) {
     const Observation *observation = session->observation;
-    double least[HAZARDS_MOST], *before = session->words.before;
+    double least[HAZARDS_MOST], *before = session->texts.before;
     for (size_t h = 0; h < observation->hazard_count; h++)
         least[h] = HUGE_VAL;
     for (size_t r = 0; r < observation->trace.rows && observation->hazard_count; r++) {
@@ -171,7 +171,7 @@ static size_t first_stopped(const Observation *observation) {
 
 /* Adds the rows of the scene's list with their items: the n-th row below a heading is the n-th item of its kind. */
 static void add_listed(HouseSession *session) {
-    const Scene *scene = &session->words.run;
+    const Scene *scene = &session->texts.run;
     const House *house = &session->runs[RUN_SHOWN]->house;
     size_t hazard = 0, person = 0, stopped = first_stopped(session->observation);
     bool stops = session->whole && stopped < session->observation->person_count;
@@ -181,14 +181,14 @@ static void add_listed(HouseSession *session) {
         if (stops)
             row->place = (Item){HOUSE_STOP, stopped};
         if (row->row.kind == ROW_DISC) {
-            row->thing = (Item){HOUSE_HAZARD, hazard};
-            row->place = stops ? row->place : row->thing;
-            row->time = session->words.before[hazard++];
+            row->item = (Item){HOUSE_HAZARD, hazard};
+            row->place = stops ? row->place : row->item;
+            row->time = session->texts.before[hazard++];
         } else if (row->row.kind == ROW_LINE && house->person_count <= PEOPLE_SCENE_INDIVIDUALS) {
             while (person < house->person_count && !session->observation->people[person].took_part)
                 person++;
             if (person < house->person_count)
-                row->thing = (Item){HOUSE_PERSON, person++};
+                row->item = (Item){HOUSE_PERSON, person++};
         }
     }
 }
@@ -196,11 +196,11 @@ static void add_listed(HouseSession *session) {
 /* Ticks ----------------------------------------------------------------------------------------------------------- */
 
 static void add_tick(HouseSession *session, double time, TimelineMarkKind kind) {
-    HouseWords *words = &session->words;
-    if (words->tick_count == TICKS_MOST)
+    HouseTexts *texts = &session->texts;
+    if (texts->tick_count == TICKS_MOST)
         return;
-    words->ticks = memory_reserve(words->ticks, &words->tick_capacity, words->tick_count + 1, sizeof *words->ticks);
-    words->ticks[words->tick_count++] = (TimelineMark){time, kind};
+    texts->ticks = memory_reserve(texts->ticks, &texts->tick_capacity, texts->tick_count + 1, sizeof *texts->ticks);
+    texts->ticks[texts->tick_count++] = (TimelineMark){time, kind};
 }
 
 static int compare_ticks(const void *a, const void *b) {
@@ -210,7 +210,7 @@ static int compare_ticks(const void *a, const void *b) {
 
 static void make_ticks(HouseSession *session) {
     const Observation *observation = session->observation;
-    session->words.tick_count = 0;
+    session->texts.tick_count = 0;
     for (size_t i = 0; i < observation->person_count; i++) {
         const PersonObservation *person = &observation->people[i];
         const Trail *trail = &session->trails.trails[i];
@@ -226,12 +226,12 @@ static void make_ticks(HouseSession *session) {
         if (person->completed)
             add_tick(session, person->time, TIMELINE_EXIT);
         if (person->reason == REASON_DIVERGED)
-            add_tick(session, person->time, TIMELINE_TROUBLE);
+            add_tick(session, person->time, TIMELINE_ERROR);
     }
     for (size_t i = 1; i < session->runs[RUN_SHOWN]->wish.epoch_count; i++)
         add_tick(session, session->runs[RUN_SHOWN]->wish.epochs[i].time, TIMELINE_CHANGE);
-    if (session->words.tick_count > 1)
-        qsort(session->words.ticks, session->words.tick_count, sizeof *session->words.ticks, compare_ticks);
+    if (session->texts.tick_count > 1)
+        qsort(session->texts.ticks, session->texts.tick_count, sizeof *session->texts.ticks, compare_ticks);
 }
 
 /* The answer ------------------------------------------------------------------------------------------------------ */
@@ -243,7 +243,7 @@ static const char *against(HouseSession *session, const Observation *now) {
         session->runs[RUN_BEFORE]) /* which is still displayed: the answer is newer */
         ghost = (Before){.house = &session->runs[RUN_BEFORE]->house,
                          .observation = &session->runs[RUN_BEFORE]->observation};
-    Scene *scene = &session->words.moment;
+    Scene *scene = &session->texts.moment;
     if (!ghost.observation)
         return "";
     const char *word = house_scene_before_name(ghost);
@@ -257,87 +257,87 @@ static const char *against(HouseSession *session, const Observation *now) {
     return scene_text(scene, "%s %.1f s, %+.1f s (%+.0f %%)", word, before, more, 100 * more / before);
 }
 
-static void say_answer(HouseSession *session) {
-    HouseWords *words = &session->words;
-    const Scene *run = session->runs[RUN_CLEAN] ? &words->clean : &words->run;
+static void make_answer(HouseSession *session) {
+    HouseTexts *texts = &session->texts;
+    const Scene *run = session->runs[RUN_CLEAN] ? &texts->clean : &texts->run;
     if (!session->whole && !session->runs[RUN_CLEAN]) {
-        words->title = session->observation->trace.rows ? "Driving ..." : "Planning ...";
-        words->role = ROLE_TEXT;
-        words->detail = "";
+        texts->title = session->observation->trace.rows ? "Driving ..." : "Planning ...";
+        texts->role = ROLE_TEXT;
+        texts->detail = "";
         return;
     }
     const HouseRun *answering = house_runs_answering(session);
     if (!answering->house.person_count) {
-        words->title = run->title;
-        words->role = run->title_role;
-        words->detail = "W draws walls, D a door, X an exit; P places a person, who then moves to an exit";
+        texts->title = run->title;
+        texts->role = run->title_role;
+        texts->detail = "W draws walls, D a door, X an exit; P places a person, who then moves to an exit";
         return;
     }
     const char *than = against(session, session->runs[RUN_CLEAN] ? &answering->observation : session->observation);
-    words->title = run->title;
-    words->role = run->title_role;
-    words->detail = !*than         ? run->detail
-                    : *run->detail ? scene_text(&words->moment, "%s; %s", than, run->detail)
+    texts->title = run->title;
+    texts->role = run->title_role;
+    texts->detail = !*than         ? run->detail
+                    : *run->detail ? scene_text(&texts->moment, "%s; %s", than, run->detail)
                                    : than;
 }
 
 /* Writes the answer of the draft from the beginning on, while a mixed run is displayed. */
-static void tell_clean(HouseSession *session) {
-    scene_clear(&session->words.clean);
+static void make_clean_texts(HouseSession *session) {
+    scene_clear(&session->texts.clean);
     if (!session->runs[RUN_CLEAN])
         return;
     Census census = census_make(&session->runs[RUN_CLEAN]->house, &session->runs[RUN_CLEAN]->observation);
-    house_scene_add_answer(&session->words.clean, &session->runs[RUN_CLEAN]->house,
+    house_scene_add_answer(&session->texts.clean, &session->runs[RUN_CLEAN]->house,
                            &session->runs[RUN_CLEAN]->observation, &census);
     census_clear(&census);
 }
 
 /* Makes the texts about the run as a whole. */
-static void tell_run(HouseSession *session) {
-    tell_clean(session);
+static void make_run_texts(HouseSession *session) {
+    make_clean_texts(session);
     Census census = census_make(&session->runs[RUN_SHOWN]->house, session->observation);
-    scene_clear(&session->words.run);
-    house_scene_add_answer(&session->words.run, &session->runs[RUN_SHOWN]->house, session->observation, &census);
+    scene_clear(&session->texts.run);
+    house_scene_add_answer(&session->texts.run, &session->runs[RUN_SHOWN]->house, session->observation, &census);
     census_clear(&census);
     find_times(session);
     make_ticks(session);
-    session->retell = false;
+    session->texts_are_stale = false;
 }
 
 void house_text_make(HouseSession *session, double time) {
-    HouseWords *words = &session->words;
-    words->row_count = 0;
-    words->said = stopwatch_now();
-    words->time = time;
-    if (session->retell)
-        tell_run(session);
-    scene_clear(&words->moment);
-    say_answer(session);
+    HouseTexts *texts = &session->texts;
+    texts->row_count = 0;
+    texts->said = stopwatch_now();
+    texts->time = time;
+    if (session->texts_are_stale)
+        make_run_texts(session);
+    scene_clear(&texts->moment);
+    make_answer(session);
     add_selected(session, time);
     compare(session);
     add_listed(session);
 }
 
 void house_text_clear(HouseSession *session) {
-    scene_clear(&session->words.clean);
-    scene_clear(&session->words.run);
-    scene_clear(&session->words.moment);
-    memory_free(session->words.rows);
-    memory_free(session->words.ticks);
-    session->words = (HouseWords){.title = NULL};
+    scene_clear(&session->texts.clean);
+    scene_clear(&session->texts.run);
+    scene_clear(&session->texts.moment);
+    memory_free(session->texts.rows);
+    memory_free(session->texts.ticks);
+    session->texts = (HouseTexts){.title = NULL};
 }
 
 bool house_text_moved(const HouseSession *session, double time) {
-    if (!session->runs[RUN_SHOWN] || session->selected.kind != HOUSE_PERSON || time == session->words.time)
+    if (!session->runs[RUN_SHOWN] || session->selected.kind != HOUSE_PERSON || time == session->texts.time)
         return false;
     const Trail *trail = &session->trails.trails[session->selected.index];
-    return stopwatch_now() - session->words.said >= MOMENT &&
-           trail_row_at(trail, time) != trail_row_at(trail, session->words.time);
+    return stopwatch_now() - session->texts.said >= MOMENT &&
+           trail_row_at(trail, time) != trail_row_at(trail, session->texts.time);
 }
 
 /* Returns a text about the work in progress; NULL: there is none. */
-static const char *say_doing(HouseSession *session) {
-    HouseWords *words = &session->words;
+static const char *describe_progress(HouseSession *session) {
+    HouseTexts *texts = &session->texts;
     char who[32] = "";
     if (house_runs_seeks_reasons(session))
         return "looking for the reason";
@@ -350,36 +350,36 @@ static const char *say_doing(HouseSession *session) {
     }
     if (!run && session->runs[RUN_ROUTES] && !house_runs_is_over(session, RUN_ROUTES))
         run = session->runs[RUN_ROUTES];
-    return run && house_run_say(run, who, words->doing, sizeof words->doing) ? words->doing : NULL;
+    return run && house_run_describe(run, who, texts->doing, sizeof texts->doing) ? texts->doing : NULL;
 }
 
 /* Returns the answer before a house is displayed. */
 static Result answer_nothing(HouseSession *session) {
     if (session->runs[RUN_LATEST])
         return (Result){
-            .title = "Reading ...", .role = ROLE_TEXT, .detail = "", .doing = say_doing(session), .part = NAN};
+            .title = "Reading ...", .role = ROLE_TEXT, .detail = "", .doing = describe_progress(session), .part = NAN};
     return (Result){.title = "This house cannot be run",
                     .role = ROLE_ERROR,
-                    .detail = session->trouble.text ? session->trouble.text : "",
+                    .detail = session->error.text ? session->error.text : "",
                     .part = NAN};
 }
 
 Result house_text_answer(HouseSession *session) {
-    const HouseWords *words = &session->words;
+    const HouseTexts *texts = &session->texts;
     if (!session->runs[RUN_SHOWN])
         return answer_nothing(session);
-    return (Result){.title = words->title ? words->title : "Planning ...",
-                    .role = words->role,
-                    .detail = words->detail ? words->detail : "",
+    return (Result){.title = texts->title ? texts->title : "Planning ...",
+                    .role = texts->role,
+                    .detail = texts->detail ? texts->detail : "",
                     .stale = session->runs[RUN_LATEST] && !house_runs_seeks_reasons(session),
-                    .doing = say_doing(session),
+                    .doing = describe_progress(session),
                     .part = NAN};
 }
 
-bool house_text_does_other(HouseSession *session) {
-    HouseWords *words = &session->words;
-    const char *doing = say_doing(session);
-    bool other = strcmp(doing ? doing : "", words->done) != 0;
-    snprintf(words->done, sizeof words->done, "%s", doing ? doing : "");
+bool house_text_progress_changed(HouseSession *session) {
+    HouseTexts *texts = &session->texts;
+    const char *doing = describe_progress(session);
+    bool other = strcmp(doing ? doing : "", texts->done) != 0;
+    snprintf(texts->done, sizeof texts->done, "%s", doing ? doing : "");
     return other;
 }

@@ -13,4 +13,4 @@ bool house_text_moved(const HouseSession *session, double time);
 Result house_text_answer(HouseSession *session);
 
 /* True if the text about the work in progress has changed since the last call. */
-bool house_text_does_other(HouseSession *session);
+bool house_text_progress_changed(HouseSession *session);

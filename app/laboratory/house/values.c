@@ -54,8 +54,8 @@ enum { KEY_DOORS = 6 /* number of doors whose widths are shown by default */ };
 
 /* The list -------------------------------------------------------------------------------------------------------- */
 
-static const char *sentence(Arena *arena, const char *words) {
-    return text_in_arena(arena, "%c%s.", toupper((unsigned char)*words), words + 1);
+static const char *sentence(Arena *arena, const char *text) {
+    return text_in_arena(arena, "%c%s.", toupper((unsigned char)*text), text + 1);
 }
 
 /* True for stiffnesses, dampings and similar parameters that span decades. */
@@ -133,22 +133,22 @@ static void add_offers(HouseValues *values, const House *house, const char *kind
     }
 }
 
-static void add_things(HouseValues *values, const House *house, int kind, const char *word, const Offer *offers,
-                       size_t offer_count) {
+static void add_items(HouseValues *values, const House *house, int kind, const char *word, const Offer *offers,
+                      size_t offer_count) {
     for (size_t i = 0; i < house_item_count(house, NULL, kind); i++) {
-        Item thing = {kind, i};
-        char name[HOUSE_THING_NAME];
+        Item item = {kind, i};
+        char name[HOUSE_ITEM_NAME];
         if (kind == HOUSE_PERSON && plan_find_person(&house->plan, house->people[i].id) == SIZE_MAX)
             continue; /* a person of a crowd has no parameters of its own */
-        house_item_name(house, NULL, thing, name, sizeof name);
+        house_item_name(house, NULL, item, name, sizeof name);
         *name = (char)toupper((unsigned char)*name);
-        add_offers(values, house, word, house_item_id(house, thing), arena_text(&values->arena, name),
-                   (ValueOwner){.thing = thing, .key = kind == HOUSE_DOOR && i < KEY_DOORS}, offers, offer_count);
+        add_offers(values, house, word, house_item_id(house, item), arena_text(&values->arena, name),
+                   (ValueOwner){.item = item, .key = kind == HOUSE_DOOR && i < KEY_DOORS}, offers, offer_count);
     }
 }
 
 static void add_people(HouseValues *values, const House *house) {
-    add_things(values, house, HOUSE_PERSON, "person", person_offers, COUNT(person_offers));
+    add_items(values, house, HOUSE_PERSON, "person", person_offers, COUNT(person_offers));
     for (size_t c = 0; c < house->plan.crowd_count; c++) {
         const char *id = house->plan.crowds[c].id;
         add_offers(values, house, "crowd", id, text_in_arena(&values->arena, "Crowd %s", id), (ValueOwner){.key = true},
@@ -167,11 +167,11 @@ static const char *part_of_profile(const char *name) {
 
 /* Returns "free speed" for "drive.free_speed". */
 static const char *leaf_words(Arena *arena, const char *name) {
-    char *words = arena_allocate(arena, strlen(name) + 1);
-    strcpy(words, strchr(name, '.') + 1);
-    for (char *at = words; *at; at++)
+    char *text = arena_allocate(arena, strlen(name) + 1);
+    strcpy(text, strchr(name, '.') + 1);
+    for (char *at = text; *at; at++)
         *at = *at == '_' ? ' ' : *at;
-    return words;
+    return text;
 }
 
 static void add_profile(HouseValues *values, const House *house, const Profile *profile) {
@@ -197,11 +197,11 @@ static void add_profile(HouseValues *values, const House *house, const Profile *
 void house_value_list(HouseValues *values, const House *house) {
     for (size_t k = 0; k < house->profile_count; k++)
         add_profile(values, house, &house->profiles[k]);
-    add_things(values, house, HOUSE_DOOR, "door", door_offers, COUNT(door_offers));
+    add_items(values, house, HOUSE_DOOR, "door", door_offers, COUNT(door_offers));
     add_people(values, house);
-    add_things(values, house, HOUSE_FURNITURE, "furniture", furniture_offers, COUNT(furniture_offers));
-    add_things(values, house, HOUSE_WALL, "wall", wall_offers, COUNT(wall_offers));
-    add_things(values, house, HOUSE_EXIT, "exit", exit_offers, COUNT(exit_offers));
+    add_items(values, house, HOUSE_FURNITURE, "furniture", furniture_offers, COUNT(furniture_offers));
+    add_items(values, house, HOUSE_WALL, "wall", wall_offers, COUNT(wall_offers));
+    add_items(values, house, HOUSE_EXIT, "exit", exit_offers, COUNT(exit_offers));
     for (size_t i = 0; i < COUNT(run_offers); i++) {
         PanelParameter *parameter =
             add_value(values, house, text_in_arena(&values->arena, "run.%s", run_offers[i].name), &run_offers[i],
@@ -211,7 +211,7 @@ void house_value_list(HouseValues *values, const House *house) {
     values->listed = memory_zeroed(values->count, sizeof *values->listed);
 }
 
-void house_value_list_again(HouseValues *values, const HouseValues *opened, const House *house) {
+void house_value_rebuild(HouseValues *values, const HouseValues *opened, const House *house) {
     house_value_clear(values);
     house_value_list(values, house);
     for (size_t i = 0, next = 0; i < values->count; i++) {
@@ -240,8 +240,8 @@ void house_value_clear(HouseValues *values) {
 /* True if a value belongs to the selected item, or is a main one of the selected person's profile. */
 static bool comes_first(const ValueOwner *owner, const PanelParameter *parameter, const House *house, Item selected) {
     if (selected.kind == HOUSE_NOTHING || selected.kind == HOUSE_HAZARD || selected.kind == HOUSE_STOP)
-        return owner->key && (owner->thing.kind != HOUSE_DOOR || strcmp(parameter->label, "width") == 0);
-    if (item_same(owner->thing, selected))
+        return owner->key && (owner->item.kind != HOUSE_DOOR || strcmp(parameter->label, "width") == 0);
+    if (item_same(owner->item, selected))
         return true;
     return selected.kind == HOUSE_PERSON && owner->key && owner->profile &&
            strcmp(owner->profile, house->people[selected.index].profile->name) == 0;
@@ -251,7 +251,7 @@ static bool comes_first(const ValueOwner *owner, const PanelParameter *parameter
 static int rank_of(const ValueOwner *owner, const PanelParameter *parameter, Item selected) {
     if (!parameter->first)
         return 2;
-    return selected.kind && item_same(owner->thing, selected) ? 0 : 1;
+    return selected.kind && item_same(owner->item, selected) ? 0 : 1;
 }
 
 void house_value_sort(HouseValues *values, const House *house, Item selected) {

@@ -6,7 +6,7 @@
 
 /* The item or profile of a row. */
 typedef struct ValueOwner {
-    Item thing;          /* item of the plan; none: the row belongs to the run or to a profile */
+    Item item;           /* item of the plan; none: the row belongs to the run or to a profile */
     const char *profile; /* name of the profile, or NULL */
     bool key;            /* one of the main parameters */
 } ValueOwner;
@@ -31,7 +31,7 @@ void house_value_sort(HouseValues *values, const House *house, Item selected);
 size_t house_value_find(const HouseValues *values, const char *name);
 
 /* Rebuilds the list of values; rows that are also in `opened` keep their initial values and slider ranges. */
-void house_value_list_again(HouseValues *values, const HouseValues *opened, const House *house);
+void house_value_rebuild(HouseValues *values, const HouseValues *opened, const House *house);
 
 /* Sets a value; false: the fault says which values are allowed. */
 bool house_value_set(HouseValues *values, size_t row, double value, Fault *fault);

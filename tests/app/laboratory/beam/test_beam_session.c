@@ -79,7 +79,7 @@ static uint64_t digest_plot(void *live, const char *name, double time) {
     uint64_t digest = DIGEST_START;
     CHECK_TEXT(plot.name, name);
     for (size_t s = 0; s < plot.plot->series_count; s++) {
-        size_t count = beam_laboratory.until(live, index, s, time);
+        size_t count = beam_laboratory.points_until(live, index, s, time);
         CHECK(count <= plot.plot->series[s].count);
         for (size_t i = 0; i < count; i++)
             digest = digest_pair(digest, plot_value(&plot.plot->series[s], i));
@@ -268,7 +268,7 @@ TEST(plots_at_speed_hold_more_cycles) {
         show_at(live, time);
     LaboratoryPlot plot = beam_laboratory.plot(live, force);
     CHECK(plot.plot->x.high > 1000 * 1000 * period);
-    CHECK(beam_laboratory.until(live, force, 0, time) > 0);
+    CHECK(beam_laboratory.points_until(live, force, 0, time) > 0);
     unsigned before = plot.revision;
     for (int i = 0; i < 20; i++, time += 11.4 * period)
         show_at(live, time);
@@ -302,12 +302,12 @@ TEST(layers_and_camera_make_another_picture) {
     beam_laboratory.update(live, 0.01);
     uint64_t whole = digest_picture(live);
     size_t count = beam_laboratory.still(live)->count;
-    beam_laboratory.reveal(live, 0);
+    beam_laboratory.set_layers(live, 0);
     CHECK(beam_laboratory.update(live, 0.01) & LABORATORY_VIEW);
     CHECK(beam_laboratory.still(live)->count < count);
-    beam_laboratory.reveal(live, 7);
+    beam_laboratory.set_layers(live, 7);
     CHECK(digest_picture(live) == whole);
-    beam_laboratory.look(live, (Camera){.zoom = 3});
+    beam_laboratory.set_camera(live, (Camera){.zoom = 3});
     CHECK_NEAR(beam_laboratory.still(live)->camera.zoom, 3, 0);
     beam_laboratory.close(live);
 }
@@ -330,7 +330,7 @@ TEST(a_change_while_it_runs_leads_into_chaos_and_the_record_before_stays) {
     beam_laboratory.update(live, change + 1);
     CHECK_TEXT(beam_laboratory.answer(live).title, "Not periodic so far");
     size_t count;
-    const TimelineMark *ticks = beam_laboratory.ticks(live, &count);
+    const TimelineMark *ticks = beam_laboratory.marks(live, &count);
     CHECK(count == 1 && ticks[0].kind == TIMELINE_CHANGE);
     CHECK(ticks[0].time > change && ticks[0].time <= change + 1 / 190. + 1e-12);
     show_at(live, change / 2);
@@ -394,7 +394,7 @@ TEST(a_bad_value_is_a_fault_and_changes_nothing) {
     show_at(live, 0.07);
     show_at(live, 0.05);
     CHECK(digest_picture(live) == before);
-    beam_laboratory.ticks(live, &count);
+    beam_laboratory.marks(live, &count);
     CHECK(count == 0);
     beam_laboratory.close(live);
 }
@@ -432,17 +432,17 @@ TEST(what_cannot_be_followed_ends_the_record_until_it_is_changed) {
     double time;
     size_t count;
     CHECK(span.complete && !span.endless);
-    CHECK(beam_laboratory.update(live, span.end) & LABORATORY_TROUBLE);
-    const char *trouble = beam_laboratory.trouble(live, &time);
+    CHECK(beam_laboratory.update(live, span.end) & LABORATORY_ERROR);
+    const char *trouble = beam_laboratory.error(live, &time);
     CHECK(trouble && strstr(trouble, "switches more than"));
     CHECK_NEAR(time, span.end, 0);
     CHECK_TEXT(beam_laboratory.answer(live).title, "Chatter");
-    CHECK(beam_laboratory.ticks(live, &count)[0].kind == TIMELINE_TROUBLE || count > 0);
+    CHECK(beam_laboratory.marks(live, &count)[0].kind == TIMELINE_ERROR || count > 0);
     show_at(live, 0.1);
     CHECK(digest_picture(live) == before);
     show_at(live, span.end);
     beam_laboratory.reset(live);
-    CHECK(!beam_laboratory.trouble(live, &time));
+    CHECK(!beam_laboratory.error(live, &time));
     show_at(live, span.end + 0.1);
     CHECK(beam_laboratory.span(live).end > span.end + 0.1);
     beam_laboratory.close(live);
@@ -454,14 +454,14 @@ TEST(run_again_begins_from_rest) {
     show_at(live, 0.03);
     uint64_t before = digest_picture(live);
     show_at(live, 0.5);
-    beam_laboratory.again(live);
+    beam_laboratory.restart(live);
     CHECK(beam_laboratory.span(live).end < 0.01);
     show_at(live, 0.03);
     CHECK(digest_picture(live) == before);
     CHECK(beam_laboratory.set(live, "drive.force", 100, &fault));
     show_at(live, 0.2);
     CHECK(beam_laboratory.set(live, "drive.force", 225, &fault));
-    beam_laboratory.again(live);
+    beam_laboratory.restart(live);
     show_at(live, 0.03);
     CHECK(digest_picture(live) == before);
     beam_laboratory.close(live);
@@ -480,7 +480,7 @@ TEST(the_command_makes_what_is_shown) {
     CHECK_TEXT(words[3], "drive.frequency=245");
     CHECK_TEXT(words[5], "joint.clearance=0.0001");
     CHECK_TEXT(words[7], "joint.release=gap");
-    beam_laboratory.prefer(live, 1);
+    beam_laboratory.apply_preset(live, 1);
     words = beam_laboratory.command(live, &count);
     CHECK(count == 4);
     CHECK_TEXT(words[3], "drive.frequency=190");
@@ -493,18 +493,18 @@ TEST(what_is_kept_stays_and_what_is_cleared_is_gone) {
     void *live = open_beam("ibs", NULL, 0);
     size_t phase = find_plot("phase"), points = find_plot("poincare");
     play(live, 0, 0.05, 1e-3);
-    size_t drawn = beam_laboratory.until(live, phase, 1, 0.05);
-    CHECK(beam_laboratory.until(live, phase, 0, 0.05) == 0);
-    CHECK(beam_laboratory.until(live, points, 0, 0.05) == 16);
-    beam_laboratory.keep(live, 0.05);
-    CHECK(beam_laboratory.until(live, phase, 0, 0) == drawn);
+    size_t drawn = beam_laboratory.points_until(live, phase, 1, 0.05);
+    CHECK(beam_laboratory.points_until(live, phase, 0, 0.05) == 0);
+    CHECK(beam_laboratory.points_until(live, points, 0, 0.05) == 16);
+    beam_laboratory.save_run(live, 0.05);
+    CHECK(beam_laboratory.points_until(live, phase, 0, 0) == drawn);
     CHECK(beam_laboratory.plot(live, phase).plot->series[0].role == ROLE_GHOST);
-    beam_laboratory.clear(live, 0.05);
-    CHECK(beam_laboratory.until(live, phase, 0, 0.05) == 0);
-    CHECK(beam_laboratory.until(live, phase, 1, 0.05) < drawn);
-    CHECK(beam_laboratory.until(live, points, 0, 0.05) == 1);
+    beam_laboratory.clear_runs(live, 0.05);
+    CHECK(beam_laboratory.points_until(live, phase, 0, 0.05) == 0);
+    CHECK(beam_laboratory.points_until(live, phase, 1, 0.05) < drawn);
+    CHECK(beam_laboratory.points_until(live, points, 0, 0.05) == 1);
     show_at(live, 0.07);
-    CHECK(beam_laboratory.until(live, points, 0, 0.07) == 7);
+    CHECK(beam_laboratory.points_until(live, points, 0, 0.07) == 7);
     beam_laboratory.close(live);
 }
 
@@ -646,7 +646,7 @@ TEST(verdict_type_and_orbit_diagram_come_by_themselves) {
     CHECK(count > 6 && rows[0].row.kind == ROW_HEADING);
     LaboratoryPlot orbit = beam_laboratory.plot(live, find_plot("orbit"));
     CHECK_NEAR(orbit.cursor, 300, 1e-9);
-    CHECK_TEXT(orbit.cursor_words, "300.0 Hz");
+    CHECK_TEXT(orbit.cursor_text, "300.0 Hz");
     CHECK_TEXT(orbit.cursor_parameter, "drive.frequency");
     CHECK(orbit.plot->x.low < orbit.cursor && orbit.cursor < orbit.plot->x.high);
     Fault fault = {0};

@@ -405,16 +405,16 @@ static bool set(void *live, const char *name, double value) {
 TEST(a_slider_that_is_refused_is_put_down_where_it_stood_last) {
     void *live = open_text(small_house);
     char *before = keep_text(live);
-    kind->hold(live, "door.d1.width");
+    kind->begin_number(live, "door.d1.width");
     CHECK(set(live, "door.d1.width", 1.1) && set(live, "door.d1.width", 1.2) && !set(live, "door.d1.width", 9));
-    kind->settle(live);
+    kind->end_number(live);
     CHECK(strstr(editor_text(kind->editor(live)), "\"at\": 2, \"width\": 1.2"));
     CHECK(set(live, "door.d1.width", 1.1) && editor_undo(kind->editor(live)) && editor_undo(kind->editor(live)) &&
           !editor_undo(kind->editor(live)));
     CHECK_TEXT(editor_text(kind->editor(live)), before);
-    kind->hold(live, "door.d1.width");
+    kind->begin_number(live, "door.d1.width");
     CHECK(!set(live, "door.d1.width", 9));
-    kind->settle(live);
+    kind->end_number(live);
     undo_all(live, before);
 }
 
@@ -423,17 +423,17 @@ TEST(keys_while_a_slider_is_held_put_it_down_first) {
     char *before = keep_text(live);
     Fault fault = {0};
     click(live, 2, 0);
-    kind->hold(live, "door.d1.width");
+    kind->begin_number(live, "door.d1.width");
     CHECK(set(live, "door.d1.width", 1.2) && editor_undo(kind->editor(live)));
     CHECK_TEXT(editor_text(kind->editor(live)), before);
     CHECK(set(live, "door.d1.width", 1.1)); /* a separate step */
-    kind->settle(live);
+    kind->end_number(live);
     CHECK(editor_undo(kind->editor(live)));
     CHECK_TEXT(editor_text(kind->editor(live)), before);
     click(live, 5.5, 3);
-    kind->hold(live, "door.d1.width");
+    kind->begin_number(live, "door.d1.width");
     CHECK(set(live, "door.d1.width", 1.2) && editor_split(kind->editor(live), &fault));
-    kind->settle(live);
+    kind->end_number(live);
     CHECK(editor_undo(kind->editor(live)) && editor_undo(kind->editor(live)) && !editor_undo(kind->editor(live)));
     undo_all(live, before);
 }
@@ -867,13 +867,13 @@ static void act_at_random(void *live) {
         editor_texts(kind->editor(live), &count);
         break;
     case 26:
-        kind->hold(live, "door.d1.width");
+        kind->begin_number(live, "door.d1.width");
         break;
     case 27:
         kind->set(live, any(0, 1) < 0.5 ? "door.d1.width" : "furniture.f1.height", any(0.3, 3), &fault);
         break;
     case 28:
-        kind->settle(live);
+        kind->end_number(live);
         if (any(0, 1) < 0.1)
             kind->reset(live);
         break;

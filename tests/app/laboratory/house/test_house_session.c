@@ -67,7 +67,7 @@ static size_t find_choice(void *live, const char *name, const char *word, size_t
     const PanelChoice *all = kind->choices(live, &count);
     for (size_t c = 0; c < count; c++)
         for (size_t w = 0; strcmp(all[c].name, name) == 0 && w < all[c].count; w++)
-            if (strcmp(all[c].words[w], word) == 0) {
+            if (strcmp(all[c].options[w], word) == 0) {
                 *place = w;
                 return c;
             }
@@ -141,7 +141,7 @@ static void add_scene(Text *text, const Scene *scene) {
 /* Returns the input of a painter as text: the whole static and moving layers. */
 static char *picture_at(void *live, double time) {
     kind->update(live, time);
-    kind->look(live, (Camera){.zoom = 1}); /* everything is added again */
+    kind->set_camera(live, (Camera){.zoom = 1}); /* everything is added again */
     kind->update(live, time);
     CHECK(!kind->show(live, time));
     Text text = {0};
@@ -195,8 +195,8 @@ TEST(a_parameter_makes_another_run_and_reset_the_first) {
     CHECK(set(live, "door.d5.width", 0.85));
     CHECK(house_session_digest(live) == 0 && kind->answer(live).stale);
     unsigned changed = settle(live, 3);
-    CHECK((changed & (LABORATORY_VIEW | LABORATORY_WORDS | LABORATORY_PLOTS | LABORATORY_PARAMETERS)) ==
-          (LABORATORY_VIEW | LABORATORY_WORDS | LABORATORY_PLOTS | LABORATORY_PARAMETERS));
+    CHECK((changed & (LABORATORY_VIEW | LABORATORY_TEXTS | LABORATORY_PLOTS | LABORATORY_PARAMETERS)) ==
+          (LABORATORY_VIEW | LABORATORY_TEXTS | LABORATORY_PLOTS | LABORATORY_PARAMETERS));
     uint64_t second = house_session_digest(live);
     CHECK(second == digest_of("ube-techno-house", (const char *[]){"door.d5.width=0.85", NULL}, NULL, -1));
     CHECK(second != first && strstr(kind->answer(live).detail, "before"));
@@ -227,7 +227,7 @@ TEST(a_house_that_would_be_bad_is_refused_at_once) {
     CHECK(!set(live, "door.d5.width", 9));
     size_t place;
     find_choice(live, "Route", "A", &place); /* its choice is the plan's, which is unchanged */
-    CHECK(!kind->trouble(live, &since) && !(settle(live, 0) & LABORATORY_TROUBLE));
+    CHECK(!kind->error(live, &since) && !(settle(live, 0) & LABORATORY_ERROR));
     CHECK(house_session_digest(live) == first && parameter(live, "door.d5.width")->value == 0.9);
     CHECK(set(live, "door.d5.width", 0.95));
     settle(live, 0);
@@ -241,33 +241,33 @@ TEST(a_house_that_becomes_bad_keeps_the_last_good_one) {
     double since;
     settle(live, 0);
     uint64_t first = house_session_digest(live);
-    CHECK(!kind->trouble(live, &since));
+    CHECK(!kind->error(live, &since));
     CHECK(set(live, "run.dt", 0.03));
     unsigned changed = settle(live, 0);
-    CHECK(changed & LABORATORY_TROUBLE && changed & LABORATORY_PARAMETERS);
-    CHECK(kind->trouble(live, &since) && isnan(since));
+    CHECK(changed & LABORATORY_ERROR && changed & LABORATORY_PARAMETERS);
+    CHECK(kind->error(live, &since) && isnan(since));
     CHECK(house_session_digest(live) == first && parameter(live, "run.dt")->value == 0.001);
     CHECK(set(live, "door.d5.width", 0.95));
     settle(live, 0);
-    CHECK(!kind->trouble(live, &since) && house_session_digest(live) != first);
+    CHECK(!kind->error(live, &since) && house_session_digest(live) != first);
     kind->close(live);
 }
 
 TEST(what_is_chosen_while_the_house_is_read_has_its_numbers_to_come_back_to) {
     void *live = open_live("ube-techno-house", NULL, 0, NULL);
-    CHECK(!kind->keep(live, 0));
+    CHECK(!kind->save_run(live, 0));
     usleep(20000); /* the first run begins */
     choose(live, "Route", "B");
     settle(live, 0);
     double since;
     CHECK(set(live, "run.dt", 0.03));
     settle(live, 0);
-    CHECK(kind->trouble(live, &since));
+    CHECK(kind->error(live, &since));
     size_t count;
     const PanelParameter *parameters = kind->parameters(live, &count);
     for (size_t i = 0; i < count; i++)
         CHECK(parameters[i].value == parameters[i].initial);
-    CHECK(kind->keep(live, 0));
+    CHECK(kind->save_run(live, 0));
     kind->close(live);
 }
 
@@ -287,13 +287,13 @@ TEST(an_edit_on_the_way_goes_on_from_there) {
     CHECK(kind->outline(live, person, 3, again) == points && memcmp(again, early, points * sizeof *again) == 0);
     CHECK(kind->outline(live, person, 7, again) == points && memcmp(again, late, points * sizeof *again) != 0);
     size_t count, changes = 0;
-    const TimelineMark *ticks = kind->ticks(live, &count);
+    const TimelineMark *ticks = kind->marks(live, &count);
     for (size_t i = 0; i < count; i++)
         changes += ticks[i].kind == TIMELINE_CHANGE && ticks[i].time == 5;
     CHECK(changes == 1);
     uint64_t mixed = house_session_digest(live);
     const char *title = strdup(kind->answer(live).title);
-    kind->again(live);
+    kind->restart(live);
     settle(live, 0);
     CHECK(!strstr(kind->note(live), "mixed"));
     CHECK_TEXT(kind->answer(live).title, title);
@@ -329,7 +329,7 @@ TEST(a_reset_while_a_number_is_dragged_changes_nothing_if_nothing_was_changed_be
     CHECK(is_mixed_at(live, "6.0"));
     uint64_t mixed = house_session_digest(live);
     double width = parameter(live, "door.d5.width")->value;
-    kind->hold(live, "door.d5.width");
+    kind->begin_number(live, "door.d5.width");
     CHECK(set(live, "door.d5.width", 0.96));
     kind->reset(live);
     settle(live, 6);
@@ -343,9 +343,9 @@ TEST(a_number_counts_from_the_time_at_which_it_was_put_down) {
     void *live = open_live("ube-techno-house", NULL, 0, NULL);
     settle(live, 0);
     kind->update(live, 4);
-    kind->hold(live, "door.d5.width");
+    kind->begin_number(live, "door.d5.width");
     CHECK(set(live, "door.d5.width", 0.97));
-    kind->settle(live);
+    kind->end_number(live);
     editor_set_tool(kind->editor(live), TOOL_PERSON);
     CHECK(editor_enter(kind->editor(live))); /* a gesture begins at once */
     kind->update(live, 4);
@@ -364,8 +364,8 @@ TEST(a_number_that_is_only_touched_does_not_restart_the_run) {
     size_t count;
     const PanelParameter *all = kind->parameters(live, &count);
     CHECK(count > 0);
-    kind->hold(live, all[0].name);
-    kind->settle(live);
+    kind->begin_number(live, all[0].name);
+    kind->end_number(live);
     CHECK(!kind->answer(live).stale);
     close_at_once(live);
 }
@@ -407,16 +407,16 @@ TEST(a_moment_rests_until_something_changes) {
     kind->show(live, 7.3);
     Text before = {0}, again = {0};
     add_scene(&before, kind->moving(live));
-    CHECK(kind->rests(live, 7.3) && !kind->rests(live, 7.4));
+    CHECK(kind->is_unchanged(live, 7.3) && !kind->is_unchanged(live, 7.4));
     kind->show(live, 7.3);
     add_scene(&again, kind->moving(live));
     CHECK(strcmp(before.text, again.text) == 0 && kind->added(live)->count == 0);
-    kind->reveal(live, 0);
-    CHECK(!kind->rests(live, 7.3));
+    kind->set_layers(live, 0);
+    CHECK(!kind->is_unchanged(live, 7.3));
     kind->show(live, 7.3);
-    CHECK(kind->rests(live, 7.3) && set(live, "door.d5.width", 0.85));
+    CHECK(kind->is_unchanged(live, 7.3) && set(live, "door.d5.width", 0.85));
     settle(live, 7.3);
-    CHECK(!kind->rests(live, 7.3));
+    CHECK(!kind->is_unchanged(live, 7.3));
     memory_free(before.text);
     memory_free(again.text);
     kind->close(live);
@@ -453,7 +453,7 @@ TEST(layers_can_be_hidden_and_shown) {
     kind->show(live, 4);
     CHECK(count_of(kind->added(live), PRIMITIVE_LINE, ROLE_LOCUS) > 0 && kind->still(live)->grid > 0);
     CHECK(count_of(kind->moving(live), PRIMITIVE_POLYGON, ROLE_RING) == 1);
-    kind->reveal(live, 0);
+    kind->set_layers(live, 0);
     CHECK(kind->update(live, 4) & LABORATORY_VIEW);
     CHECK(!kind->show(live, 4));
     CHECK(kind->added(live)->count == 0 && !(kind->still(live)->grid > 0));
@@ -461,7 +461,7 @@ TEST(layers_can_be_hidden_and_shown) {
     CHECK(count_of(kind->still(live), PRIMITIVE_DIMENSION, ROLE_TEXT) == 0);
     for (size_t i = 0; i < kind->layer_count; i++)
         if (strcmp(kind->layers[i], "widths") == 0)
-            kind->reveal(live, 1u << i);
+            kind->set_layers(live, 1u << i);
     settle(live, 4);
     CHECK(count_of(kind->still(live), PRIMITIVE_DIMENSION, ROLE_TEXT) == 2); /* W1 and W2 */
     kind->close(live);
@@ -474,13 +474,13 @@ TEST(a_row_of_a_dangerous_point_leads_there) {
     const PanelRow *rows = kind->rows(live, &count);
     Item first = {0, 0};
     for (size_t i = 0; i < count; i++)
-        if (rows[i].thing.kind == HOUSE_HAZARD) {
+        if (rows[i].item.kind == HOUSE_HAZARD) {
             CHECK(rows[i].time >= 0 && rows[i].time < kind->span(live).end);
-            first = hazards++ ? first : rows[i].thing;
+            first = hazards++ ? first : rows[i].item;
         }
     CHECK(hazards > 0);
     kind->select(live, first);
-    CHECK(kind->update(live, 0) & LABORATORY_WORDS);
+    CHECK(kind->update(live, 0) & LABORATORY_TEXTS);
     CHECK(strstr(kind->rows(live, &count)[0].row.cells[0], "Dangerous point 1"));
     kind->close(live);
 }
@@ -495,7 +495,7 @@ TEST(where_somebody_is_stopped_is_the_place_that_is_shown) {
         first++;
     CHECK(first < count && rows[first].place.kind == HOUSE_STOP);
     kind->select(live, rows[first < count ? first : 0].place);
-    CHECK(kind->update(live, 0) & LABORATORY_WORDS);
+    CHECK(kind->update(live, 0) & LABORATORY_TEXTS);
     CHECK_TEXT(kind->rows(live, &count)[0].row.cells[0], "P1 stops at door d1");
     Vec2 outline[LABORATORY_OUTLINE_MOST];
     CHECK(kind->outline(live, kind->selected(live), 0, outline) > 0);
@@ -507,21 +507,21 @@ TEST(what_is_pointed_at_is_found) {
     settle(live, 0);
     Item none = {0, 0};
     Item door = kind->pick(live, vec2(7.86, 4.095), 0, none);
-    CHECK_TEXT(kind->name_thing(live, door), "door d5");
-    CHECK_TEXT(kind->name_thing(live, kind->pick(live, vec2(2.6, 4.7775), 0, none)), "person p-a");
-    CHECK_TEXT(kind->name_thing(live, kind->pick(live, vec2(10, 0), 0, none)), "wall w1");
-    CHECK_TEXT(kind->name_thing(live, kind->pick(live, vec2(1.45, 1.85), 0, none)), "dining table (dining-table)");
-    CHECK_TEXT(kind->name_thing(live, kind->pick(live, vec2(11.05, 4.9), 0, none)), "exit porch");
+    CHECK_TEXT(kind->item_name(live, door), "door d5");
+    CHECK_TEXT(kind->item_name(live, kind->pick(live, vec2(2.6, 4.7775), 0, none)), "person p-a");
+    CHECK_TEXT(kind->item_name(live, kind->pick(live, vec2(10, 0), 0, none)), "wall w1");
+    CHECK_TEXT(kind->item_name(live, kind->pick(live, vec2(1.45, 1.85), 0, none)), "dining table (dining-table)");
+    CHECK_TEXT(kind->item_name(live, kind->pick(live, vec2(11.05, 4.9), 0, none)), "exit porch");
     CHECK(kind->pick(live, vec2(50, 50), 0, none).kind == HOUSE_NOTHING);
     Item below = kind->pick(live, vec2(7.86, 4.095), 0, door);
-    CHECK_TEXT(kind->name_thing(live, below), "wall w2");
+    CHECK_TEXT(kind->item_name(live, below), "wall w2");
     CHECK(item_same(kind->pick(live, vec2(7.86, 4.095), 0, below), door));
     Vec2 points[LABORATORY_OUTLINE_MOST];
     for (int step = -1; step <= 1; step += 2) {
         Item thing = kind->next(live, none, step), first = thing;
         size_t count = 0;
         do {
-            CHECK(*kind->name_thing(live, thing));
+            CHECK(*kind->item_name(live, thing));
             CHECK(kind->outline(live, thing, 0, points) >= 4);
             kind->select(live, thing);
             CHECK(item_same(kind->selected(live), thing));
@@ -542,7 +542,7 @@ TEST(ticks_rise_and_tell_of_exits) {
     void *live = open_live("ube-techno-house", NULL, 0, NULL);
     settle(live, 0);
     size_t count, exits = 0;
-    const TimelineMark *ticks = kind->ticks(live, &count);
+    const TimelineMark *ticks = kind->marks(live, &count);
     for (size_t i = 0; i < count; i++) {
         CHECK(i == 0 || ticks[i].time >= ticks[i - 1].time);
         CHECK(ticks[i].time >= 0 && ticks[i].time <= kind->span(live).end);
@@ -565,18 +565,18 @@ TEST(numbers_of_the_moment_follow_the_time) {
             snprintf(first, sizeof first, "%s", rows[i].row.cells[1]);
     CHECK_TEXT(first, "0.00 m/s");
     unsigned changed = 0;
-    for (int i = 0; i < 300 && !(changed & LABORATORY_WORDS); i++) {
+    for (int i = 0; i < 300 && !(changed & LABORATORY_TEXTS); i++) {
         changed = kind->update(live, 5);
         rest();
     }
-    CHECK(changed & LABORATORY_WORDS);
+    CHECK(changed & LABORATORY_TEXTS);
     rows = kind->rows(live, &count);
     for (size_t i = 0; i < count; i++)
         if (strcmp(rows[i].row.cells[0], "speed now") == 0)
             CHECK(strcmp(rows[i].row.cells[1], first) != 0);
     CHECK(kind->plot_count(live) == 5);
     LaboratoryPlot speed = kind->plot(live, 0);
-    CHECK(speed.plot->series_count == 1 && kind->until(live, 0, 0, 5) < speed.plot->series[0].count);
+    CHECK(speed.plot->series_count == 1 && kind->points_until(live, 0, 0, 5) < speed.plot->series[0].count);
     kind->close(live);
 }
 
@@ -604,7 +604,7 @@ TEST(ghosts_are_seen_moving) {
     kind->show(live, 5);
     CHECK(count_of(kind->still(live), PRIMITIVE_LINE, ROLE_GHOST) == 4 &&
           count_of(kind->moving(live), PRIMITIVE_POLYGON, ROLE_GHOST) == 4);
-    kind->keep(live, 5);
+    kind->save_run(live, 5);
     CHECK(set(live, "person.p-a.delay", 2));
     settle(live, 5);
     kind->show(live, 5);
@@ -614,7 +614,7 @@ TEST(ghosts_are_seen_moving) {
     for (size_t i = 0; i < count; i++)
         compared += strncmp(rows[i].row.cells[0], "Compare", 7) == 0;
     CHECK(compared == 1);
-    kind->clear(live, 5);
+    kind->clear_runs(live, 5);
     settle(live, 5);
     kind->show(live, 5);
     CHECK(count_of(kind->still(live), PRIMITIVE_LINE, ROLE_GHOST) == 0 &&
@@ -676,7 +676,7 @@ TEST(a_house_that_cannot_be_run_says_why) {
     void *live = open_made(path, ", \"people\": [{\"id\": \"p1\", \"profile\": \"nobody\", \"at\": [1, 1]}]");
     unsigned changed = settle(live, 0);
     double since;
-    CHECK(changed & LABORATORY_TROUBLE && strstr(kind->trouble(live, &since), "nobody"));
+    CHECK(changed & LABORATORY_ERROR && strstr(kind->error(live, &since), "nobody"));
     CHECK(kind->answer(live).role == ROLE_ERROR && house_session_digest(live) == 0);
     size_t count;
     kind->parameters(live, &count);
@@ -690,7 +690,7 @@ TEST(a_house_that_cannot_be_run_says_why) {
     CHECK(!kind->show(live, 0) && kind->still(live)->count > 0 && kind->span(live).end == 0);
     CHECK(set(live, "wall.w1.thickness", 0.3));
     settle(live, 0);
-    CHECK(!kind->trouble(live, &since));
+    CHECK(!kind->error(live, &since));
     kind->close(live);
     unlink(path);
 }
@@ -705,6 +705,6 @@ TEST(what_went_wrong_is_told) {
         open_live("corner-0.90-0.90", (const char *[]){"profile.manual-chair.contact.normal_damping=100000"}, 1, NULL);
     settle(live, 0);
     double since;
-    CHECK(strstr(kind->trouble(live, &since), "the step dt"));
+    CHECK(strstr(kind->error(live, &since), "the step dt"));
     kind->close(live);
 }

@@ -258,7 +258,7 @@ TEST(what_has_fallen_is_the_picture_that_it_is_where_nothing_moves) {
     CHECK(!kind->animation(still));
     CHECK_TEXT(kind->animation(moved), "");
     check_same_picture(moved, after, false);
-    CHECK(!kind->rests(moved, 0) && kind->rests(still, 0));
+    CHECK(!kind->is_unchanged(moved, 0) && kind->is_unchanged(still, 0));
     kind->animate(moved, 0.3);
     kind->update(moved, 0);
     check_same_picture(moved, after, false);
@@ -266,7 +266,7 @@ TEST(what_has_fallen_is_the_picture_that_it_is_where_nothing_moves) {
     CHECK(!kind->animation(moved));
     CHECK(kind->update(moved, 0) & LABORATORY_VIEW);
     check_same_picture(moved, after, true);
-    CHECK(kind->rests(moved, 0));
+    CHECK(kind->is_unchanged(moved, 0));
     CHECK(editor_undo(kind->editor(moved)));
     settle(moved);
     CHECK(kind->animation(moved));
