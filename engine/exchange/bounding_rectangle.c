@@ -14,7 +14,7 @@ static Box turned_box(const Vec2 *points, size_t count, Vec2 axis) {
     return box;
 }
 
-Rectangle bounding_rectangle(const Vec2 *points, size_t count) {
+Rectangle bounding_rectangle_of(const Vec2 *points, size_t count) {
     Vec2 best_axis = {1, 0};
     Box best = turned_box(points, count, best_axis);
     size_t step = count / TRIES + 1;

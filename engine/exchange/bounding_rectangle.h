@@ -12,4 +12,4 @@ typedef struct Rectangle {
 
 /* Returns the rectangle of `count` points, at least 1; for an outline with very many sides only some directions are
  * tried. */
-Rectangle bounding_rectangle(const Vec2 *points, size_t count);
+Rectangle bounding_rectangle_of(const Vec2 *points, size_t count);

@@ -131,7 +131,7 @@ static bool keep_slender(const Drawing *drawing, const DxfShape *shape, WallLine
     if (!shape->closed || shape->count != 5 || shape->width > 0)
         return false;
     const Vec2 *corners = points_of(drawing, shape);
-    Rectangle box = bounding_rectangle(corners, 4);
+    Rectangle box = bounding_rectangle_of(corners, 4);
     double area = fabs(vec2_cross(vec2_sub(corners[2], corners[0]), vec2_sub(corners[3], corners[1]))) / 2;
     bool is_rectangle = fabs(area - box.size.x * box.size.y) < 1e-6 * area;
     if (!is_rectangle || box.size.y > THICKEST || box.size.x < SLENDER * box.size.y)
@@ -168,7 +168,7 @@ static void add_exits(Drawing *drawing) {
             house_builder_exit(drawing->builder, points[0], points[1]);
             continue;
         }
-        Rectangle box = bounding_rectangle(points, shape->count);
+        Rectangle box = bounding_rectangle_of(points, shape->count);
         Vec2 half = vec2_scale(vec2_heading(radians(box.angle)), box.size.x / 2);
         house_builder_exit(drawing->builder, vec2_sub(box.centre, half), vec2_add(box.centre, half));
     }

@@ -217,7 +217,7 @@ size_t house_builder_piece_around(HouseBuilder *builder, const char *name, const
             return SIZE_MAX;
     if (count < 2)
         return SIZE_MAX;
-    Rectangle box = bounding_rectangle(points, count);
+    Rectangle box = bounding_rectangle_of(points, count);
     return house_builder_piece(builder, name, box.centre, box.size, box.angle, height);
 }
 

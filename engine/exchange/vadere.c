@@ -190,7 +190,7 @@ static void add_outline(HouseBuilder *builder, const Shape *shape) {
 
 static void take_obstacle(Reader *reader, const JsonNode *element, const Shape *shape) {
     (void)element;
-    Rectangle box = bounding_rectangle(shape->points, shape->count);
+    Rectangle box = bounding_rectangle_of(shape->points, shape->count);
     if (is_rectangle(shape, &box))
         add_rectangle(reader->builder, &box);
     else
@@ -220,7 +220,7 @@ static bool add_frame(Reader *reader, const JsonNode *topography) {
 /* Adds an exit: a line across the middle of the target along its longer side, or for a square across the direction
  * from the sources. */
 static size_t add_exit(Reader *reader, const Shape *shape) {
-    Rectangle box = bounding_rectangle(shape->points, shape->count);
+    Rectangle box = bounding_rectangle_of(shape->points, shape->count);
     Vec2 along = vec2_heading(radians(box.angle));
     double half = box.size.x / 2;
     if (box.size.x < CLEARLY_LONGER * box.size.y) {
