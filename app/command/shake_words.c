@@ -3,7 +3,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-#include "command/study_number.h"
+#include "result/study_number.h"
 
 enum { ROWS_MOST = 20 };
 

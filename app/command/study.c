@@ -268,10 +268,14 @@ static json_t *make_answer(const StudyJob *job) {
 
 static void print_words(const StudyJob *job) {
     const char *file = job->options->files[0];
-    if (job->findings)
+    if (job->findings) {
         shake_words_print(job->findings, file);
-    else
-        study_text_print(&job->study, job->laboratory, file);
+        return;
+    }
+    Text text = {0};
+    study_text_add(&text, &job->study, file);
+    printf("%s", text.text);
+    memory_free(text.text);
 }
 
 /* Prints and writes the answer. Returns the exit code. */

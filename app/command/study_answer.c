@@ -6,42 +6,24 @@
 #include <stdio.h>
 
 #include "base/json.h"
-#include "study/montecarlo.h"
-#include "study/summary.h"
-
-static json_t *known(double value) {
-    return isfinite(value) ? json_number(value) : json_null();
-}
-
-static json_t *whole(size_t value) {
-    return json_integer((json_int_t)value);
-}
+#include "result/json.h"
+#include "result/study.h"
 
 static void set(json_t *object, const char *key, json_t *value) {
     json_object_set_new(object, key, value);
 }
 
-static const char *unit_of(const Study *study, const char *name) {
-    return study->experiment->parameter(study->experiment->given, name)->unit;
+/* Returns the records of a table as a list, and releases the table. */
+static json_t *list_of(ResultTable table) {
+    json_t *list = result_json_list(&table);
+    result_clear(&table);
+    return list;
 }
 
-static json_t *make_axes(const Study *study) {
-    json_t *axes = json_array();
-    for (size_t a = 0; a < study->axis_count; a++) {
-        const StudyAxis *axis = &study->axes[a];
-        json_array_append_new(axes, json_pack("{s:s, s:s, s:o, s:o, s:o}", "name", axis->name, "unit",
-                                              unit_of(study, axis->name), "from", known(axis->from), "to",
-                                              known(axis->to), "steps", whole(axis->steps)));
-    }
-    return axes;
-}
-
-static json_t *make_spreads(const Study *study) {
-    json_t *spreads = json_array();
-    for (size_t s = 0; s < study->spread_count; s++)
-        json_array_append_new(
-            spreads, json_pack("{s:s, s:o}", "name", study->spreads[s].name, "share", known(study->spreads[s].share)));
-    return spreads;
+/* Appends the members of the only record of a table, and releases the table. */
+static void add_record(json_t *object, ResultTable table) {
+    result_json_add(object, &table, 0);
+    result_clear(&table);
 }
 
 static json_t *make_passes(const Study *study) {
@@ -51,34 +33,12 @@ static json_t *make_passes(const Study *study) {
     return passes;
 }
 
-static void add_ranges(json_t *list, const Study *study, size_t pass, size_t a) {
-    const StudyAxis *axis = &study->axes[a];
-    size_t count;
-    SummaryRange *ranges = summary_ranges(study, pass, a, &count);
-    for (size_t r = 0; r < count; r++)
-        json_array_append_new(list,
-                              json_pack("{s:s, s:s, s:o, s:o, s:o, s:s}", "pass", study_pass_name(study->passes[pass]),
-                                        "name", axis->name, "from", known(study_value(axis, ranges[r].first)), "to",
-                                        known(study_value(axis, ranges[r].last)), "steps",
-                                        whole(ranges[r].last - ranges[r].first + 1), "answer",
-                                        summary_state_name(ranges[r].state)));
-    memory_free(ranges);
-}
-
-static json_t *make_ranges(const Study *study) {
-    json_t *list = json_array();
-    for (size_t pass = 0; pass < study->pass_count; pass++)
-        for (size_t a = 0; a < study->axis_count; a++)
-            add_ranges(list, study, pass, a);
-    return list;
-}
-
 /* Where along the only axis the passes end in different answers. */
 static json_t *make_differences(const Study *study) {
     json_t *at = json_array();
     for (size_t i = 0; i < study_steps(study, 0); i++)
         if (summary_passes_differ(study, 0, i))
-            json_array_append_new(at, known(study_value(&study->axes[0], i)));
+            json_array_append_new(at, json_number(study_value(&study->axes[0], i)));
     return at;
 }
 
@@ -87,63 +47,32 @@ static json_t *make_extreme(const Study *study, bool greatest) {
     size_t index = summary_extreme(study, greatest);
     if (index == SIZE_MAX)
         return json_null();
-    const Trial *trial = &study->trials[index];
-    json_t *at = json_object();
-    for (size_t n = 0; n < study->name_count; n++)
-        set(at, study->names[n], known(trial->at[n]));
-    return json_pack("{s:o, s:o, s:s, s:I}", "value", known(trial->observed[study->experiment->measure]), "at", at,
-                     "pass", study_pass_name(study->passes[study_pass_of(study, index)]), "seed",
-                     (json_int_t)trial->seed);
+    json_t *extreme = json_pack("{s:n, s:{}}", "value", "at");
+    add_record(extreme, result_study_extreme(study, greatest));
+    set(extreme, "seed", json_integer((json_int_t)study->trials[index].seed));
+    return extreme;
 }
 
 /* Of the runs of a study without an axis, each observable as a distribution. */
 static json_t *make_distributions(const Study *study) {
-    MontecarloPoint point = montecarlo_point(study, 0, 0, 0);
-    json_t *distributions = json_object();
-    for (size_t o = 0; o < point.observables; o++) {
-        const Observable *observable = &study->experiment->observables[o];
-        const Distribution *d = &point.of[o];
-        set(distributions, observable->name,
-            json_pack("{s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "unit", observable->unit, "count",
-                      whole(d->count), "mean", known(d->mean), "deviation", known(d->deviation), "standard_error",
-                      known(d->error), "q05", known(d->low), "q50", known(d->median), "q95", known(d->high), "least",
-                      known(d->least), "greatest", known(d->greatest)));
-    }
-    json_t *share = json_pack("{s:o, s:o, s:o}", "value", known(point.share), "q025", known(point.share_low), "q975",
-                              known(point.share_high));
-    montecarlo_clear(&point);
+    ResultTable table = result_study_distributions(study);
+    json_t *share = json_object(), *distributions = json_object();
+    add_record(share, result_study_share(study));
+    for (size_t o = 0; o < table.record_count; o++)
+        set(distributions, study->experiment->observables[o].name, result_json_record(&table, o));
+    result_clear(&table);
     return json_pack("{s:o, s:o}", "share_regular", share, "observables", distributions);
 }
 
-static json_t *first_fault(const Study *study) {
-    for (size_t t = 0; t < study->trial_count; t++)
-        if (study->trials[t].fault)
-            return json_string(study->trials[t].fault);
-    return json_null();
-}
-
 json_t *study_answer_make(const Study *study, const char *file) {
-    const Experiment *experiment = study->experiment;
-    const Observable *regular = &experiment->observables[experiment->regular],
-                     *measure = &experiment->observables[experiment->measure];
-    SummaryCount count = summary_count(study);
     char digest[17];
     snprintf(digest, sizeof digest, "%016" PRIx64, summary_digest(study));
-    json_t *answer =
-        json_pack("{s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:I}", "kind", "study", "experiment", experiment->kind, "file",
-                  file, "axes", make_axes(study), "spreads", make_spreads(study), "passes", make_passes(study), "runs",
-                  whole(study->runs), "seed", (json_int_t)study->seed);
-    set(answer, "trials", whole(count.trials));
-    set(answer, "done", whole(count.done));
-    set(answer, "faults", whole(count.faults));
-    set(answer, "first_fault", first_fault(study));
-    set(answer, "regular", whole(count.regular));
-    set(answer, "not_regular", whole(count.irregular));
-    set(answer, "cannot_be_told", whole(count.undecided));
-    set(answer, "regular_means", json_string(regular->meaning));
-    set(answer, "measure",
-        json_pack("{s:s, s:s, s:s}", "name", measure->name, "unit", measure->unit, "meaning", measure->meaning));
-    set(answer, "ranges", make_ranges(study));
+    json_t *answer = json_pack("{s:s, s:s, s:s, s:o, s:o, s:o, s:I, s:I}", "kind", "study", "experiment",
+                               study->experiment->kind, "file", file, "axes", list_of(result_study_axes(study)),
+                               "spreads", list_of(result_study_spreads(study)), "passes", make_passes(study), "runs",
+                               (json_int_t)study->runs, "seed", (json_int_t)study->seed);
+    add_record(answer, result_study_counts(study));
+    set(answer, "ranges", list_of(result_study_ranges(study)));
     if (study->axis_count == 1 && study->pass_count > 1)
         set(answer, "passes_differ_at", make_differences(study));
     set(answer, "best", make_extreme(study, false));

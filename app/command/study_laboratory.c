@@ -36,8 +36,8 @@ static bool open_house(Experiment *experiment, const Options *options, Fault *fa
 }
 
 static const StudyLaboratory laboratories[] = {
-    {beam_is_file, open_beam, beam_experiment_close, "", "periodic", "not periodic", "sometimes periodic"},
-    {NULL, open_house, house_experiment_close, "way", "out", "not out", "sometimes out"},
+    {beam_is_file, open_beam, beam_experiment_close},
+    {NULL, open_house, house_experiment_close},
 };
 
 const StudyLaboratory *study_laboratory_open(Experiment *experiment, const Options *options, Fault *fault) {

@@ -8,8 +8,6 @@ typedef struct StudyLaboratory {
     bool (*is_file)(const char *path); /* NULL: any other file */
     bool (*open)(Experiment *experiment, const Options *options, Fault *fault);
     void (*close)(Experiment *experiment);
-    const char *hidden;                      /* an observable that only distinguishes runs, "way"; "": none */
-    const char *regular, *irregular, *mixed; /* names of answers: "out", "not out", "sometimes out" */
 } StudyLaboratory;
 
 /* Opens the experiment of the command line's file. NULL: `fault` says where and what is wrong. Its `close`

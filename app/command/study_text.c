@@ -6,9 +6,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "command/study_number.h"
+#include "result/study.h"
+#include "result/study_number.h"
+#include "result/text.h"
 #include "study/montecarlo.h"
-#include "study/summary.h"
 
 enum {
     WORD = STUDY_NUMBER,
@@ -19,58 +20,117 @@ enum {
     MAP_ROWS = 24,
 };
 
-/* Sentences ------------------------------------------------------------------------------------------------------ */
+/* Phrases --------------------------------------------------------------------------------------------------------- */
 
-static void print_title(const Study *study, const char *file) {
-    printf("%s", file);
-    for (size_t a = 0; a < study->axis_count; a++) {
-        char from[WORD], to[WORD];
-        study_number_step(study, a, 0, false, from);
-        study_number_step(study, a, study->axes[a].steps - 1, true, to);
-        printf("%s %s from %s to %s in ", a ? "," : ":", study->axes[a].name, from, to);
-        printf(study->axes[a].steps == 1 ? "%zu step" : "%zu steps", study->axes[a].steps);
+/* Where an answer holds, as it is said. */
+typedef struct RangePhrases {
+    const char *throughout;
+    const char *up_to;   /* last value */
+    const char *from_on; /* first value */
+    const char *at;      /* the only value */
+    const char *from_to; /* first and last value */
+} RangePhrases;
+
+/* What is said of one kind of experiment. */
+typedef struct Phrases {
+    const char *kind;
+    RangePhrases ranges[SUMMARY_UNDECIDED + 1]; /* by SummaryState */
+    const char *runs;                           /* number of regular runs, number of all */
+    const char *runs_undecided;                 /* number of regular runs, number of all, number of undecided runs */
+    const char *values;                         /* number of values with regular runs, number of all */
+    const char *share; /* number of regular runs, number of all, share, its least and its most, in % */
+} Phrases;
+
+#define NOT_RUN                                                                                                        \
+    { "not run throughout", "not run up to %s", "not run from %s on", "not run at %s", "not run from %s to %s" }
+#define UNDECIDED                                                                                                      \
+    {                                                                                                                  \
+        "undecided throughout", "undecided up to %s", "undecided from %s on", "undecided at %s",                       \
+            "undecided from %s to %s"                                                                                  \
     }
-    if (study->runs > 1)
-        printf("%s %zu runs%s, seeds %" PRIu64 " to %" PRIu64, study->axis_count ? "," : ":", study->runs,
-               study->axis_count ? " of each" : "", study->seed, study->seed + study->runs - 1);
+
+static const Phrases all_phrases[] = {
+    {.kind = "beam",
+     .ranges = {NOT_RUN,
+                {"periodic throughout", "periodic up to %s", "periodic from %s on", "periodic at %s",
+                 "periodic from %s to %s"},
+                {"not periodic throughout", "not periodic up to %s", "not periodic from %s on", "not periodic at %s",
+                 "not periodic from %s to %s"},
+                {"sometimes periodic throughout", "sometimes periodic up to %s", "sometimes periodic from %s on",
+                 "sometimes periodic at %s", "sometimes periodic from %s to %s"},
+                UNDECIDED},
+     .runs = "periodic in %zu of %zu runs",
+     .runs_undecided = "periodic in %zu of %zu runs, undecided in %zu",
+     .values = "periodic at %zu of %zu values",
+     .share = "periodic in %zu of %zu runs: %.1f %%, with 95 %% confidence from %.1f to %.1f %%"},
+    {.kind = "house",
+     .ranges = {NOT_RUN,
+                {"out throughout", "out up to %s", "out from %s on", "out at %s", "out from %s to %s"},
+                {"not out throughout", "not out up to %s", "not out from %s on", "not out at %s",
+                 "not out from %s to %s"},
+                {"sometimes out throughout", "sometimes out up to %s", "sometimes out from %s on",
+                 "sometimes out at %s", "sometimes out from %s to %s"},
+                UNDECIDED},
+     .runs = "out in %zu of %zu runs",
+     .runs_undecided = "out in %zu of %zu runs, undecided in %zu",
+     .values = "out at %zu of %zu values",
+     .share = "out in %zu of %zu runs: %.1f %%, with 95 %% confidence from %.1f to %.1f %%"},
+};
+enum { KINDS = sizeof all_phrases / sizeof *all_phrases };
+
+static const Phrases *find_phrases(const Study *study) {
+    for (size_t k = 0; k < KINDS; k++)
+        if (strcmp(all_phrases[k].kind, study->experiment->kind) == 0)
+            return &all_phrases[k];
+    return &all_phrases[0];
+}
+
+/* The question ---------------------------------------------------------------------------------------------------- */
+
+static void add_axis(Text *text, const Study *study, size_t a) {
+    char from[WORD], to[WORD];
+    size_t steps = study->axes[a].steps;
+    study_number_step(study, a, 0, steps == 1, from);
+    study_number_step(study, a, steps - 1, true, to);
+    if (steps == 1)
+        text_format(text, "%s at %s\n", study->axes[a].name, from);
+    else
+        text_format(text, "%s from %s to %s in %zu steps\n", study->axes[a].name, from, to, steps);
+}
+
+static void add_question(Text *text, const Study *study, const char *file) {
+    uint64_t last = study->seed + study->runs - 1;
+    text_format(text, "%s: ", file);
+    for (size_t a = 0; a < study->axis_count; a++)
+        add_axis(text, study, a);
+    if (!study->axis_count)
+        text_format(text, "%zu runs, seeds %" PRIu64 " to %" PRIu64 "\n", study->runs, study->seed, last);
+    else if (study->runs > 1)
+        text_format(text, "%zu runs of each, seeds %" PRIu64 " to %" PRIu64 "\n", study->runs, study->seed, last);
     for (size_t s = 0; s < study->spread_count; s++)
-        printf(", %s with a standard deviation of %g %%", study->spreads[s].name, 100 * study->spreads[s].share);
-    printf("\n");
+        text_format(text, "%s with a standard deviation of %g %%\n", study->spreads[s].name,
+                    100 * study->spreads[s].share);
 }
 
-static const char *state_text(const StudyLaboratory *laboratory, SummaryState state) {
-    switch (state) {
-    case SUMMARY_REGULAR:
-        return laboratory->regular;
-    case SUMMARY_IRREGULAR:
-        return laboratory->irregular;
-    case SUMMARY_MIXED:
-        return laboratory->mixed;
-    case SUMMARY_UNDECIDED:
-        return "cannot be told";
-    case SUMMARY_NOTHING:
-        break;
-    }
-    return "not run";
-}
+/* Answers along an axis ------------------------------------------------------------------------------------------- */
 
-/* Prints a range: "not out up to 0.83 m", "out from 0.84 m on". */
-static void print_range(const Study *study, const StudyLaboratory *laboratory, size_t axis, const SummaryRange *range) {
+/* Adds a range: "not out up to 0.83 m", "out from 0.84 m on". */
+static void add_range(Text *text, const Study *study, size_t axis, const SummaryRange *range) {
+    const RangePhrases *phrases = &find_phrases(study)->ranges[range->state];
     size_t last = study->axes[axis].steps - 1;
     char from[WORD], to[WORD];
     study_number_step(study, axis, range->first, range->first == range->last || range->last == last, from);
     study_number_step(study, axis, range->last, true, to);
-    printf("%s ", state_text(laboratory, range->state));
     if (range->first == 0 && range->last == last)
-        printf("throughout");
+        text_add(text, phrases->throughout);
     else if (range->first == 0 && range->last > 0)
-        printf("up to %s", to);
+        text_format(text, phrases->up_to, to);
     else if (range->last == last && range->first < last)
-        printf("from %s on", from);
+        text_format(text, phrases->from_on, from);
     else if (range->first == range->last)
-        printf("at %s", from);
+        text_format(text, phrases->at, from);
     else
-        printf("from %s to %s", from, to);
+        text_format(text, phrases->from_to, from, to);
 }
 
 /* Returns the longest range of a state, or NULL. */
@@ -89,30 +149,30 @@ static size_t values_of(const SummaryRange *ranges, size_t count, SummaryState s
     return values;
 }
 
-static void print_ranges(const Study *study, const StudyLaboratory *laboratory, size_t pass, size_t axis) {
+/* Adds how many values have which answer, how often it changes, and where it lasts longest. */
+static void add_many_ranges(Text *text, const Study *study, size_t axis, const SummaryRange *ranges, size_t count) {
+    size_t regular = values_of(ranges, count, SUMMARY_REGULAR), undecided = values_of(ranges, count, SUMMARY_UNDECIDED);
+    text_format(text, find_phrases(study)->values, regular, study->axes[axis].steps);
+    if (undecided)
+        text_format(text, "; undecided at %zu of them", undecided);
+    text_format(text, "; the answer changes %zu times", count - 1);
+    for (SummaryState state = SUMMARY_REGULAR; state <= SUMMARY_IRREGULAR; state++) {
+        const SummaryRange *range = longest(ranges, count, state);
+        if (!range)
+            continue;
+        text_add(text, "; longest ");
+        add_range(text, study, axis, range);
+    }
+}
+
+static void add_ranges(Text *text, const Study *study, size_t pass, size_t axis) {
     size_t count;
     SummaryRange *ranges = summary_ranges(study, pass, axis, &count);
-    if (count <= RANGES_MOST) {
-        for (size_t r = 0; r < count; r++) {
-            printf("%s", r ? ", " : "");
-            print_range(study, laboratory, axis, &ranges[r]);
-        }
-    } else {
-        printf("%s at %zu of %zu values", laboratory->regular, values_of(ranges, count, SUMMARY_REGULAR),
-               study->axes[axis].steps);
-        size_t undecided = values_of(ranges, count, SUMMARY_UNDECIDED);
-        if (undecided)
-            printf(" (at %zu it cannot be told)", undecided);
-        printf(", the answer changes %zu times", count - 1);
-        const char *before = "; the longest stretches: ";
-        for (SummaryState state = SUMMARY_REGULAR; state <= SUMMARY_IRREGULAR; state++) {
-            const SummaryRange *range = longest(ranges, count, state);
-            if (!range)
-                continue;
-            printf("%s", before);
-            print_range(study, laboratory, axis, range);
-            before = ", ";
-        }
+    if (count > RANGES_MOST)
+        add_many_ranges(text, study, axis, ranges, count);
+    for (size_t r = 0; r < count && count <= RANGES_MOST; r++) {
+        text_add(text, r ? ", " : "");
+        add_range(text, study, axis, &ranges[r]);
     }
     memory_free(ranges);
 }
@@ -152,59 +212,70 @@ static Course follow_course(const Study *study, size_t pass) {
 }
 
 /* Writes the mean measure at a step: "31.2 s". */
-static void say_measure(const Study *study, size_t pass, size_t i, bool with_unit, char word[WORD]) {
+static void write_measure(const Study *study, size_t pass, size_t i, bool with_unit, char word[WORD]) {
     const char *unit = study_number_unit(&study->experiment->observables[study->experiment->measure]);
     study_number_observed(mean_measure(study, pass, i), word);
     if (with_unit && *unit)
         snprintf(word + strlen(word), WORD - strlen(word), " %.15s", unit);
 }
 
-/* Prints whether the measure falls, rises, or has a least and a greatest value in between. */
-static void print_course(const Study *study, size_t pass) {
+/* A value of the measure, and where it is. */
+typedef struct Extreme {
+    bool between; /* at none of the ends */
+    char value[WORD], at[WORD];
+} Extreme;
+
+static Extreme find_extreme(const Study *study, size_t pass, const Course *course, size_t i) {
+    Extreme extreme = {.between = i != course->first && i != course->last};
+    write_measure(study, pass, i, true, extreme.value);
+    study_number_step(study, 0, i, true, extreme.at);
+    return extreme;
+}
+
+/* Adds whether the measure falls, rises, or has a least and a greatest value in between. */
+static void add_course(Text *text, const Study *study, size_t pass) {
+    const char *measure = study->experiment->observables[study->experiment->measure].meaning;
     Course course = follow_course(study, pass);
     if (course.first == SIZE_MAX)
         return;
-    char first[WORD], last[WORD], value[WORD], at[WORD];
-    say_measure(study, pass, course.first, false, first);
-    say_measure(study, pass, course.last, true, last);
-    printf("; the %s ", study->experiment->observables[study->experiment->measure].meaning);
-    if (course.falls && course.rises) {
-        printf("is %s", last);
-        return;
-    }
-    printf("%s from %s to %s", course.falls ? "falls" : course.rises ? "rises" : "goes", first, last);
-    for (int greatest = 0; greatest <= 1 && !course.falls && !course.rises; greatest++) {
-        size_t i = greatest ? course.greatest : course.least;
-        if (i == course.first || i == course.last)
-            continue;
-        say_measure(study, pass, i, true, value);
-        study_number_step(study, 0, i, true, at);
-        printf(", %s %s at %s", greatest ? "greatest" : "least", value, at);
-    }
-}
-
-static void print_extreme(const Study *study, bool greatest) {
-    size_t index = summary_extreme(study, greatest);
-    if (index == SIZE_MAX)
-        return;
-    const Observable *measure = &study->experiment->observables[study->experiment->measure];
-    const Trial *trial = &study->trials[index];
-    char number[WORD];
-    study_number_observed(trial->observed[study->experiment->measure], number);
-    if (greatest)
-        printf("; greatest, %s %s, at", number, study_number_unit(measure));
+    char first[WORD], last[WORD];
+    write_measure(study, pass, course.first, false, first);
+    write_measure(study, pass, course.last, true, last);
+    Extreme least = find_extreme(study, pass, &course, course.least);
+    Extreme greatest = find_extreme(study, pass, &course, course.greatest);
+    text_add(text, "; ");
+    if (course.falls && course.rises)
+        text_format(text, "the %s is %s", measure, last);
+    else if (course.falls)
+        text_format(text, "the %s falls from %s to %s", measure, first, last);
+    else if (course.rises)
+        text_format(text, "the %s rises from %s to %s", measure, first, last);
+    else if (least.between && greatest.between)
+        text_format(text, "the %s goes from %s to %s, least %s at %s, greatest %s at %s", measure, first, last,
+                    least.value, least.at, greatest.value, greatest.at);
+    else if (least.between)
+        text_format(text, "the %s goes from %s to %s, least %s at %s", measure, first, last, least.value, least.at);
     else
-        printf("the %s is least, %s %s, at", measure->meaning, number, study_number_unit(measure));
-    for (size_t a = 0; a < study->axis_count; a++) {
-        char value[WORD];
-        study_number_value(study, a, trial->at[a], true, value);
-        printf("%s %s %s", a ? "," : "", study->axes[a].name, value);
-    }
-    printf("%s", greatest ? "\n" : "");
+        text_format(text, "the %s goes from %s to %s, greatest %s at %s", measure, first, last, greatest.value,
+                    greatest.at);
 }
 
-/* Prints where passes end in different answers. */
-static void print_differences(const Study *study) {
+static void add_answers(Text *text, const Study *study) {
+    for (size_t pass = 0; pass < study->pass_count; pass++)
+        for (size_t a = 0; a < study->axis_count; a++) {
+            if (study->pass_count > 1)
+                text_format(text, "%s: ", study_pass_name(study->passes[pass]));
+            if (study->axis_count == 2)
+                text_format(text, "along %s: ", study->axes[a].name);
+            add_ranges(text, study, pass, a);
+            if (study->axis_count == 1)
+                add_course(text, study, pass);
+            text_add(text, "\n");
+        }
+}
+
+/* Adds where passes end in different answers. */
+static void add_differences(Text *text, const Study *study) {
     size_t count = 0, first = 0;
     for (size_t i = study_steps(study, 0); i-- > 0;)
         if (summary_passes_differ(study, 0, i)) {
@@ -214,11 +285,12 @@ static void print_differences(const Study *study) {
     char at[WORD];
     study_number_step(study, 0, first, true, at);
     if (count)
-        printf("at %zu of %zu values, the first %s, the passes end in different answers: it depends on the past\n",
-               count, study_steps(study, 0), at);
+        text_format(text,
+                    "at %zu of %zu values, the first %s, the passes end in different answers: it depends on the past\n",
+                    count, study_steps(study, 0), at);
 }
 
-/* Tables --------------------------------------------------------------------------------------------------------- */
+/* Tables ---------------------------------------------------------------------------------------------------------- */
 
 /* Chooses the rows to show: both ends, both sides of each change while there is room, and others evenly in between. */
 static void choose_rows(const Study *study, bool *chosen) {
@@ -232,215 +304,142 @@ static void choose_rows(const Study *study, bool *chosen) {
     memory_free(ranges);
 }
 
-static void print_cell(const char *text, size_t width) {
-    printf("  %*s", (int)width, text);
+static void add_table(Text *text, ResultTable table) {
+    text_add(text, "\n");
+    result_text_table(text, &table);
+    result_clear(&table);
 }
 
-static size_t head_width(const char *name, const char *unit) {
-    size_t width = strlen(name) + (*unit ? 1 + strlen(unit) : 0);
-    return width < 8 ? 8 : width;
-}
-
-static void print_head(const char *name, const char *unit) {
-    char head[2 * WORD];
-    snprintf(head, sizeof head, "%.60s%s%.20s", name, *unit ? " " : "", unit);
-    print_cell(head, head_width(name, unit));
-}
-
-/* True if a table of single runs shows the observable: if any run has it. */
-static bool is_shown(const Study *study, const StudyLaboratory *laboratory, size_t observable) {
-    const Experiment *experiment = study->experiment;
-    if (observable == experiment->regular || strcmp(experiment->observables[observable].name, laboratory->hidden) == 0)
-        return false;
-    bool any = false;
-    for (size_t t = 0; t < study->trial_count && !any; t++)
-        any = !isnan(study->trials[t].observed[observable]);
-    return any;
-}
-
-static void print_runs_row(const Study *study, const StudyLaboratory *laboratory, size_t pass, size_t i) {
-    const Experiment *experiment = study->experiment;
-    const Trial *trial = study_trial(study, pass, 0, 0, i);
-    for (size_t o = 0; o < experiment->observable_count; o++) {
-        const Observable *observable = &experiment->observables[o];
-        char word[WORD];
-        study_number_observed(trial->observed[o], word);
-        if (is_shown(study, laboratory, o))
-            print_cell(word, head_width(observable->name, study_number_unit(observable)));
-    }
-}
-
-/* Prints the row of a point with many runs: the share of regular ones, and the distribution of the measure. */
-static void print_point_row(const Study *study, size_t pass, size_t i) {
-    MontecarloPoint point = montecarlo_point(study, pass, 0, i);
-    const Distribution *d = &point.of[study->experiment->measure];
-    const double numbers[] = {d->mean, d->deviation, d->low, d->median, d->high};
-    char word[WORD] = "-";
-    if (point.decided)
-        snprintf(word, sizeof word, "%.0f %%", 100 * point.share);
-    print_cell(word, 8);
-    for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) {
-        study_number_observed(numbers[k], word);
-        print_cell(word, 9);
-    }
-    montecarlo_clear(&point);
-}
-
-static void print_table_head(const Study *study, const StudyLaboratory *laboratory) {
-    const Experiment *experiment = study->experiment;
-    printf("\n");
-    if (study->pass_count > 1)
-        printf("  pass ");
-    print_head(study->axes[0].name, study_number_axis_unit(study, 0));
-    if (study->runs > 1) {
-        static const char *const heads[] = {"mean", "deviation", "5 %", "50 %", "95 %"};
-        print_cell(laboratory->regular, 8);
-        for (size_t k = 0; k < sizeof heads / sizeof *heads; k++)
-            print_cell(heads[k], 9);
-        const Observable *measure = &experiment->observables[experiment->measure];
-        printf("  of %s %s\n", measure->name, study_number_unit(measure));
-        return;
-    }
-    print_cell("answer", 14);
-    for (size_t o = 0; o < experiment->observable_count; o++)
-        if (is_shown(study, laboratory, o))
-            print_head(experiment->observables[o].name, study_number_unit(&experiment->observables[o]));
-    printf("\n");
-}
-
-static void print_table(const Study *study, const StudyLaboratory *laboratory) {
+static void add_points(Text *text, const Study *study) {
     bool *chosen = memory_zeroed(study_steps(study, 0), sizeof *chosen);
     choose_rows(study, chosen);
-    print_table_head(study, laboratory);
-    for (size_t i = 0; i < study_steps(study, 0); i++)
-        for (size_t pass = 0; pass < study->pass_count && chosen[i]; pass++) {
-            char value[WORD];
-            study_number_step(study, 0, i, false, value);
-            if (study->pass_count > 1)
-                printf("  %-5s", study_pass_name(study->passes[pass]));
-            print_cell(value, head_width(study->axes[0].name, study_number_axis_unit(study, 0)));
-            if (study->runs > 1) {
-                print_point_row(study, pass, i);
-            } else {
-                print_cell(state_text(laboratory, summary_point(study, pass, 0, i)), 14);
-                print_runs_row(study, laboratory, pass, i);
-            }
-            printf("\n");
-        }
+    add_table(text, result_study_points(study, chosen));
     memory_free(chosen);
 }
 
-static void print_map(const Study *study, const StudyLaboratory *laboratory, size_t pass) {
-    static const char letters[] = {[SUMMARY_NOTHING] = ' ',
-                                   [SUMMARY_REGULAR] = '#',
-                                   [SUMMARY_IRREGULAR] = '.',
-                                   [SUMMARY_MIXED] = '+',
-                                   [SUMMARY_UNDECIDED] = '?'};
+/* Adds the distributions of the observables that tables show. */
+static void add_distributions(Text *text, const Study *study) {
+    ResultTable all = result_study_distributions(study), shown = {.numbers = all.numbers};
+    for (size_t o = 0; o < all.record_count; o++) {
+        if (!result_study_is_shown(study, o))
+            continue;
+        for (size_t r = 0; r < all.row_count; r++)
+            result_add(&shown, *result_at(&all, o, r));
+        result_end(&shown);
+    }
+    add_table(text, shown);
+    result_clear(&all);
+}
+
+/* Maps ------------------------------------------------------------------------------------------------------------ */
+
+static const char letters[] = {[SUMMARY_NOTHING] = ' ',
+                               [SUMMARY_REGULAR] = '#',
+                               [SUMMARY_IRREGULAR] = '.',
+                               [SUMMARY_MIXED] = '+',
+                               [SUMMARY_UNDECIDED] = '?'};
+
+static void add_legend(Text *text, const Study *study) {
+    SummaryCount count = summary_count(study);
+    const bool occurs[] = {[SUMMARY_REGULAR] = true,
+                           [SUMMARY_IRREGULAR] = true,
+                           [SUMMARY_MIXED] = study->runs > 1,
+                           [SUMMARY_UNDECIDED] = count.undecided};
+    for (SummaryState state = SUMMARY_REGULAR; state <= SUMMARY_UNDECIDED; state++)
+        if (occurs[state])
+            text_format(text, "%s%c %s", state == SUMMARY_REGULAR ? "\n" : ", ", letters[state],
+                        result_study_state(study->experiment, state));
+    if (count.faults || count.done < count.trials)
+        text_add(text, ", blank: not run");
+    text_format(text, "\nto the right %s, upwards %s\n", study->axes[0].name, study->axes[1].name);
+}
+
+static void add_map(Text *text, const Study *study, size_t pass) {
     size_t steps0 = study_steps(study, 0), steps1 = study_steps(study, 1);
     size_t columns = steps0 < MAP_COLUMNS ? steps0 : MAP_COLUMNS, rows = steps1 < MAP_ROWS ? steps1 : MAP_ROWS;
-    SummaryCount count = summary_count(study);
-    printf("\n# %s, . %s%s%s%s; to the right %s, upwards %s\n", laboratory->regular, laboratory->irregular,
-           study->runs > 1 ? ", + sometimes" : "", count.undecided ? ", ? cannot be told" : "",
-           count.faults || count.done < count.trials ? ", blank not run" : "", study->axes[0].name,
-           study->axes[1].name);
+    add_legend(text, study);
     for (size_t r = rows; r-- > 0;) {
         size_t i1 = rows > 1 ? r * (steps1 - 1) / (rows - 1) : 0;
-        char value[WORD];
+        char value[WORD], line[MAP_COLUMNS + 1];
         study_number_step(study, 1, i1, false, value);
-        printf("%10s ", value);
         for (size_t c = 0; c < columns; c++)
-            putchar(letters[summary_point(study, pass, i1, columns > 1 ? c * (steps0 - 1) / (columns - 1) : 0)]);
-        printf("\n");
+            line[c] = letters[summary_point(study, pass, i1, columns > 1 ? c * (steps0 - 1) / (columns - 1) : 0)];
+        line[columns] = 0;
+        text_format(text, "%10s %s\n", value, line);
     }
     char from[WORD], to[WORD];
     study_number_step(study, 0, 0, false, from);
     study_number_step(study, 0, steps0 - 1, true, to);
-    printf("%10s %s to %s\n", "", from, to);
+    text_format(text, "%10s %s to %s\n", "", from, to);
 }
 
-static void print_distributions(const Study *study, const StudyLaboratory *laboratory) {
-    static const char *const heads[] = {"mean", "deviation", "std error", "5 %", "50 %", "95 %"};
-    const Experiment *experiment = study->experiment;
-    MontecarloPoint point = montecarlo_point(study, 0, 0, 0);
-    printf("\n%-20s", "");
-    for (size_t k = 0; k < sizeof heads / sizeof *heads; k++)
-        print_cell(heads[k], 10);
-    printf("\n");
-    for (size_t o = 0; o < point.observables; o++) {
-        if (!is_shown(study, laboratory, o))
-            continue;
-        const Distribution *d = &point.of[o];
-        const double numbers[] = {d->mean, d->deviation, d->error, d->low, d->median, d->high};
-        char word[WORD];
-        snprintf(word, sizeof word, "%.30s %.10s", experiment->observables[o].name,
-                 study_number_unit(&experiment->observables[o]));
-        printf("%-20s", word);
-        for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) {
-            study_number_observed(numbers[k], word);
-            print_cell(word, 10);
-        }
-        printf("\n");
+/* Adds where the measure is least and where it is greatest. */
+static void add_extremes(Text *text, const Study *study) {
+    const char *measure = study->experiment->observables[study->experiment->measure].meaning;
+    ResultTable least = result_study_extreme(study, false), greatest = result_study_extreme(study, true);
+    if (least.record_count) {
+        const char *value = result_value_and_unit(result_at(&least, 0, 0), &least.arena);
+        text_format(text, "the %s is least, %s, at %s %s and %s %s\n", measure, value, study->axes[0].name,
+                    result_at(&least, 0, 1)->text, study->axes[1].name, result_at(&least, 0, 2)->text);
+        value = result_value_and_unit(result_at(&greatest, 0, 0), &greatest.arena);
+        text_format(text, "the %s is greatest, %s, at %s %s and %s %s\n", measure, value, study->axes[0].name,
+                    result_at(&greatest, 0, 1)->text, study->axes[1].name, result_at(&greatest, 0, 2)->text);
     }
-    montecarlo_clear(&point);
+    result_clear(&least);
+    result_clear(&greatest);
 }
 
-/* The whole ------------------------------------------------------------------------------------------------------ */
+/* The whole ------------------------------------------------------------------------------------------------------- */
 
-static void print_faults(const Study *study, size_t faults) {
-    for (size_t t = 0; t < study->trial_count && faults; t++)
-        if (study->trials[t].fault) {
-            printf(faults == 1 ? "%zu run could not be made: %s\n" : "%zu runs could not be made; the first: %s\n",
-                   faults, study->trials[t].fault);
-            return;
-        }
+static void add_faults(Text *text, const Study *study, size_t faults) {
+    size_t t = 0;
+    while (t < study->trial_count && !study->trials[t].fault)
+        t++;
+    if (t < study->trial_count && faults == 1)
+        text_format(text, "one run could not be made: %s\n", study->trials[t].fault);
+    else if (t < study->trial_count)
+        text_format(text, "%zu runs could not be made; the first: %s\n", faults, study->trials[t].fault);
 }
 
-static void print_share(const Study *study, const StudyLaboratory *laboratory) {
+static void add_share(Text *text, const Study *study) {
     MontecarloPoint point = montecarlo_point(study, 0, 0, 0);
-    if (point.decided)
-        printf("%s in %zu of %zu runs: %.1f %%, with 95 %% confidence from %.1f to %.1f %%\n", laboratory->regular,
-               point.regular, point.decided, 100 * point.share, 100 * point.share_low, 100 * point.share_high);
+    if (point.decided) {
+        text_format(text, find_phrases(study)->share, point.regular, point.decided, 100 * point.share,
+                    100 * point.share_low, 100 * point.share_high);
+        text_add(text, "\n");
+    }
     if (point.done > 1 && point.of[study->experiment->measure].deviation == 0)
-        printf("all runs are alike, nothing in them is left to chance: --spread NAME=SHARE would give a tolerance\n");
+        text_add(text,
+                 "all runs are alike, since nothing in them is random; give a tolerance with --spread NAME=SHARE\n");
     montecarlo_clear(&point);
 }
 
-static void print_count(const StudyLaboratory *laboratory, const SummaryCount *count) {
-    printf("%s in %zu of %zu runs", laboratory->regular, count->regular, count->done - count->faults);
-    if (count->undecided)
-        printf(", in %zu it cannot be told", count->undecided);
-    printf("\n");
+static void add_count(Text *text, const Study *study, const SummaryCount *count) {
+    const Phrases *phrases = find_phrases(study);
+    text_format(text, count->undecided ? phrases->runs_undecided : phrases->runs, count->regular,
+                count->done - count->faults, count->undecided);
+    text_add(text, "\n");
 }
 
-void study_text_print(const Study *study, const StudyLaboratory *laboratory, const char *file) {
+void study_text_add(Text *text, const Study *study, const char *file) {
     SummaryCount count = summary_count(study);
-    print_title(study, file);
+    add_question(text, study, file);
     if (study->axis_count == 0)
-        print_share(study, laboratory);
+        add_share(text, study);
     if (study->axis_count == 2)
-        print_count(laboratory, &count);
-    for (size_t pass = 0; pass < study->pass_count; pass++)
-        for (size_t a = 0; a < study->axis_count; a++) {
-            if (study->pass_count > 1)
-                printf("%s: ", study_pass_name(study->passes[pass]));
-            if (study->axis_count == 2)
-                printf("along %s: ", study->axes[a].name);
-            print_ranges(study, laboratory, pass, a);
-            if (study->axis_count == 1)
-                print_course(study, pass);
-            printf("\n");
-        }
+        add_count(text, study, &count);
+    add_answers(text, study);
     if (study->axis_count == 1)
-        print_differences(study);
+        add_differences(text, study);
     if (study->axis_count == 2) {
-        print_extreme(study, false);
-        print_extreme(study, true);
+        add_extremes(text, study);
         for (size_t pass = 0; pass < study->pass_count; pass++)
-            print_map(study, laboratory, pass);
+            add_map(text, study, pass);
     } else if (study->axis_count == 1) {
-        print_table(study, laboratory);
+        add_points(text, study);
     } else {
-        print_distributions(study, laboratory);
+        add_distributions(text, study);
     }
-    print_faults(study, count.faults);
+    if (count.faults)
+        add_faults(text, study, count.faults);
 }

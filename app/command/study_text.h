@@ -1,8 +1,8 @@
 /* The answer of a study as text: sentences, and a table or a map in letters below them. */
 #pragma once
 
-#include "command/study_laboratory.h"
+#include "base/text.h"
 #include "study/study.h"
 
-/* Prints the answer on standard output. */
-void study_text_print(const Study *study, const StudyLaboratory *laboratory, const char *file);
+/* Adds the answer. */
+void study_text_add(Text *text, const Study *study, const char *file);

@@ -64,10 +64,10 @@ def check_maps_and_runs(folder):
     words = expect(0, "study", flat, "--vary", "door.d1.width=0.6:1.1:3", "--vary",
                    "profile.manual-chair.width=0.5:0.7:3").stdout
     check("out in 7 of 9 runs" in words, "a map counts", words)
-    check("# out, . not out; to the right door.d1.width" in words and "0.7 .##" in words, "a map in letters", words)
+    check("# out, . not out\nto the right door.d1.width, upwards " in words and "0.7 .##" in words, "a map in letters", words)
     spread = ("--runs", "12", "--spread", "profile.manual-chair.free_speed=0.1")
     words = expect(0, "study", flat, *spread).stdout
-    check("12 runs, seeds 1 to 12, profile.manual-chair.free_speed with a standard deviation of 10 %" in words, words)
+    check("12 runs, seeds 1 to 12\nprofile.manual-chair.free_speed with a standard deviation of 10 %\n" in words, words)
     check("out in 12 of 12 runs: 100.0 %, with 95 % confidence from 75.8 to 100.0 %" in words, "confidence", words)
     answer = json.loads(expect(0, "study", flat, *spread, "--json").stdout)
     time_of = answer["distribution"]["observables"]["time"]

@@ -1,4 +1,4 @@
-#include "command/study_number.h"
+#include "result/study_number.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,0 +1,163 @@
+/* The rows of studies and types: JSON and text print the same facts. */
+#include "check.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "command/study_answer.h"
+#include "command/study_text.h"
+#include "result/json.h"
+#include "result/study.h"
+#include "result/text.h"
+#include "result/types.h"
+
+enum { REGULAR, WAY, MEASURE, EMPTY, OBSERVABLES };
+
+static const Observable observables[] = {[REGULAR] = {"completed", "1", "all people are out"},
+                                         [WAY] = {"way", "1", "the way"},
+                                         [MEASURE] = {"time", "s", "time until everybody is out"},
+                                         [EMPTY] = {"lost", "s", "lost time"}};
+static const Parameter width = {.name = "door.d1.width", .unit = "m"};
+
+static const Parameter *find_parameter(const void *given, const char *name) {
+    (void)given;
+    (void)name;
+    return &width;
+}
+
+static const Experiment house = {.kind = "house",
+                                 .observables = observables,
+                                 .observable_count = OBSERVABLES,
+                                 .regular = REGULAR,
+                                 .outcome = WAY,
+                                 .measure = MEASURE,
+                                 .parameter = find_parameter};
+
+/* Widths from 0.8 m in steps of 0.1 m; nobody is out at the first. `clear_study` releases it. */
+static Study make_study(size_t axes, size_t steps, size_t runs) {
+    Study study = {.experiment = &house,
+                   .axes = {{"door.d1.width", 0.8, 0.8 + 0.1 * (double)(steps - 1), steps}},
+                   .axis_count = axes,
+                   .passes = {STUDY_RESET},
+                   .pass_count = 1,
+                   .runs = runs,
+                   .seed = 1};
+    study_begin(&study);
+    for (size_t t = 0; t < study.trial_count; t++) {
+        Trial *trial = &study.trials[t];
+        trial->done = true;
+        trial->observed[REGULAR] = t % steps > 0;
+        trial->observed[WAY] = 1;
+        trial->observed[MEASURE] = t % steps > 0 ? 20 - (double)t : NAN;
+        trial->observed[EMPTY] = NAN;
+    }
+    return study;
+}
+
+static void check_answer(const Study *study, const char *expected) {
+    Text text = {0};
+    study_text_add(&text, study, "flat.json");
+    CHECK_TEXT(text.text, expected);
+    memory_free(text.text);
+}
+
+TEST(a_study_along_an_axis_says_where_the_answer_changes_and_shows_each_value) {
+    Study study = make_study(1, 3, 1);
+    check_answer(&study,
+                 "flat.json: door.d1.width from 0.8 to 1.0 m in 3 steps\n"
+                 "not out at 0.8 m, out from 0.9 m on; the time until everybody is out falls from 19 to 18 s\n\n"
+                 "door.d1.width m  answer   time s\n"
+                 "            0.8  not out       -\n"
+                 "            0.9  out          19\n"
+                 "            1.0  out          18\n");
+    study.trials[2].observed[REGULAR] = study.trials[2].observed[MEASURE] = NAN;
+    check_answer(&study, "flat.json: door.d1.width from 0.8 to 1.0 m in 3 steps\n"
+                         "not out at 0.8 m, out at 0.9 m, undecided at 1.0 m; the time until everybody is out is 19 s"
+                         "\n\ndoor.d1.width m  answer     time s\n"
+                         "            0.8  not out         -\n"
+                         "            0.9  out            19\n"
+                         "            1.0  undecided       -\n");
+    study_clear(&study);
+}
+
+TEST(an_answer_in_json_has_the_counts_the_ranges_and_the_best_run) {
+    Study study = make_study(1, 3, 1);
+    study.trials[0].observed[REGULAR] = NAN;
+    json_t *answer = study_answer_make(&study, "flat.json");
+    CHECK(json_integer_value(json_object_get(answer, "cannot_be_told")) == 1);
+    CHECK(json_is_null(json_object_get(answer, "first_fault")));
+    CHECK_TEXT(json_string_value(json_object_get(json_object_get(answer, "measure"), "unit")), "s");
+    const json_t *ranges = json_object_get(answer, "ranges"), *best = json_object_get(answer, "best");
+    CHECK(json_array_size(ranges) == 2);
+    CHECK_TEXT(json_string_value(json_object_get(json_array_get(ranges, 0), "answer")), "cannot be told");
+    CHECK_NEAR(json_number_value(json_object_get(json_array_get(ranges, 1), "to")), 1, 1e-12);
+    CHECK_NEAR(json_number_value(json_object_get(best, "value")), 18, 0);
+    CHECK_NEAR(json_number_value(json_object_get(json_object_get(best, "at"), "door.d1.width")), 1, 1e-12);
+    json_decref(answer);
+    study_clear(&study);
+}
+
+TEST(a_study_by_chance_has_distributions_of_what_people_read_and_of_all_in_json) {
+    Study study = make_study(0, 1, 2);
+    for (size_t t = 0; t < 2; t++) {
+        study.trials[t].observed[REGULAR] = 1;
+        study.trials[t].observed[MEASURE] = 10;
+    }
+    check_answer(&study,
+                 "flat.json: 2 runs, seeds 1 to 2\n"
+                 "out in 2 of 2 runs: 100.0 %, with 95 % confidence from 34.2 to 100.0 %\n"
+                 "all runs are alike, since nothing in them is random; give a tolerance with --spread NAME=SHARE\n"
+                 "\nobservable  unit  mean  deviation  std error  5 %  50 %  95 %  least  greatest\n"
+                 "time        s       10          0          0   10    10    10     10        10\n");
+    json_t *answer = study_answer_make(&study, "flat.json");
+    const json_t *all = json_object_get(json_object_get(answer, "distribution"), "observables");
+    CHECK(json_object_size(all) == OBSERVABLES);
+    CHECK_NEAR(json_number_value(json_object_get(json_object_get(all, "time"), "q95")), 10, 0);
+    CHECK(json_object_size(json_object_get(json_object_get(answer, "best"), "at")) == 0);
+    CHECK(json_is_object(json_object_get(json_object_get(answer, "best"), "at")));
+    json_decref(answer);
+    study_clear(&study);
+}
+
+TEST(where_no_run_has_the_measure_there_is_no_best) {
+    Study study = make_study(1, 1, 1);
+    ResultTable least = result_study_extreme(&study, false);
+    CHECK(least.record_count == 0);
+    json_t *answer = study_answer_make(&study, "flat.json");
+    CHECK(json_is_null(json_object_get(answer, "best")));
+    json_decref(answer);
+    result_clear(&least);
+    study_clear(&study);
+}
+
+TEST(a_parameter_of_a_type_has_the_same_rows_in_a_table_and_in_json) {
+    Types types = {.kind = TYPES_UNRESOLVED,
+                   .reason = TYPES_UNDECIDED,
+                   .parameters = {{.name = "door.d1.width", .nominal = 0.8, .sensitivity = HUGE_VAL}},
+                   .parameter_count = 1,
+                   .points = {{.parameter = 1, .value = NAN, .possible = true, .undecided = 2, .answer_count = 1}},
+                   .point_count = 1};
+    types.parameters[0].below.reached = 0.2;
+    types.parameters[0].above = (Neighbour){.found = true, .value = 0.84, .share = 0.05, .reached = 0.05};
+    ResultTable kind = result_types_kind(&types), parameters = result_types_parameters(&types, &house);
+    ResultTable points = result_types_points(&types, &house);
+    CHECK_TEXT(result_find(&kind, 0, "type")->text, "unresolved");
+    CHECK_TEXT(result_at(&kind, 0, 1)->text, "undecided");
+    CHECK_TEXT(result_find(&kind, 0, "reason")->text, "cannot be told");
+    CHECK_NEAR(result_find(&points, 0, "untold")->number, 2, 0);
+    Text text = {0};
+    result_text_table(&text, &parameters);
+    CHECK_TEXT(text.text, "parameter      value  sensitivity      change below   change above\n"
+                          "door.d1.width  0.8 m        jumps  none within 20 %  0.84 m (+5 %)\n");
+    memory_free(text.text);
+    json_t *object = result_json_record(&parameters, 0);
+    char *dump = json_dumps(object, JSON_COMPACT | JSON_REAL_PRECISION(6));
+    CHECK_TEXT(dump, "{\"name\":\"door.d1.width\",\"unit\":\"m\",\"value\":0.8,\"sensitivity\":null,\"jumps\":true,"
+                     "\"below\":{\"at\":null,\"away\":null,\"looked\":0.2},"
+                     "\"above\":{\"at\":0.84,\"away\":0.05,\"looked\":0.05}}");
+    free(dump);
+    json_decref(object);
+    result_clear(&kind);
+    result_clear(&parameters);
+    result_clear(&points);
+}
