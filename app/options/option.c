@@ -58,6 +58,13 @@ static bool read_plots(Options *options, const char *value) {
     return house_plots_choose(&options->plots, value, fault) || beam_plots_choose(&beam, value, fault);
 }
 
+static bool read_house_plots(Options *options, const char *value) {
+    char fault[PLOT_CHOICE_FAULT];
+    options->plot_words = value;
+    options->plots.count = 0;
+    return house_plots_choose(&options->plots, value, fault);
+}
+
 static bool read_vary(Options *options, const char *value) {
     return study_request_vary(&options->study, value, &options->arena);
 }
@@ -167,14 +174,21 @@ const Option option_rows[] = {
     {"--out", OPTION_FOLDER, FIELD(out), NO_RANGE, "DIR",
      "write summary.json, study.csv, plots and study.sqlite to DIR; the same command continues an interrupted study",
      GROUP_OUTPUT, FOR_STUDY, NULL, NULL},
+    {"--report", OPTION_FLAG, FIELD(report), NO_RANGE, NULL, "houses only: write report.html and report.pdf to --out",
+     GROUP_OUTPUT, FOR_RUN, NULL, NULL},
+    {"--report", OPTION_FLAG, FIELD(report), NO_RANGE, NULL, "write report.html and report.pdf to --out", GROUP_OUTPUT,
+     FOR_COMPARE, NULL, NULL},
     {"--report", OPTION_FLAG, FIELD(report), NO_RANGE, NULL,
-     "write report.html and report.pdf to --out; for a study with --shake only", GROUP_OUTPUT,
-     FOR_RUN | FOR_COMPARE | FOR_STUDY, NULL, NULL},
+     "with --shake only: write report.html and report.pdf to --out", GROUP_OUTPUT, FOR_STUDY, NULL, NULL},
 
     {"--plots", OPTION_READ, NO_FIELD, NO_RANGE, HOUSE_PLOTS_NAMES,
      "curves next to the house instead of the list of people, and as DIR/plot-NAME.png, .svg, .pdf and .csv; a list; "
      "for a beam: " BEAM_PLOTS_NAMES " (default " BEAM_PLOTS_USUAL ")",
-     GROUP_PICTURES, FOR_FILMS, HOUSE_PLOTS_NAMES "," BEAM_PLOTS_NAMES, read_plots},
+     GROUP_PICTURES, FOR_RUN, HOUSE_PLOTS_NAMES "," BEAM_PLOTS_NAMES, read_plots},
+    {"--plots", OPTION_READ, NO_FIELD, NO_RANGE, HOUSE_PLOTS_NAMES,
+     "curves of both houses next to the second one instead of the list of people, and as DIR/plot-NAME.png, .svg, .pdf "
+     "and .csv; a list",
+     GROUP_PICTURES, FOR_COMPARE, HOUSE_PLOTS_NAMES, read_house_plots},
     {"--size", OPTION_READ, NO_FIELD, NO_RANGE, "WxH",
      "size of the pictures in pixels, 320x200 to 16384x16384 (default 1280x720)", GROUP_PICTURES,
      FOR_FILMS | FOR_STUDY | FOR_EXPORT, NULL, read_size},
@@ -183,7 +197,10 @@ const Option option_rows[] = {
 
     {"--frames", OPTION_NUMBER, FIELD(frames), 0.001, 1000, "FPS",
      "write FPS pictures per simulated second (beams: per second of film) to DIR/frames/frame-00001.png and so on",
-     GROUP_FILM, FOR_FILMS, NULL, NULL},
+     GROUP_FILM, FOR_RUN, NULL, NULL},
+    {"--frames", OPTION_NUMBER, FIELD(frames), 0.001, 1000, "FPS",
+     "write FPS pictures per simulated second to DIR/frames/frame-00001.png and so on", GROUP_FILM, FOR_COMPARE, NULL,
+     NULL},
     {"--movie", OPTION_FILE, FIELD(movie), NO_RANGE, "FILE",
      "make a film with ffmpeg: .mp4, .mkv, .mov or .webm (30 pictures per second unless --frames is given)", GROUP_FILM,
      FOR_FILMS, ".mp4,.mkv,.mov,.webm", NULL},
@@ -192,7 +209,10 @@ const Option option_rows[] = {
     {"--from", OPTION_NUMBER, FIELD(from), 0, 1e9, "SECONDS", "time of the first picture (default 0)", GROUP_FILM,
      FOR_FILMS, NULL, NULL},
     {"--to", OPTION_NUMBER, FIELD(to), 0, 1e9, "SECONDS",
-     "time of the last picture (default: when the last person is out; beams: after 8 cycles)", GROUP_FILM, FOR_FILMS,
+     "time of the last picture (default: when the last person is out; beams: after 8 cycles)", GROUP_FILM, FOR_RUN,
+     NULL, NULL},
+    {"--to", OPTION_NUMBER, FIELD(to), 0, 1e9, "SECONDS",
+     "time of the last picture (default: when the last person is out of the second house)", GROUP_FILM, FOR_COMPARE,
      NULL, NULL},
     {"--view", OPTION_CHOICE, FIELD(camera.kind), NO_RANGE, VIEW_NAMES,
      "view from above (plan, default) or from the side (raised); raised writes the last picture as DIR/raised.png, too",
