@@ -10,7 +10,12 @@
 #include "command/command.h"
 #include "laboratory/shipped.h"
 
-enum { TOPICS_MOST = 40, TOPIC_LARGEST = 1 << 20 /* bytes */, TITLE_COLUMN = 16 };
+enum {
+    TOPICS_MOST = 40,
+    TOPIC_LARGEST = 1 << 20 /* bytes */,
+    TITLE_COLUMN = 16,
+    PART_LEAST = 3 /* letters of a name */
+};
 
 #define ENDING ".txt"
 #define OPTIONS_TOPIC "options" /* which is made from the table of options */
@@ -91,16 +96,45 @@ static const char *name_of(const Options *options, Topics *topics) {
     return kept;
 }
 
-static int complain(const Topics *topics, const char *name) {
-    const char *nearest = text_nearest(name, topics->names, topics->count + VERBS);
+/* Returns the topic, or else the verb, one of whose words is spelt almost so, or NULL: "huose" is near house-file. */
+static const char *nearest_by_word(Topics *topics, const char *name) {
+    for (size_t t = 0; t < topics->count + VERBS; t++)
+        for (const char *at = topics->names[t]; *at; at += strcspn(at, "-"), at += *at == '-') {
+            const char *word = text_in_arena(&topics->arena, "%.*s", (int)strcspn(at, "-"), at);
+            if (text_nearest(name, &word, 1))
+                return topics->names[t];
+        }
+    return NULL;
+}
+
+/* Adds the topics and verbs of whose name this is a part, separated by commas; returns how many. */
+static size_t add_containing(Text *list, const Topics *topics, const char *name) {
+    size_t count = 0;
+    for (size_t t = 0; t < topics->count + VERBS; t++)
+        if (strcasestr(topics->names[t], name))
+            text_format(list, "%s%s", count++ ? ", " : "", topics->names[t]);
+    return count;
+}
+
+static int complain(Topics *topics, const char *name) {
+    Text containing = {0};
+    size_t count = strlen(name) < PART_LEAST ? 0 : add_containing(&containing, topics, name);
+    const char *nearest = count == 1 ? containing.text : NULL;
+    if (!count)
+        nearest = text_nearest(name, topics->names, topics->count + VERBS);
+    if (!count && !nearest)
+        nearest = nearest_by_word(topics, name);
     if (nearest)
         fprintf(stderr, "clearance: there is no topic \"%s\", did you mean %s?\n", name, nearest);
+    else if (count)
+        fprintf(stderr, "clearance: there is no topic \"%s\", did you mean one of %s?\n", name, containing.text);
     else
         fprintf(stderr, "clearance: there is no topic \"%s\", `clearance help` lists the topics\n", name);
+    memory_free(containing.text);
     return EXIT_WRONG_INPUT;
 }
 
-static int print_topic(const Topics *topics, const char *name) {
+static int print_topic(Topics *topics, const char *name) {
     const Verb *verb = verb_find(name);
     bool known = text_is_among(name, topics->names, topics->count);
     if (!known && !verb)
