@@ -2,7 +2,6 @@
 
 #include <string.h>
 
-#include "plan/plan_tables.h"
 #include "result/house.h"
 #include "result/page.h"
 #include "visual/house/house_scene.h"
@@ -31,19 +30,6 @@ static const char *format_answer(Document *document, const Reported runs[2]) {
                          gain > 0 ? "Everybody is out %.1f s earlier in B: in %.1f s instead of %.1f s"
                                   : "Everybody is out %.1f s later in B: in %.1f s instead of %.1f s",
                          fabs(gain), b->time, a->time);
-}
-
-static const char *difference(Document *document, double a, double b, int digits) {
-    if (!isfinite(a) || !isfinite(b))
-        return NULL;
-    bool same = fabs(b - a) < 0.5 * real_power_of_ten(-digits);
-    return same ? "0" : document_text(document, "%+.*f", digits, b - a);
-}
-
-static void add_numbers(Document *document, const char *what, double a, double b, int digits, bool comparable) {
-    const char *cells[] = {what, report_people_number(document, a, digits), report_people_number(document, b, digits),
-                           comparable ? difference(document, a, b, digits) : NULL};
-    document_add_row(document, cells);
 }
 
 /* Adds the totals of both runs with their differences. */
@@ -92,7 +78,7 @@ static void add_pair(Document *document, const char *caption, ResultTable a, Res
 }
 
 static void add_people(Document *document, const Reported runs[2]) {
-    add_pair(document, "Differences of times and clearances are given for people who get out of both houses.",
+    add_pair(document, "Differences of times and clearances are given for people who are out of both houses.",
              result_house_people(runs[0].house, runs[0].observation),
              result_house_people(runs[1].house, runs[1].observation), "completed", NULL);
 }
@@ -102,20 +88,24 @@ static void add_parties(Document *document, const Reported runs[2], const Census
              result_house_parties(runs[1].house, &census[1], false), "out", "profile");
 }
 
+static bool any_simulated(const ResultTable *routes) {
+    for (size_t r = 0; r < routes->record_count; r++)
+        if (isfinite(result_find(routes, r, "simulation")->number))
+            return true;
+    return false;
+}
+
 static void add_routes(Document *document, const Reported runs[2]) {
-    static const Column columns[] = {
-        {"Route", ALIGN_LEFT}, {"A, s", ALIGN_RIGHT}, {"B, s", ALIGN_RIGHT}, {"B - A, s", ALIGN_RIGHT}};
-    const Plan *a = &runs[0].house->plan, *b = &runs[1].house->plan;
-    if (!a->route_count)
-        return;
-    document_add_table(document, "Routes: mean time of the people who take them, if all of them get out.", columns, 4);
-    for (size_t r = 0; r < a->route_count; r++) {
-        size_t other = plan_find_route(b, a->routes[r].id);
-        double first = census_route_time(runs[0].house, runs[0].observation, &a->routes[r]);
-        double second =
-            other < b->route_count ? census_route_time(runs[1].house, runs[1].observation, &b->routes[other]) : -1;
-        add_numbers(document, a->routes[r].id, first < 0 ? NAN : first, second < 0 ? NAN : second, 2, true);
-    }
+    ResultTable a = result_house_routes(runs[0].house, runs[0].observation),
+                b = result_house_routes(runs[1].house, runs[1].observation);
+    ResultPair pair = {&a, &b, {names[0], names[1], names[2]}, "simulation", NULL};
+    if (any_simulated(&a) || any_simulated(&b))
+        result_page_fact(document,
+                         "Simulated times of the routes: mean of the people who take a route, if all of them "
+                         "are out.",
+                         &pair, "simulation");
+    result_clear(&a);
+    result_clear(&b);
 }
 
 /* The rest ----------------------------------------------------------------------------------------------------------*/
@@ -177,7 +167,7 @@ Document comparison_report_make(const Reported runs[2], const Making *making) {
     report_basis_add_changes(&document, making);
     document_add_contents(&document);
     report_plans_add(&document, &runs[0].house->plan, &runs[1].house->plan);
-    document_add_heading(&document, 2, "Who gets out");
+    document_add_heading(&document, 2, "Who is out");
     if (census[0].people > CENSUS_ROWS)
         add_parties(&document, runs, census);
     else

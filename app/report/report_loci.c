@@ -192,7 +192,7 @@ static void add_ways(Document *document, const HouseReport *report) {
                                      {"Largest distance, m", ALIGN_RIGHT}};
     const House *house = report->run.house;
     document_add_table(
-        document, "Distance: from the driver's locus to the paper's, both of the body's middle, where both get out.",
+        document, "Distance: from the driver's locus to the paper's, both of the body's middle, where both are out.",
         columns, sizeof columns / sizeof *columns);
     for (size_t i = 0; i < house->person_count; i++) {
         if (!report->run.observation->people[i].took_part || census_walks(house->people[i].profile))

@@ -26,7 +26,7 @@ static void add_exits(Document *document, const House *house, const Census *cens
 
 void report_people_add(Document *document, const House *house, const Observation *observation) {
     Census census = census_make(house, observation);
-    document_add_heading(document, 2, "Who gets out");
+    document_add_heading(document, 2, "Who is out");
     if (!census.people) {
         document_add_paragraph(document, "No person takes part.");
     } else if (census.people > CENSUS_ROWS) {
@@ -56,6 +56,6 @@ void report_people_add_routes(Document *document, const House *house, const Obse
         document_add_paragraph(document,
                                "The house's file has no measured times of these routes: there is nothing to hold "
                                "the simulated ones against. Whoever measures adds \"observed\" to a route.");
-    add_table(document, "Simulation: mean of the route's people, when all of them get out.",
+    add_table(document, "Simulation: mean of the route's people, if all of them are out.",
               result_house_routes(house, observation));
 }

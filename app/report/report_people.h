@@ -1,4 +1,4 @@
-/* The part of a report that says who gets out, in what time, and how that agrees with what was measured. */
+/* The part of a report that says who is out, in what time, and how that agrees with what was measured. */
 #pragma once
 
 #include "document/document.h"

@@ -76,7 +76,7 @@ static void add_people(Document *document, const ShakeFindings *findings) {
         {"Person", ALIGN_LEFT},     {"Profile", ALIGN_LEFT},          {"People", ALIGN_RIGHT},
         {"Out in", ALIGN_RIGHT},    {"95 % confidence", ALIGN_RIGHT}, {"25 % within, s", ALIGN_RIGHT},
         {"Median, s", ALIGN_RIGHT}, {"75 % within, s", ALIGN_RIGHT},  {"95 % within, s", ALIGN_RIGHT}};
-    document_add_heading(document, 2, "Who gets out");
+    document_add_heading(document, 2, "Who is out");
     document_add_table(document,
                        "Out in: shakes in which the person gets out, of a crowd all of it. Times: of those shakes. "
                        "95 % confidence: the interval of the share, from the number of shakes.",

@@ -1,6 +1,7 @@
 #include "result/page.h"
 
 #include <ctype.h>
+#include <stdint.h>
 
 enum { COLUMNS_MOST = 10 /* of a table that is read on a page */ };
 
@@ -60,5 +61,27 @@ void result_page_pair(Document *document, const char *const names[3], const Resu
                                result_value(before, arena), result_value(now, arena), result_value(&difference, arena)};
         if (cells[0])
             document_add_row(document, cells);
+    }
+}
+
+void result_page_fact(Document *document, const char *caption, const ResultPair *pair, const char *key) {
+    if (!pair->a->record_count)
+        return;
+    Column *columns = arena_allocate(&document->arena, 4 * sizeof *columns);
+    columns[0] = (Column){capital(document, result_at(pair->a, 0, 0)->label), ALIGN_LEFT};
+    for (int n = 0; n < 3; n++)
+        columns[1 + n] = (Column){head_of(document, result_find(pair->a, 0, key), pair->names[n]), ALIGN_RIGHT};
+    document_add_table(document, caption, columns, 4);
+    for (size_t i = 0; i < pair->a->record_count; i++) {
+        size_t j = result_partner(pair, i);
+        const ResultRow *before = result_find(pair->a, i, key);
+        const char *cells[4] = {result_at(pair->a, i, 0)->text, result_value(before, &document->arena)};
+        if (j != SIZE_MAX) {
+            const ResultRow *now = result_find(pair->b, j, key);
+            ResultRow difference = result_difference(before, now, result_both_succeeded(pair, i, j));
+            cells[2] = result_value(now, &document->arena);
+            cells[3] = result_value(&difference, &document->arena);
+        }
+        document_add_row(document, cells);
     }
 }

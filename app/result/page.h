@@ -12,3 +12,6 @@ void result_page_table(Document *document, const char *caption, const ResultTabl
  * have succeeded. */
 void result_page_pair(Document *document, const char *const names[3], const ResultTable *a, const ResultTable *b,
                       bool both);
+
+/* Adds a table with a line for each record of pair->a: its name, and the row with this key in a, in b, and b - a. */
+void result_page_fact(Document *document, const char *caption, const ResultPair *pair, const char *key);

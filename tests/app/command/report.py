@@ -98,7 +98,7 @@ def check_run():
     for said in ("assumed plan", "no measured times of these routes", "changed here, on the command line", "clearance 0."):
         check(said in words and said in paper, f"the report says {said!r}")
     root, words, paper = report(0, "run", house("ube-techno-house"))
-    people = {row[0]: row for row in rows_of(root, "Who gets out")[1:]}
+    people = {row[0]: row for row in rows_of(root, "Who is out")[1:]}
     for person in answer["people"]:
         check(people[person["id"]][5] == f"{person['time']:.2f}", "times are those of the answer", people[person["id"]])
     hazards = rows_of(root, "Dangerous points")[1:]
