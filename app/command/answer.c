@@ -17,16 +17,6 @@ static json_t *list_of(ResultTable table) {
     return list;
 }
 
-json_t *answer_blockage(const Blockage *blockage) {
-    ResultTable table = {0};
-    result_house_add_blockage(&table, blockage);
-    result_end(&table);
-    json_t *whole = result_json_record(&table, 0), *answer = json_incref(json_object_get(whole, "blocked_at"));
-    json_decref(whole);
-    result_clear(&table);
-    return answer;
-}
-
 json_t *answer_house(const House *house, const Observation *observation) {
     char digest[17];
     snprintf(digest, sizeof digest, "%016" PRIx64, observation->digest);

@@ -9,9 +9,6 @@
 /* {"kind":"house", ...}. New; json_decref it. */
 json_t *answer_house(const House *house, const Observation *observation);
 
-/* {"x", "y", "what", "has", "needs"}; widths that make no sense there are left out. New. */
-json_t *answer_blockage(const Blockage *blockage);
-
 /* Prints one JSON object on standard output. */
 void answer_print(json_t *answer);
 

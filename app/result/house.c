@@ -9,22 +9,31 @@ static const char *exit_id(const House *house, size_t exit) {
 /* People --------------------------------------------------------------------------------------------------------------
  */
 
+/* JSON gives places and widths to the micrometre, whatever the numbers of the table. */
+static double in_micrometres(double length) {
+    return round(length * 1e6) / 1e6;
+}
+
 void result_house_add_blockage(ResultTable *table, const Blockage *blockage) {
     static const Blockage nowhere = {.what = ""};
     bool omitted = !blockage;
     blockage = blockage ? blockage : &nowhere;
     bool widths = !omitted && (blockage->has > 0 || blockage->needs > 0);
-    result_add(table,
-               (ResultRow){.key = "blocked_at.x", .kind = RESULT_NUMBER, .number = blockage->at.x, .omitted = omitted});
-    result_add(table,
-               (ResultRow){.key = "blocked_at.y", .kind = RESULT_NUMBER, .number = blockage->at.y, .omitted = omitted});
+    result_add(table, (ResultRow){.key = "blocked_at.x",
+                                  .kind = RESULT_NUMBER,
+                                  .number = in_micrometres(blockage->at.x),
+                                  .omitted = omitted});
+    result_add(table, (ResultRow){.key = "blocked_at.y",
+                                  .kind = RESULT_NUMBER,
+                                  .number = in_micrometres(blockage->at.y),
+                                  .omitted = omitted});
     result_add(table, (ResultRow){
                           .key = "blocked_at.what", .label = "stopped at", .text = blockage->what, .omitted = omitted});
     result_add(table, (ResultRow){.key = "blocked_at.has",
                                   .label = "width there",
                                   .head = "has",
                                   .kind = RESULT_NUMBER,
-                                  .number = blockage->has,
+                                  .number = in_micrometres(blockage->has),
                                   .unit = "m",
                                   .decimals = 3,
                                   .omitted = !widths});
@@ -32,7 +41,7 @@ void result_house_add_blockage(ResultTable *table, const Blockage *blockage) {
                                   .label = "width needed",
                                   .head = "needs",
                                   .kind = RESULT_NUMBER,
-                                  .number = blockage->needs,
+                                  .number = in_micrometres(blockage->needs),
                                   .unit = "m",
                                   .decimals = 3,
                                   .omitted = !widths});

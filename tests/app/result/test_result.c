@@ -7,9 +7,11 @@
 #include "case.h"
 #include "command/answer.h"
 #include "command/answer_text.h"
+#include "house/journey.h"
 #include "report/report_people.h"
 #include "report/report_places.h"
 #include "result/beam.h"
+#include "result/check.h"
 #include "result/house.h"
 #include "result/json.h"
 #include "result/page.h"
@@ -263,6 +265,47 @@ static void check_house(const char *name, size_t least) {
     memory_free(text.text);
     observation_free(&observation);
     house_free(&house);
+}
+
+/* Prints the rows with all pens, and checks that each has every fact of the first record. */
+static void check_pens(const ResultTable *table, size_t least) {
+    Text text = {0};
+    Document document = document_begin("clearance 9");
+    json_t *list = result_json_list(table);
+    result_text_table(&text, table);
+    result_page_table(&document, "caption", table);
+    check_facts(table, least, text.text, json_array_get(list, 0), &document);
+    json_decref(list);
+    document_clear(&document);
+    memory_free(text.text);
+}
+
+/* The facts of a check, and its sentence, with a number of facts at least. */
+static void check_paths(const char *name, const char *sentence, size_t least) {
+    House house;
+    Arena arena = {0};
+    case_house(&house, name, -1, NULL);
+    Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
+    Observation observation = result_check_observation(&house, &journeys);
+    Census census = census_make(&house, &observation);
+    ResultTable people = result_check_people(&house, &journeys, NULL);
+    check_pens(&people, least);
+    CHECK_TEXT(result_check_sentence(&house, &observation, &census, &arena), sentence);
+    result_clear(&people);
+    arena_clear(&arena);
+    census_clear(&census);
+    observation_free(&observation);
+    journey_free_all(&journeys);
+    house_free(&house);
+}
+
+TEST(each_fact_of_a_planned_path_is_printed_by_all_pens) {
+    check_paths("corner-1.00-1.00", "p1 can leave by e1", 9);
+    check_paths("two-chairs-corridor", "All 2 people can leave", 9);
+}
+
+TEST(each_fact_of_a_path_that_is_too_narrow_is_printed_by_all_pens) {
+    check_paths("flat-0.910-module", "p1 cannot pass door d3: needs at least 0.83 m, has 0.75 m", 10);
 }
 
 /* Uses a periodic motion, which takes little time. */
