@@ -273,6 +273,10 @@ void json_check_keys(const JsonNode *object, const char *const *known, Fault *fa
 
 bool json_check_header(const JsonNode *root, const char *what, const char *format, Fault *fault) {
     size_t before = fault->total;
+    if (!json_is_object(root->value)) {
+        json_fault(root, fault, "a %s must be an object { ... }", what);
+        return false;
+    }
     JsonNode said = json_member(root, "format"), version = json_member(root, "version");
     const char *word = json_string_value(said.value);
     if (!said.value)

@@ -211,9 +211,7 @@ bool beam_read(Beam *beam, const char *path, const char *const *settings, size_t
         return false;
     Beam read = {0};
     JsonNode root = json_root(&file);
-    if (!json_is_object(root.value)) {
-        json_fault(&root, fault, "a beam must be an object { ... }");
-    } else if (json_check_header(&root, "beam", "clearance-beam", fault)) {
+    if (json_check_header(&root, "beam", "clearance-beam", fault)) {
         read_file(&read, &root, fault);
         for (size_t i = 0; i < setting_count; i++)
             read_setting(&read, settings[i], fault);

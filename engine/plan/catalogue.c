@@ -99,9 +99,7 @@ bool catalogue_read(Catalogue *catalogue, const char *path, Fault *fault) {
     if (!json_read(&file, path, fault))
         return false;
     JsonNode root = json_root(&file);
-    if (!json_is_object(root.value))
-        json_fault(&root, fault, "furniture must be an object { ... }");
-    else if (json_check_header(&root, "furniture file", "clearance-furniture", fault))
+    if (json_check_header(&root, "furniture file", "clearance-furniture", fault))
         read_items(catalogue, &root, fault);
     json_free(&file);
     if (fault->total == before)

@@ -241,9 +241,7 @@ static bool read_plan(Plan *plan, JsonFile *file, const char *const *settings, s
     size_t before = fault->total;
     Plan read = {0};
     JsonNode root = json_root(file);
-    if (!json_is_object(root.value))
-        json_fault(&root, fault, "a house must be an object { ... }");
-    else if (json_check_header(&root, "house", "clearance-house", fault))
+    if (json_check_header(&root, "house", "clearance-house", fault))
         read_house(&read, &root, settings, setting_count, fault);
     json_free(file);
     if (fault->total != before) {

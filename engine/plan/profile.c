@@ -158,9 +158,7 @@ bool profile_read(Profile *profile, const char *path, Fault *fault) {
         return false;
     Profile read = {0};
     JsonNode root = json_root(&file);
-    if (!json_is_object(root.value)) {
-        json_fault(&root, fault, "a profile must be an object { ... }");
-    } else if (json_check_header(&root, "profile", "clearance-profile", fault)) {
+    if (json_check_header(&root, "profile", "clearance-profile", fault)) {
         read_texts(&read, &root, fault);
         for (size_t g = 0; g < GROUPS; g++)
             read_group(&read, &root, groups[g], fault);

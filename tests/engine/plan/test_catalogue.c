@@ -46,7 +46,7 @@ static void check_fault(const char *text, const char *expected) {
 }
 
 TEST(a_bad_catalogue_is_refused_with_the_place) {
-    check_fault("[]", ":1:1: furniture must be an object");
+    check_fault("[]", ":1:1: a furniture file must be an object");
     check_fault("{'format': 'clearance-furniture', 'version': 1, 'name': 'X'}",
                 ":1:1: a furniture file has no \"items\"");
     check_fault("{'format': 'clearance-furniture', 'version': 1, 'name': 'X', 'items': [{'name': 'a', 'size': [1, 1], "
