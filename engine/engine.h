@@ -5,6 +5,7 @@
 #include "base/rectangle.h"
 #include "base/memory.h"
 #include "base/heap.h"
+#include "base/key_table.h"
 #include "base/fault.h"
 #include "base/text.h"
 #include "base/quantity.h"

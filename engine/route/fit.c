@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "base/heap.h"
+#include "base/key_table.h"
 #include "base/memory.h"
 #include "base/parallel.h"
 
@@ -75,36 +76,15 @@ static uint64_t key_of(int x, int y, int turn) {
            ((uint64_t)1 << 63);
 }
 
-static Slot *slot_in(Slot *slots, size_t capacity, uint64_t key) {
-    for (size_t i = (size_t)((key * UINT64_C(0x9e3779b97f4a7c15)) >> 24) & (capacity - 1);;
-         i = (i + 1) & (capacity - 1))
-        if (slots[i].key == key || slots[i].key == 0)
-            return &slots[i];
-}
+KEY_TABLE_DEFINE(slot, Slot)
 
 /* Returns the slot of a key; `*fresh` is true if the slot is new. */
 static Slot *table_take(Table *table, uint64_t key, bool *fresh) {
-    if (2 * table->count >= table->capacity) {
-        size_t capacity = table->capacity ? 2 * table->capacity : 1 << 14;
-        Slot *grown = memory_zeroed(capacity, sizeof *grown);
-        for (size_t i = 0; i < table->capacity; i++)
-            if (table->slots[i].key)
-                *slot_in(grown, capacity, table->slots[i].key) = table->slots[i];
-        memory_free(table->slots);
-        table->slots = grown;
-        table->capacity = capacity;
-    }
-    Slot *slot = slot_in(table->slots, table->capacity, key);
-    *fresh = slot->key == 0;
-    if (*fresh) {
-        slot->key = key;
-        table->count++;
-    }
-    return slot;
+    return slot_enter(&table->slots, &table->count, &table->capacity, key, fresh);
 }
 
 static bool table_holds(const Table *table, uint64_t key) {
-    return table->capacity && slot_in(table->slots, table->capacity, key)->key == key;
+    return table->capacity && slot_find(table->slots, table->capacity, key)->key == key;
 }
 
 static void table_clear(Table *table) {

@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "base/heap.h"
+#include "base/key_table.h"
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "base/real.h"
@@ -209,30 +210,14 @@ static uint64_t node_key(const Search *search, const Node *node) {
            ((uint64_t)1 << 63);
 }
 
-static Cell *cell_slot(Cell *cells, size_t capacity, uint64_t key) {
-    uint64_t hash = key * UINT64_C(0x9e3779b97f4a7c15);
-    for (size_t i = (size_t)(hash >> 20) & (capacity - 1);; i = (i + 1) & (capacity - 1))
-        if (cells[i].key == key || cells[i].key == 0)
-            return &cells[i];
-}
+KEY_TABLE_DEFINE(cell, Cell)
 
 /* Returns the cell's entry, created if it is new. */
 static Cell *cell_of(Search *search, uint64_t key) {
-    if (2 * search->cell_count >= search->cell_capacity) {
-        size_t capacity = search->cell_capacity ? 2 * search->cell_capacity : 1 << 14;
-        Cell *grown = memory_zeroed(capacity, sizeof *grown);
-        for (size_t i = 0; i < search->cell_capacity; i++)
-            if (search->cells[i].key)
-                *cell_slot(grown, capacity, search->cells[i].key) = search->cells[i];
-        memory_free(search->cells);
-        search->cells = grown;
-        search->cell_capacity = capacity;
-    }
-    Cell *cell = cell_slot(search->cells, search->cell_capacity, key);
-    if (!cell->key) {
+    bool fresh;
+    Cell *cell = cell_enter(&search->cells, &search->cell_count, &search->cell_capacity, key, &fresh);
+    if (fresh)
         *cell = (Cell){key, HUGE_VALF, INT8_MAX, INT8_MAX};
-        search->cell_count++;
-    }
     return cell;
 }
 
