@@ -1,4 +1,4 @@
-/* The smallest changes that let everybody out, for `check --suggest`. */
+/* The smallest changes that let all people out, for `check --suggest`. */
 #pragma once
 
 #include <jansson.h>

@@ -20,6 +20,13 @@ static json_t *list_of(const ResultRow *row, ResultNumbers numbers) {
     return list;
 }
 
+static json_t *texts_of(const ResultRow *row) {
+    json_t *list = json_array();
+    for (size_t i = 0; i < row->count; i++)
+        json_array_append_new(list, json_string(row->texts[i]));
+    return list;
+}
+
 static json_t *value_of(const ResultRow *row, ResultNumbers numbers) {
     switch (row->kind) {
     case RESULT_TEXT:
@@ -30,6 +37,8 @@ static json_t *value_of(const ResultRow *row, ResultNumbers numbers) {
         return isfinite(row->number) ? json_integer((json_int_t)row->number) : json_null();
     case RESULT_LIST:
         return list_of(row, numbers);
+    case RESULT_TEXTS:
+        return texts_of(row);
     case RESULT_NUMBER:
         break;
     }

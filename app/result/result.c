@@ -77,7 +77,7 @@ const char *result_value(const ResultRow *row, Arena *arena) {
         return *row->text ? row->text : NULL;
     if (row->kind == RESULT_LIST)
         return list_of(row, arena);
-    if (row->kind == RESULT_TEXT || !isfinite(row->number))
+    if (row->kind == RESULT_TEXT || row->kind == RESULT_TEXTS || !isfinite(row->number))
         return NULL;
     if (row->kind == RESULT_FLAG)
         return row->number > 0 ? "yes" : "no";
@@ -109,6 +109,12 @@ ResultTable result_copy(const ResultTable *table) {
             double *list = arena_allocate(&copy.arena, row.count * sizeof *list);
             memcpy(list, row.list, row.count * sizeof *list);
             row.list = list;
+        }
+        if (row.texts) {
+            const char **texts = arena_allocate(&copy.arena, row.count * sizeof *texts);
+            for (size_t i = 0; i < row.count; i++)
+                texts[i] = arena_text(&copy.arena, row.texts[i]);
+            row.texts = texts;
         }
         result_add(&copy, row);
     }

@@ -10,7 +10,7 @@
 #include "base/memory.h"
 #include "draw/scene.h"
 
-typedef enum ResultKind { RESULT_TEXT, RESULT_FLAG, RESULT_COUNT, RESULT_NUMBER, RESULT_LIST } ResultKind;
+typedef enum ResultKind { RESULT_TEXT, RESULT_FLAG, RESULT_COUNT, RESULT_NUMBER, RESULT_LIST, RESULT_TEXTS } ResultKind;
 
 /* Decides what `result_compare` makes of the values of two runs. */
 typedef enum ResultDifference {
@@ -27,6 +27,7 @@ typedef struct ResultRow {
     double number;      /* of a count or a number, or a flag's 0 or 1; NAN: none */
     const char *text;   /* of a text, or NULL; otherwise the words that people read instead of the number, or NULL */
     const double *list; /* (count) of a list of numbers */
+    const char *const *texts; /* (count) of a list of texts, which is for JSON: people read `text` */
     size_t count;
     const char *unit; /* in which people read the number, or NULL */
     double factor;    /* number for people = factor x number; 0 counts as 1 */

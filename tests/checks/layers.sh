@@ -37,11 +37,11 @@ app/paint           draw
 app/plot            draw paint
 app/document        draw paint
 app/visual/study    exchange plot study
-app/result          beam document draw experiment house study visual/study
+app/result          beam document draw experiment house inquiry study visual/study
 app/visual/house    draw experiment house plan plot result route space study visual/study
 app/visual/beam     beam draw exchange mechanics plot visual/house visual/study
 app/laboratory            beam draw exchange house plan plot visual/beam visual/house
-app/laboratory/edit       house inquiry laboratory plan
+app/laboratory/edit       house inquiry laboratory plan result
 app/laboratory/house      draw house laboratory laboratory/edit plan result visual/house
 app/laboratory/beam       beam experiment laboratory mechanics plot result study visual/beam visual/study
 app/widgets         draw paint

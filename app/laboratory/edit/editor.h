@@ -110,7 +110,7 @@ typedef struct EditText {
 /* A change with which all people could leave. */
 typedef struct Proposal {
     const char *text;   /* "Widen door d2 from 0.75 m to 0.79 m" */
-    const char *answer; /* "everybody out in 21.3 s" */
+    const char *answer; /* "all people are out in 21.3 s" */
 } Proposal;
 
 /* The picture to trace over (the trace image). */

@@ -10,6 +10,7 @@
 #include "plan/draft_parameter.h"
 #include "inquiry/suggest.h"
 #include "laboratory/edit/gesture.h"
+#include "result/suggest.h"
 
 /* A search that was requested. */
 struct EditSearch {
@@ -25,7 +26,8 @@ struct EditSearch {
     /* The result, once the search is over. */
     SuggestList list;
     Proposal rows[SUGGEST_MOST];
-    char answers[SUGGEST_MOST][64];
+    const char *none; /* the text for an empty list; NULL: the texts are not written yet */
+    Arena arena;      /* holds the texts */
     EditSearch *next; /* the next search in the list of cancelled searches that have not ended yet */
 };
 
@@ -67,6 +69,7 @@ static void destroy(EditSearch *search) {
     pthread_join(search->thread, NULL);
     pthread_mutex_destroy(&search->mutex);
     suggest_clear(&search->list);
+    arena_clear(&search->arena);
     memory_free(search->text);
     memory_free(search->path);
     memory_free(search->profiles);
@@ -125,11 +128,13 @@ void edit_propose_ask(Editor *edit) {
     memory_free(search);
 }
 
-/* Returns the text for an empty list of proposals. */
-static const char *describe_nothing(const SuggestList *list) {
-    return list->out_already  ? "everybody gets out as it is"
-           : list->note_count ? list->notes[0]
-                              : "no change of doors or furniture lets everybody out";
+/* Writes the texts of the result once. */
+static void write_texts(EditSearch *search) {
+    const SuggestList *list = &search->list;
+    bool explained = list->note_count && !list->out_already;
+    for (size_t i = 0; i < list->count; i++)
+        search->rows[i] = (Proposal){list->list[i].words, result_suggest_outcome(&list->list[i], &search->arena)};
+    search->none = explained ? list->notes[0] : result_suggest_sentence(list, &search->arena);
 }
 
 const Proposal *edit_propose_list(Editor *edit, size_t *count, const char **doing) {
@@ -150,12 +155,10 @@ const Proposal *edit_propose_list(Editor *edit, size_t *count, const char **doin
         return NULL;
     }
     *count = search->list.count;
-    for (size_t i = 0; i < *count; i++) {
-        snprintf(search->answers[i], sizeof search->answers[i], "everybody out in %.1f s", search->list.list[i].time);
-        search->rows[i] = (Proposal){search->list.list[i].words, search->answers[i]};
-    }
+    if (!search->none)
+        write_texts(search);
     if (!*count)
-        *doing = describe_nothing(&search->list);
+        *doing = search->none;
     return search->rows;
 }
 

@@ -16,6 +16,7 @@
 #include "result/json.h"
 #include "result/page.h"
 #include "result/panel.h"
+#include "result/suggest.h"
 #include "result/text.h"
 
 /* A record with a fact of each kind. */
@@ -306,6 +307,26 @@ TEST(each_fact_of_a_planned_path_is_printed_by_all_pens) {
 
 TEST(each_fact_of_a_path_that_is_too_narrow_is_printed_by_all_pens) {
     check_paths("flat-0.910-module", "p1 cannot pass door d3: needs at least 0.83 m, has 0.75 m", 10);
+}
+
+TEST(each_fact_of_a_suggestion_is_printed_by_all_pens) {
+    const char *const settings[] = {"door.d3.width=0.83", "door.d4.width=0.9"};
+    SuggestList list = {.list = {{"Widen doors", settings, 2, 0.08, 26.068}}, .count = 1, .tries = 18};
+    ResultTable table = result_suggest_changes(&list), copy = result_copy(&table);
+    Arena arena = {0};
+    check_pens(&table, 5);
+    json_t *list_of_changes = result_json_list(&copy);
+    char *text = json_dumps(list_of_changes, JSON_COMPACT | JSON_REAL_PRECISION(12));
+    CHECK_TEXT(text, "[{\"words\":\"Widen doors\",\"settings\":[\"door.d3.width=0.83\",\"door.d4.width=0.9\"],"
+                     "\"size\":0.08,\"time\":26.068}]");
+    CHECK_TEXT(result_suggest_sentence(&list, &arena), "Smallest changes that let all people out");
+    CHECK_TEXT(result_suggest_outcome(&list.list[0], &arena), "all people are out in 26.1 s");
+    CHECK_TEXT(result_suggest_tried(&list, &arena), "Houses tried: 18");
+    free(text);
+    json_decref(list_of_changes);
+    arena_clear(&arena);
+    result_clear(&table);
+    result_clear(&copy);
 }
 
 /* Uses a periodic motion, which takes little time. */

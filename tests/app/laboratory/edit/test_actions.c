@@ -173,7 +173,7 @@ TEST(a_change_that_lets_everybody_out_is_proposed_and_taken) {
         proposals = editor_proposals(laboratory->editor(session), &count, &doing);
     }
     CHECK(count > 0 && !doing);
-    CHECK(count && strstr(proposals[0].text, "Widen door d1") && strstr(proposals[0].answer, "everybody out in"));
+    CHECK(count && strstr(proposals[0].text, "Widen door d1") && strstr(proposals[0].answer, "all people are out in"));
     CHECK(editing_succeeds(editor_accept(laboratory->editor(session), 0, &fault), &fault));
     CHECK(!strstr(editor_text(laboratory->editor(session)), "\"width\": 0.5"));
     CHECK(strstr(editor_undo_name(laboratory->editor(session)), "Widen door d1"));
