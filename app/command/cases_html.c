@@ -2,8 +2,8 @@
 
 #include <inttypes.h>
 
-#include "command/cases_text.h"
 #include "document/html.h"
+#include "result/cases.h"
 
 /* The colours are the palette's: blue for passed, orange-brown for failed, with a contrast of at least 4.5:1. */
 static const char head[] =
@@ -42,7 +42,7 @@ static const char *verdict_class(Verdict verdict) {
 }
 
 /* Adds a disc with a tick, a square with a cross, or a dash. */
-static void add_sign(Text *text, Verdict verdict) {
+static void add_sign(Text *text, Verdict verdict, const char *passed) {
     static const char *const signs[] = {
         [VERDICT_NOT_RUN] =
             "<path d=\"M3 12h18\" stroke=\"currentColor\" stroke-width=\"4\" stroke-dasharray=\"4 3\"/>",
@@ -54,7 +54,7 @@ static void add_sign(Text *text, Verdict verdict) {
     text_format(
         text,
         "<span class=\"verdict %s\"><svg class=\"sign\" viewBox=\"0 0 24 24\" aria-hidden=\"true\">%s</svg>%s</span>",
-        verdict_class(verdict), signs[verdict], cases_text_verdict(verdict));
+        verdict_class(verdict), signs[verdict], passed);
 }
 
 /* Draws the allowed band and the value on a line from `from` to `to`, in the unit of the check. */
@@ -92,30 +92,26 @@ static void add_ruler(Text *text, const VerificationCheck *check) {
     text_add(text, "</svg>");
 }
 
-static void add_check(Text *text, const VerificationCheck *check) {
-    char words[CASES_TEXT_SIZE], why[3 * CASES_TEXT_SIZE];
+static void add_check(Text *text, const VerificationCheck *check, const ResultTable *checks, size_t c) {
+    const char *value = result_at(checks, c, CHECK_VALUE)->text;
     text_add(text, "<tr><td>");
-    cases_text_question(check, words);
-    html_add_escaped(text, words);
+    html_add_escaped(text, result_at(checks, c, CHECK_QUESTION)->text);
     if (check->seeds > 1)
         text_format(text, " <span class=\"note\">(mean of %d seeds)</span>", check->seeds);
     if (check->verdict == VERDICT_FAILED) {
-        cases_text_why(check, why);
         text_add(text, "<div class=\"why\">");
-        html_add_escaped(text, why);
+        html_add_escaped(text, result_at(checks, c, CHECK_WHY)->text);
         text_add(text, "</div>");
     }
     text_add(text, "</td><td>");
-    cases_text_limits(check, words);
-    html_add_escaped(text, words);
+    html_add_escaped(text, result_at(checks, c, CHECK_CRITERION)->text);
     text_add(text, "</td><td class=\"ours\">");
-    cases_text_value(check, words);
-    html_add_escaped(text, words);
+    html_add_escaped(text, value ? value : "-");
     text_add(text, "</td><td class=\"wide\">");
     if (isfinite(check->value))
         add_ruler(text, check);
     text_add(text, "</td><td>");
-    add_sign(text, check->verdict);
+    add_sign(text, check->verdict, result_at(checks, c, CHECK_PASSED)->text);
     text_add(text, "</td></tr>\n");
 }
 
@@ -130,33 +126,32 @@ static void add_case(Text *text, const Verification *verification) {
         text_add(text, "</div></details>");
     }
     text_add(text, "</td></tr>\n");
-    for (size_t c = 0; c < verification->check_count; c++)
-        add_check(text, &verification->checks[c]);
+    ResultTable checks = result_cases_checks(verification);
+    for (size_t c = 0; c < checks.record_count; c++)
+        add_check(text, &verification->checks[c], &checks, c);
+    result_clear(&checks);
 }
 
-static void add_not_applying(Text *text, const Verification *cases, size_t count) {
+static void add_excluded(Text *text, const ResultTable *excluded) {
     text_add(text,
              "<h2>These do not apply</h2>\n<table><thead><tr><th>Test</th><th>Why not</th></tr></thead><tbody>\n");
-    for (size_t i = 0; i < count; i++) {
-        if (cases[i].applies)
-            continue;
+    for (size_t i = 0; i < excluded->record_count; i++) {
         text_add(text, "<tr><td><b>");
-        html_add_escaped(text, cases[i].suite);
+        html_add_escaped(text, result_at(excluded, i, EXCLUDED_SUITE)->text);
         text_add(text, "</b> ");
-        html_add_escaped(text, cases[i].title);
+        html_add_escaped(text, result_at(excluded, i, EXCLUDED_TITLE)->text);
         text_add(text, "</td><td>");
-        html_add_escaped(text, cases[i].reason);
+        html_add_escaped(text, result_at(excluded, i, EXCLUDED_REASON)->text);
         text_add(text, "</td></tr>\n");
     }
     text_add(text, "</tbody></table>\n");
 }
 
 void cases_html_add(Text *text, const Verification *cases, size_t count, uint64_t seed) {
-    char summary[CASES_TEXT_SIZE];
-    bool some_do_not_apply = false;
-    cases_text_summary(cases, count, summary);
+    Arena arena = {0};
+    ResultTable excluded = result_cases_excluded(cases, count);
     text_add(text, head);
-    text_format(text, "<h1>%s</h1>\n", summary);
+    text_format(text, "<h1>%s</h1>\n", result_cases_summary(cases, count, &arena));
     text_format(
         text,
         "<p>Tests that others published for programs like this one, run by <code>clearance cases</code> %s with seeds "
@@ -164,13 +159,13 @@ void cases_html_add(Text *text, const Verification *cases, size_t count, uint64_
         CLEARANCE_VERSION, seed);
     text_add(text, "<table><thead><tr><th>Test</th><th>Criterion</th><th>Ours</th><th class=\"wide\"></th>"
                    "<th>Passed</th></tr></thead><tbody>\n");
-    for (size_t i = 0; i < count; i++) {
-        some_do_not_apply |= !cases[i].applies;
+    for (size_t i = 0; i < count; i++)
         if (cases[i].applies)
             add_case(text, &cases[i]);
-    }
     text_add(text, "</tbody></table>\n");
-    if (some_do_not_apply)
-        add_not_applying(text, cases, count);
+    if (excluded.record_count)
+        add_excluded(text, &excluded);
     text_add(text, "</body></html>\n");
+    result_clear(&excluded);
+    arena_clear(&arena);
 }
