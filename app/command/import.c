@@ -1,7 +1,6 @@
 #include "exchange/import.h"
 
 #include <stdio.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "command/answer.h"
@@ -10,57 +9,74 @@
 #include "command/output.h"
 #include "house/house.h"
 #include "laboratory/shipped.h"
+#include "result/json.h"
+#include "result/text.h"
 
-typedef struct Taken {
-    const char *what;
-    size_t count;
-} Taken;
-
-enum { TAKEN = 7 };
-
-static void list_taken(const Plan *plan, Taken taken[TAKEN]) {
+/* One record of what was taken over. */
+static ResultTable list_taken(const Plan *plan) {
+    ResultTable table = {0};
     size_t people = plan->person_count;
     for (size_t c = 0; c < plan->crowd_count; c++)
         people += (size_t)plan->crowds[c].count;
-    const Taken all[TAKEN] = {{"walls", plan->wall_count},          {"doors", plan->door_count},
-                              {"furniture", plan->furniture_count}, {"rooms", plan->room_count},
-                              {"exits", plan->exit_count},          {"people", people},
-                              {"routes", plan->route_count}};
-    memcpy(taken, all, sizeof all);
+    const struct {
+        const char *what;
+        size_t count;
+    } all[] = {{"walls", plan->wall_count},  {"doors", plan->door_count}, {"furniture", plan->furniture_count},
+               {"rooms", plan->room_count},  {"exits", plan->exit_count}, {"people", people},
+               {"routes", plan->route_count}};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        result_add(&table, (ResultRow){.key = all[i].what,
+                                       .label = all[i].what,
+                                       .kind = RESULT_COUNT,
+                                       .number = (double)all[i].count,
+                                       .unknown = i > 0 && !all[i].count});
+    result_end(&table);
+    return table;
+}
+
+/* A record for each kind of thing that was left out. */
+static ResultTable list_left_out(const ImportReport *report) {
+    ResultTable table = {0};
+    for (size_t i = 0; i < report->left_out_count; i++) {
+        result_add(&table, (ResultRow){.key = "what", .label = "not taken over", .text = report->left_out[i].what});
+        result_add(&table, (ResultRow){.key = "count",
+                                       .label = "number",
+                                       .kind = RESULT_COUNT,
+                                       .number = (double)report->left_out[i].count});
+        result_end(&table);
+    }
+    return table;
 }
 
 static void print_json(const Plan *plan, const ImportReport *report, const Options *options) {
-    Taken taken[TAKEN];
-    list_taken(plan, taken);
-    json_t *counts = json_object(), *left = json_array(), *notes = json_array();
-    for (size_t t = 0; t < TAKEN; t++)
-        json_object_set_new(counts, taken[t].what, json_integer((json_int_t)taken[t].count));
-    for (size_t i = 0; i < report->left_out_count; i++)
-        json_array_append_new(left, json_pack("{s:s, s:I}", "what", report->left_out[i].what, "count",
-                                              (json_int_t)report->left_out[i].count));
+    ResultTable taken = list_taken(plan), left_out = list_left_out(report);
+    json_t *notes = json_array();
     for (size_t i = 0; i < report->note_count; i++)
         json_array_append_new(notes, json_string(report->notes[i]));
     answer_print(json_pack("{s:s, s:s, s:s, s:s, s:o, s:o, s:o}", "kind", "import", "file", options->files[0], "out",
-                           options->files[1], "format", report->format, "taken", counts, "left_out", left, "notes",
-                           notes));
+                           options->files[1], "format", report->format, "taken", result_json_record(&taken, 0),
+                           "left_out", result_json_list(&left_out), "notes", notes));
+    result_clear(&taken);
+    result_clear(&left_out);
 }
 
 static void print_text(const Plan *plan, const ImportReport *report, const Options *options) {
-    Taken taken[TAKEN];
-    list_taken(plan, taken);
-    printf("%s (%s)", options->files[0], report->format);
-    const char *before = ": ";
-    for (size_t t = 0; t < TAKEN; t++) {
-        if (taken[t].count || t == 0)
-            printf("%s%s %zu", before, taken[t].what, taken[t].count);
-        before = ", ";
-    }
-    printf("\n");
-    for (size_t i = 0; i < report->left_out_count; i++)
-        printf("not taken over: %s (%zu)\n", report->left_out[i].what, report->left_out[i].count);
+    ResultTable taken = list_taken(plan), left_out = list_left_out(report);
+    Text text = {0};
+    text_format(&text, "%s (%s)\n", options->files[0], report->format);
+    result_text_record(&text, &taken, 0);
+    if (left_out.record_count)
+        text_add(&text, "\n");
+    result_text_table(&text, &left_out);
+    if (report->note_count)
+        text_add(&text, "\n");
     for (size_t i = 0; i < report->note_count; i++)
-        printf("note: %s\n", report->notes[i]);
-    printf("written to %s\n", options->files[1]);
+        text_format(&text, "note: %s\n", report->notes[i]);
+    text_format(&text, "\nwritten to %s\n", options->files[1]);
+    printf("%s", text.text);
+    memory_free(text.text);
+    result_clear(&taken);
+    result_clear(&left_out);
 }
 
 /* Notes errors of the written house, such as people without space: these show only when people are placed. */

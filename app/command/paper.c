@@ -9,34 +9,38 @@
 #include "command/report_files.h"
 #include "plot/plot_write.h"
 #include "report/paper_report.h"
+#include "result/json.h"
+#include "result/paper.h"
+#include "result/text.h"
 
 static void show_progress(void *context, const char *what) {
     (void)context;
     fprintf(stderr, "\r%-60s", what);
 }
 
+/* Returns the records of a table as a list, and releases the table. */
+static json_t *list_of(ResultTable table) {
+    json_t *list = result_json_list(&table);
+    result_clear(&table);
+    return list;
+}
+
 static json_t *make_answer(const Paper *paper, const PaperClaim *claims) {
-    json_t *list = json_array(), *types = json_array();
-    for (size_t i = 0; i < PAPER_CLAIMS; i++)
-        json_array_append_new(list,
-                              json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s}", "id", claims[i].id, "place",
-                                        claims[i].place, "claim", claims[i].claim, "paper", claims[i].paper, "ours",
-                                        claims[i].ours, "met", paper_met_name(claims[i].met), "rule", claims[i].rule));
-    for (size_t i = 0; i < PAPER_TYPES; i++)
-        json_array_append_new(types, json_pack("{s:o, s:s}", "frequency", json_number(paper->frequency[i]), "type",
-                                               types_kind_name(paper->types[i].kind)));
     return json_pack("{s:s, s:s, s:s, s:o, s:o}", "kind", "paper", "beam", paper->beam.name, "note", paper->beam.note,
-                     "claims", list, "types", types);
+                     "claims", list_of(result_paper_claims(claims)), "types", list_of(result_paper_types(paper)));
 }
 
 static void print_claims(const Paper *paper, const PaperClaim *claims) {
-    size_t met = 0;
-    for (size_t i = 0; i < PAPER_CLAIMS; i++)
-        met += claims[i].met == PAPER_MET;
-    printf("%zu of %d claims of Gu and Dubowsky (1995) are met by %s\n", met, PAPER_CLAIMS, paper->path);
-    for (size_t i = 0; i < PAPER_CLAIMS; i++)
-        printf("\n%s: %s: %s\n  paper  %s\n  ours   %s\n", paper_met_name(claims[i].met), claims[i].place,
-               claims[i].claim, claims[i].paper, claims[i].ours);
+    ResultTable table = result_paper_claims(claims);
+    Text text = {0};
+    text_format(&text, "%s: %s\n", paper->path, result_paper_summary(claims, &table.arena));
+    for (size_t i = 0; i < table.record_count; i++) {
+        text_add(&text, "\n");
+        result_text_record(&text, &table, i);
+    }
+    printf("%s", text.text);
+    memory_free(text.text);
+    result_clear(&table);
 }
 
 /* Writes the document, and each figure as a picture. */

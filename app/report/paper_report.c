@@ -1,9 +1,8 @@
 #include "report/paper_report.h"
 
-#include <string.h>
-
 #include "base/parameters.h"
-#include "visual/study/advice.h"
+#include "result/page.h"
+#include "result/paper.h"
 
 /* Design points of a figure. */
 #define FIGURE_WIDTH 1027.0
@@ -34,16 +33,10 @@ static void add_basis(Document *document, const Paper *paper, const Making *maki
 }
 
 static void add_claims(Document *document, const PaperClaim *claims) {
-    static const Column columns[] = {{"in the paper", ALIGN_LEFT}, {"claim", ALIGN_LEFT}, {"paper", ALIGN_LEFT},
-                                     {"ours", ALIGN_LEFT},         {"", ALIGN_LEFT},      {"met when", ALIGN_LEFT}};
+    ResultTable table = result_paper_claims(claims);
     document_add_heading(document, 2, "Claims");
-    document_add_table(document, NULL, columns, sizeof columns / sizeof *columns);
-    for (size_t i = 0; i < PAPER_CLAIMS; i++) {
-        const PaperClaim *claim = &claims[i];
-        const char *cells[] = {claim->place, claim->claim, claim->paper, claim->ours, paper_met_name(claim->met),
-                               claim->rule};
-        document_add_row(document, cells);
-    }
+    result_page_table(document, NULL, &table);
+    result_clear(&table);
 }
 
 static void paint_figure(const void *context, struct _cairo *cairo, Vec2 size, Theme theme) {
@@ -64,22 +57,13 @@ static void add_figures(Document *document, const PaperFigures *figures) {
 }
 
 static void add_types(Document *document, const Paper *paper) {
-    static const Column columns[] = {{"frequency", ALIGN_RIGHT}, {"type", ALIGN_LEFT}, {"advice", ALIGN_LEFT}};
+    ResultTable table = result_paper_types(paper);
     document_add_heading(document, 2, "Types over the frequency");
     document_add_paragraph(document,
                            "I: one periodic motion from all starts, whose peak force does not change steeply; II: "
                            "periodic, but steep, or one of several motions; III: somewhere within 1 % not periodic.");
-    document_add_table(document, NULL, columns, sizeof columns / sizeof *columns);
-    for (size_t i = 0; i < PAPER_TYPES; i++) {
-        Text text = {0};
-        advice_write(&text, &paper->types[i], &paper->experiments[PAPER_FREQUENCIES], 0);
-        int first = (int)strcspn(text.text, "\n");
-        const char *cells[] = {document_text(document, "%.0f Hz", paper->frequency[i]),
-                               types_kind_name(paper->types[i].kind),
-                               document_text(document, "%.*s", first, text.text)};
-        document_add_row(document, cells);
-        memory_free(text.text);
-    }
+    result_page_table(document, NULL, &table);
+    result_clear(&table);
 }
 
 static void add_numbers(Document *document, const Paper *paper) {
@@ -100,12 +84,9 @@ static void add_numbers(Document *document, const Paper *paper) {
 Document paper_report_make(Paper *paper, PaperFigures *figures, const Making *making) {
     PaperClaim claims[PAPER_CLAIMS];
     paper_claims(paper, claims);
-    size_t met = 0;
-    for (size_t i = 0; i < PAPER_CLAIMS; i++)
-        met += claims[i].met == PAPER_MET;
     Document document = document_begin(making->program);
     document_add_title(&document, document_text(&document, "The paper and the beam: %s", name_of(paper)),
-                       document_text(&document, "%zu of %d claims of the paper are met", met, PAPER_CLAIMS));
+                       result_paper_summary(claims, &document.arena));
     add_basis(&document, paper, making);
     add_claims(&document, claims);
     add_figures(&document, figures);

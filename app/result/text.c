@@ -55,20 +55,39 @@ void result_text_table(Text *text, const ResultTable *table) {
     arena_clear(&arena);
 }
 
+/* Returns the width of the longest label in a record, at least `width`. */
+static int label_width(const ResultTable *table, size_t record, int width, Arena *arena) {
+    for (size_t r = 0; r < table->row_count; r++) {
+        const ResultRow *row = result_at(table, record, r);
+        if (row->label && length_of(row->label) > width && result_value(row, arena))
+            width = length_of(row->label);
+    }
+    return width;
+}
+
+static void add_lines(Text *text, const ResultTable *table, size_t record, int width, Arena *arena) {
+    for (size_t r = 0; r < table->row_count; r++) {
+        const ResultRow *row = result_at(table, record, r);
+        const char *value = row->label ? result_value_and_unit(row, arena) : NULL;
+        if (!value)
+            continue;
+        add_padded(text, row->label, width, false, false);
+        text_format(text, "%s\n", value);
+    }
+}
+
 void result_text_list(Text *text, const ResultTable *const *tables, size_t count) {
     Arena arena = {0};
     int width = 0;
-    for (int turn = 0; turn <= 1; turn++) /* measures, then writes */
-        for (size_t t = 0; t < count; t++)
-            for (size_t r = 0; r < tables[t]->row_count; r++) {
-                const ResultRow *row = result_at(tables[t], 0, r);
-                const char *value = row->label ? result_value_and_unit(row, &arena) : NULL;
-                if (value && turn == 0 && length_of(row->label) > width)
-                    width = length_of(row->label);
-                if (!value || turn == 0)
-                    continue;
-                add_padded(text, row->label, width, false, false);
-                text_format(text, "%s\n", value);
-            }
+    for (size_t t = 0; t < count; t++)
+        width = label_width(tables[t], 0, width, &arena);
+    for (size_t t = 0; t < count; t++)
+        add_lines(text, tables[t], 0, width, &arena);
+    arena_clear(&arena);
+}
+
+void result_text_record(Text *text, const ResultTable *table, size_t record) {
+    Arena arena = {0};
+    add_lines(text, table, record, label_width(table, record, 0, &arena), &arena);
     arena_clear(&arena);
 }

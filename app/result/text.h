@@ -9,3 +9,6 @@ void result_text_table(Text *text, const ResultTable *table);
 
 /* Adds a line for each row of the first records of `count` tables that has a value: "time in contact   52 %". */
 void result_text_list(Text *text, const ResultTable *const *tables, size_t count);
+
+/* Adds the same lines for one record of a table. */
+void result_text_record(Text *text, const ResultTable *table, size_t record);

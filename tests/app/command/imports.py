@@ -117,7 +117,7 @@ def check_files():
     expect(2, "import", str(folder / "nowhere.dxf"), str(folder / "y.json"), says="cannot be read")
     expect(2, "import", str(folder), str(folder / "y.json"), says="must end in .sh3d, .dxf, .wkt or .scenario")
     text = expect(0, "import", flat, str(folder / "flat.json")).stdout
-    check(text.startswith(f"{flat} (DXF drawing): walls 1\n") and text.endswith(f"written to {folder / 'flat.json'}\n"), "words", text)
+    check(text.startswith(f"{flat} (DXF drawing)\nwalls  1\n") and text.endswith(f"written to {folder / 'flat.json'}\n"), "words", text)
     check(not list(folder.glob("*.part")), "nothing is left beside")
 
 
