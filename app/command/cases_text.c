@@ -134,7 +134,7 @@ static json_t *checks_json(const Verification *verification) {
 
 json_t *cases_text_json(const Verification *cases, size_t count, uint64_t seed) {
     Arena arena = {0};
-    ResultTable all = result_cases(cases, count), excluded = result_cases_excluded(cases, count);
+    ResultTable all = result_cases_list(cases, count), excluded = result_cases_excluded(cases, count);
     json_t *list = result_json_list(&all);
     for (size_t i = 0, e = 0; i < count; i++) {
         json_object_set_new(json_array_get(list, i), "checks", checks_json(&cases[i]));

@@ -32,7 +32,7 @@ static const char *joined(Arena *arena, const char *a, const char *between, cons
 
 /* Cases ----------------------------------------------------------------------------------------------------------- */
 
-ResultTable result_cases(const Verification *cases, size_t count) {
+ResultTable result_cases_list(const Verification *cases, size_t count) {
     ResultTable table = {0};
     for (size_t i = 0; i < count; i++) {
         add_text(&table, "id", NULL, cases[i].id);

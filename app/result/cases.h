@@ -8,7 +8,7 @@
 typedef enum CaseRow { CASE_ID, CASE_SUITE, CASE_TITLE, CASE_NOTE, CASE_PASSED } CaseRow;
 
 /* A record for each case. The cases must outlive the tables. */
-ResultTable result_cases(const Verification *cases, size_t count);
+ResultTable result_cases_list(const Verification *cases, size_t count);
 
 /* Rows of a case that does not apply. */
 typedef enum ExcludedRow { EXCLUDED_SUITE, EXCLUDED_TITLE, EXCLUDED_REASON } ExcludedRow;
