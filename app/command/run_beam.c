@@ -41,8 +41,8 @@ static bool type_tell(TypeAnswer *answer, const Beam *beam, const Options *optio
         return false;
     }
     beam_experiment_be_thorough(&answer->thorough);
-    if (types_answer_tell(&answer->types, &answer->quick, &answer->thorough, beam_experiment_window,
-                          BEAM_EXPERIMENT_WINDOW, options, fault))
+    if (types_answer_classify(&answer->types, &answer->quick, &answer->thorough, beam_experiment_window,
+                              BEAM_EXPERIMENT_WINDOW, options, fault))
         return true;
     type_close(answer);
     return false;

@@ -8,7 +8,8 @@
 #include "result/text.h"
 #include "result/types.h"
 
-/* Telling --------------------------------------------------------------------------------------------------------- */
+/* Classifying ---------------------------------------------------------------------------------------------------------
+ */
 
 typedef struct Progress {
     double begin; /* s, by the clock */
@@ -24,8 +25,8 @@ static void show_progress(void *context, size_t done, size_t all) {
     progress->shown = true;
 }
 
-bool types_answer_tell(Types *types, const Experiment *experiment, const Experiment *thorough, const char *const *names,
-                       size_t name_count, const Options *options, Fault *fault) {
+bool types_answer_classify(Types *types, const Experiment *experiment, const Experiment *thorough,
+                           const char *const *names, size_t name_count, const Options *options, Fault *fault) {
     Progress progress = {.begin = stopwatch_now()};
     bool show = progress_is_shown(options);
     TypesTask task = {.experiment = experiment,

@@ -6,10 +6,10 @@
 #include "options/options.h"
 #include "study/types.h"
 
-/* Tells the type of an experiment in a window of the parameters (name_count); `thorough` as in TypesTask. Shows how far
+/* Classifies an experiment in a window of the parameters (name_count); `thorough` as in TypesTask. Shows how far
  * it is on a terminal. False: faults. */
-bool types_answer_tell(Types *types, const Experiment *experiment, const Experiment *thorough, const char *const *names,
-                       size_t name_count, const Options *options, Fault *fault);
+bool types_answer_classify(Types *types, const Experiment *experiment, const Experiment *thorough,
+                           const char *const *names, size_t name_count, const Options *options, Fault *fault);
 
 /* Prints the advice; `cycles` is the length of a run, or 0 to leave it out. */
 void types_answer_print(const Types *types, const Experiment *experiment, int cycles);

@@ -3,8 +3,8 @@
 #include <math.h>
 
 #include "base/parallel.h"
-#include "visual/study/advice.h"
 #include "experiment/beam_experiment.h"
+#include "result/types.h"
 
 bool beam_verdict_decide(BeamVerdict *verdict, const Beam *beam, const volatile sig_atomic_t *stop) {
     *verdict = (BeamVerdict){.beam = *beam};
@@ -28,10 +28,11 @@ bool beam_verdict_decide(BeamVerdict *verdict, const Beam *beam, const volatile 
 }
 
 static void write_advice(BeamVerdict *verdict, const Types *types, const Experiment *experiment) {
-    Text text = {0};
-    advice_write(&text, types, experiment, verdict->beam.transient_cycles + verdict->beam.cycles);
+    int cycles = verdict->beam.transient_cycles + verdict->beam.cycles;
+    ResultTable basis = result_types_basis(types, experiment, cycles);
     memory_free(verdict->advice);
-    verdict->advice = text.text;
+    verdict->advice = text_copy(result_find(&basis, 0, "advice")->text);
+    result_clear(&basis);
     verdict->type = types->kind;
     verdict->typed = true;
 }

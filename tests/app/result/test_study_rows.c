@@ -7,6 +7,8 @@
 #include "command/study_answer.h"
 #include "command/study_text.h"
 #include "result/json.h"
+#include "result/page.h"
+#include "result/paper.h"
 #include "result/study.h"
 #include "result/text.h"
 #include "result/types.h"
@@ -160,4 +162,33 @@ TEST(a_parameter_of_a_type_has_the_same_rows_in_a_table_and_in_json) {
     result_clear(&kind);
     result_clear(&parameters);
     result_clear(&points);
+}
+
+TEST(a_claim_of_the_paper_has_the_same_rows_as_lines_as_a_table_and_in_json) {
+    PaperClaim claims[PAPER_CLAIMS];
+    for (size_t i = 0; i < PAPER_CLAIMS; i++)
+        claims[i] =
+            (PaperClaim){"chaos", "figure 2", "it is chaotic", "chaotic", "periodic", PAPER_NOT_TOLD, "an exponent"};
+    claims[1].met = PAPER_MET;
+    ResultTable table = result_paper_claims(claims);
+    Text text = {0};
+    result_text_record(&text, &table, 0);
+    CHECK_TEXT(text.text, "in the paper  figure 2\nclaim         it is chaotic\npaper         chaotic\n"
+                          "ours          periodic\nresult        undecided\nmet when      an exponent\n");
+    CHECK_TEXT(result_paper_summary(claims, &table.arena), "1 of 10 claims of the paper are met");
+    json_t *object = result_json_record(&table, 0);
+    char *dump = json_dumps(object, JSON_COMPACT);
+    CHECK_TEXT(dump, "{\"id\":\"chaos\",\"place\":\"figure 2\",\"claim\":\"it is chaotic\",\"paper\":\"chaotic\","
+                     "\"ours\":\"periodic\",\"met\":\"not told\",\"rule\":\"an exponent\"}");
+    Document document = document_begin("clearance 9");
+    result_page_table(&document, NULL, &table);
+    const Block *block = &document.blocks[document.count - 1];
+    CHECK(block->kind == BLOCK_TABLE && block->table.column_count == 6);
+    CHECK_TEXT(block->table.columns[4].head, "Result");
+    CHECK_TEXT(block->table.cells[4], "undecided");
+    document_clear(&document);
+    free(dump);
+    json_decref(object);
+    memory_free(text.text);
+    result_clear(&table);
 }
