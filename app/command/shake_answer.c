@@ -1,62 +1,34 @@
 #include "command/shake_answer.h"
 
 #include <inttypes.h>
-#include <math.h>
 #include <stdio.h>
 
-#include "base/json.h"
 #include "command/output.h"
 #include "command/report_files.h"
 #include "plot/plot_write.h"
 #include "visual/house/shake_plots.h"
 #include "visual/house/shake_scene.h"
 #include "report/shake_report.h"
+#include "result/json.h"
+#include "result/shake.h"
 #include "study/summary.h"
 
 /* JSON ------------------------------------------------------------------------------------------------------------- */
-
-static json_t *known(double value) {
-    return isfinite(value) ? json_number(value) : json_null();
-}
 
 static json_t *whole(size_t value) {
     return json_integer((json_int_t)value);
 }
 
-static json_t *share_of(const Share *share) {
-    return json_pack("{s:o, s:o, s:o, s:o, s:o}", "shakes", whole(share->good), "of", whole(share->all), "share",
-                     known(share->value), "q025", known(share->low), "q975", known(share->high));
+/* Rows as JSON; the table is released. */
+static json_t *list_of(ResultTable table) {
+    json_t *list = result_json_list(&table);
+    result_clear(&table);
+    return list;
 }
 
-static json_t *time_of(const Distribution *time) {
-    return json_pack("{s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "count", whole(time->count), "mean", known(time->mean),
-                     "q25", known(time->quarters[0]), "q50", known(time->median), "q75", known(time->quarters[1]),
-                     "q95", known(time->high), "least", known(time->least), "greatest", known(time->greatest));
-}
-
-static json_t *people_of(const ShakeFindings *findings) {
-    json_t *people = json_array();
-    for (size_t p = 0; p < findings->party_count; p++) {
-        const ShakeParty *party = &findings->parties[p];
-        json_array_append_new(people,
-                              json_pack("{s:s, s:s, s:o, s:o, s:o, s:o}", "id", party->id, "profile", party->profile,
-                                        "people", whole(party->people), "out", share_of(&party->out), "members_out",
-                                        known(party->members), "time", time_of(&party->time)));
-    }
-    return people;
-}
-
-static json_t *pieces_of(const ShakeFindings *findings) {
-    json_t *pieces = json_array();
-    for (size_t p = 0; p < findings->piece_count; p++) {
-        const ShakePiece *piece = &findings->pieces[p];
-        const Furniture *furniture = &findings->house->plan.furniture[piece->index];
-        json_array_append_new(pieces, json_pack("{s:s, s:s, s:o, s:o, s:o, s:o}", "id", furniture->id, "name",
-                                                furniture->name, "probability", known(furniture->probability),
-                                                "toppled", whole(piece->toppled), "toppled_and_not_all_out",
-                                                whole(piece->with_loss), "blocks", share_of(&piece->stops)));
-    }
-    return pieces;
+static void add_record(json_t *answer, ResultTable table) {
+    result_json_add(answer, &table, 0);
+    result_clear(&table);
 }
 
 static json_t *worst_of(const ShakeFindings *findings) {
@@ -73,14 +45,10 @@ json_t *shake_answer_make(const ShakeFindings *findings, const char *file) {
     json_t *answer = json_pack("{s:s, s:s, s:s, s:I, s:o, s:o, s:o}", "kind", "shake", "house",
                                findings->house->plan.name, "file", file, "seed", (json_int_t)study->seed, "shakes",
                                whole(count.trials), "done", whole(count.done), "faults", whole(count.faults));
-    json_object_set_new(answer, "everybody_out", share_of(&findings->everybody));
-    json_object_set_new(answer, "time", time_of(&findings->time));
-    json_object_set_new(answer, "without_shake",
-                        json_pack("{s:b, s:o}", "completed", findings->calm_out, "time", known(findings->calm_time)));
-    json_object_set_new(answer, "people", people_of(findings));
-    json_object_set_new(answer, "furniture", pieces_of(findings));
-    json_object_set_new(answer, "blocked_elsewhere", share_of(&findings->elsewhere));
-    json_object_set_new(answer, "caught", share_of(&findings->caught));
+    add_record(answer, result_shake_answer(findings));
+    json_object_set_new(answer, "people", list_of(result_shake_people(findings)));
+    json_object_set_new(answer, "furniture", list_of(result_shake_furniture(findings)));
+    add_record(answer, result_shake_stops(findings));
     json_object_set_new(answer, "worst", worst_of(findings));
     json_object_set_new(answer, "digest", json_string(digest));
     return answer;

@@ -1,14 +1,11 @@
 #include "report/shake_report.h"
 
-#include <ctype.h>
-#include <inttypes.h>
-#include <math.h>
-
 #include "visual/house/shake_plots.h"
 #include "visual/house/shake_scene.h"
 #include "report/house_report.h"
-#include "report/report_people.h"
 #include "report/report_pictures.h"
+#include "result/page.h"
+#include "result/shake.h"
 
 /* Design points. */
 #define CURVE_WIDTH 1027.0
@@ -29,32 +26,21 @@ static void release_curve(void *context) {
     memory_free(context);
 }
 
-static const char *per_cent(Document *document, double share) {
-    return isfinite(share) ? document_text(document, "%.1f %%", 100 * share) : NULL;
-}
-
-static const char *between(Document *document, const Share *share) {
-    return isfinite(share->low) ? document_text(document, "%.0f to %.0f %%", 100 * share->low, 100 * share->high)
-                                : NULL;
-}
-
-/* Adds the answer again above the picture, with its confidence interval. */
+/* Adds the answer above the picture. */
 static void add_answer(Document *document, const ShakeFindings *findings, const Making *making) {
-    const char *times = shake_findings_times(findings, &document->arena);
-    const Share *share = &findings->everybody;
-    const char *answer = "No shake was simulated to its end.";
-    if (findings->shakes)
-        answer = document_text(document,
-                               "%zu shakes were simulated, with seeds from %" PRIu64 " on. Everybody gets out in "
-                               "%.1f %% of them, with 95 %% confidence in %.0f to %.0f %%.",
-                               findings->shakes, findings->study->seed, 100 * share->value, 100 * share->low,
-                               100 * share->high);
-    document_add_paragraph(document, answer);
-    if (*times)
-        document_add_paragraph(document, document_text(document,
-                                                       "%c%s. Times include movement only, not the shake, alarm "
-                                                       "and the transfer into the chair.",
-                                                       toupper((unsigned char)*times), times + 1));
+    ResultTable answer = result_shake_answer(findings), stops = result_shake_stops(findings);
+    if (!findings->shakes)
+        document_add_paragraph(document, "No shake was simulated to its end.");
+    else
+        result_page_list(document,
+                         document_text(document,
+                                       "%s. 95 %% confidence: the interval of the share above it, from the number of "
+                                       "shakes. Times include movement only, not the shake, alarm and the transfer "
+                                       "into the chair. People caught under furniture count as not out.",
+                                       result_shake_simulated(findings, &document->arena)),
+                         (const ResultTable *const[]){&answer, &stops}, 2);
+    result_clear(&answer);
+    result_clear(&stops);
     if (*findings->house->plan.note)
         document_add_note(document, findings->house->plan.note);
     report_basis_add_changes(document, making);
@@ -71,35 +57,18 @@ static void add_answer(Document *document, const ShakeFindings *findings, const 
                       house_report_name(findings->house)));
 }
 
+static void add_table(Document *document, const char *caption, ResultTable table) {
+    result_page_table(document, caption, &table);
+    result_clear(&table);
+}
+
 static void add_people(Document *document, const ShakeFindings *findings) {
-    static const Column columns[] = {
-        {"Person", ALIGN_LEFT},     {"Profile", ALIGN_LEFT},          {"People", ALIGN_RIGHT},
-        {"Out in", ALIGN_RIGHT},    {"95 % confidence", ALIGN_RIGHT}, {"25 % within, s", ALIGN_RIGHT},
-        {"Median, s", ALIGN_RIGHT}, {"75 % within, s", ALIGN_RIGHT},  {"95 % within, s", ALIGN_RIGHT}};
     document_add_heading(document, 2, "Who is out");
-    document_add_table(document,
-                       "Out in: shakes in which the person gets out, of a crowd all of it. Times: of those shakes. "
-                       "95 % confidence: the interval of the share, from the number of shakes.",
-                       columns, sizeof columns / sizeof *columns);
-    for (size_t p = 0; p < findings->party_count; p++) {
-        const ShakeParty *party = &findings->parties[p];
-        const char *cells[] = {party->id,
-                               party->profile,
-                               document_text(document, "%zu", party->people),
-                               per_cent(document, party->out.value),
-                               between(document, &party->out),
-                               report_people_number(document, party->time.quarters[0], 1),
-                               report_people_number(document, party->time.median, 1),
-                               report_people_number(document, party->time.quarters[1], 1),
-                               report_people_number(document, party->time.high, 1)};
-        document_add_row(document, cells);
-    }
-    if (findings->caught.good)
-        document_add_paragraph(document,
-                               document_text(document,
-                                             "Shakes in which furniture falls on somebody: %zu. People caught "
-                                             "under furniture count as not out.",
-                                             findings->caught.good));
+    add_table(
+        document,
+        "Out in: shakes in which the person is out, of a crowd all of it. Times: of those shakes. 95 % confidence: "
+        "the interval of the share, from the number of shakes.",
+        result_shake_people(findings));
 }
 
 static void add_times(Document *document, const ShakeFindings *findings) {
@@ -112,42 +81,22 @@ static void add_times(Document *document, const ShakeFindings *findings) {
     document_add_figures(document);
     document_add_picture(document, paint_curve, curve, vec2(CURVE_WIDTH, CURVE_HEIGHT),
                          "Share of shakes in which they are out within a time. Where a curve ends below 100 %, the "
-                         "others do not get out.",
+                         "others are not out.",
                          "A curve that rises with time.")
         ->release = release_curve;
 }
 
 static void add_pieces(Document *document, const ShakeFindings *findings) {
-    static const Column columns[] = {{"Furniture", ALIGN_LEFT},        {"Probability", ALIGN_RIGHT},
-                                     {"Falls in", ALIGN_RIGHT},        {"Stops somebody in", ALIGN_RIGHT},
-                                     {"95 % confidence", ALIGN_RIGHT}, {"Fell and not all out", ALIGN_RIGHT}};
     document_add_heading(document, 2, "What stops people");
     if (!findings->piece_count) {
         document_add_paragraph(document, "Nothing in this house can fall.");
         return;
     }
-    document_add_table(document,
-                       "Probability: of falling, as the house's file has it. Stops somebody: it has fallen next to the "
-                       "place where they stick, or on them. Fell and not all out: shakes, whether it was in the way or "
-                       "not.",
-                       columns, sizeof columns / sizeof *columns);
-    for (size_t p = 0; p < findings->piece_count; p++) {
-        const ShakePiece *piece = &findings->pieces[p];
-        const Furniture *furniture = &findings->house->plan.furniture[piece->index];
-        char name[96];
-        outline_name(&findings->house->plan, OWNER_FURNITURE, (int)piece->index, name, sizeof name);
-        const char *cells[] = {document_text(document, "%s", name),
-                               document_text(document, "%g", furniture->probability),
-                               per_cent(document, (double)piece->toppled / (double)findings->shakes),
-                               per_cent(document, piece->stops.value),
-                               between(document, &piece->stops),
-                               document_text(document, "%zu", piece->with_loss)};
-        document_add_row(document, cells);
-    }
-    if (findings->elsewhere.good)
-        document_add_paragraph(
-            document, document_text(document, "Shakes in which a wall, a door or other people stop somebody: %zu.",
-                                    findings->elsewhere.good));
+    add_table(
+        document,
+        "Probability: of falling, as the house's file has it. Stops people: it has fallen next to the place where "
+        "they stick, or on them. Falls, not all out: shakes, whether it was in the way or not.",
+        result_shake_furniture(findings));
 }
 
 static void add_assumptions(Document *document, const ShakeFindings *findings, const Making *making) {

@@ -46,6 +46,18 @@ void result_page_table(Document *document, const char *caption, const ResultTabl
     memory_free(rows);
 }
 
+void result_page_list(Document *document, const char *caption, const ResultTable *const *tables, size_t count) {
+    static const Column columns[] = {{"", ALIGN_LEFT}, {"", ALIGN_RIGHT}};
+    document_add_table(document, caption, columns, 2);
+    for (size_t t = 0; t < count; t++)
+        for (size_t r = 0; r < tables[t]->row_count; r++) {
+            const ResultRow *row = result_at(tables[t], 0, r);
+            const char *value = row->label ? result_value_and_unit(row, &document->arena) : NULL;
+            if (value)
+                document_add_row(document, (const char *const[]){capital(document, row->label), value});
+        }
+}
+
 void result_page_pair(Document *document, const char *const names[3], const ResultTable *a, const ResultTable *b,
                       bool both) {
     Column *columns = arena_allocate(&document->arena, 4 * sizeof *columns);

@@ -8,6 +8,10 @@
  * on a page, the others follow in further tables, which begin with the first column again. */
 void result_page_table(Document *document, const char *caption, const ResultTable *table);
 
+/* Adds a table with a line for each row of the first records of `count` tables that has a value: its label, the value
+ * with its unit. */
+void result_page_list(Document *document, const char *caption, const ResultTable *const *tables, size_t count);
+
 /* Adds a table with a line for each row of two records: its label, the value of a, of b, and b - a. `both`: both runs
  * have succeeded. */
 void result_page_pair(Document *document, const char *const names[3], const ResultTable *a, const ResultTable *b,

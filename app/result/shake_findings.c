@@ -165,21 +165,36 @@ void shake_findings_run_calm(ShakeFindings *findings, size_t route, int jobs, co
 
 const char *shake_findings_headline(const ShakeFindings *findings, Arena *arena) {
     const Share *share = &findings->everybody;
-    const char *who =
-        findings->party_count == 1 && findings->parties[0].people == 1 ? findings->parties[0].id : "Everybody";
+    bool single = findings->party_count == 1 && findings->parties[0].people == 1, always = share->good == share->all;
+    const char *id = single ? findings->parties[0].id : "";
     if (!findings->shakes)
         return "No shake was simulated";
-    if (share->good == share->all)
-        return text_in_arena(arena, "%s gets out in all %zu shakes", who, share->all);
-    return text_in_arena(arena, "%s gets out in %zu of %zu shakes", who, share->good, share->all);
+    if (single && always)
+        return text_in_arena(arena, share->all == 1 ? "%s is out in %zu shake" : "%s is out in all %zu shakes", id,
+                             share->all);
+    if (single)
+        return text_in_arena(arena, "%s is out in %zu of %zu shakes", id, share->good, share->all);
+    if (always)
+        return text_in_arena(
+            arena, share->all == 1 ? "All people are out in %zu shake" : "All people are out in all %zu shakes",
+            share->all);
+    return text_in_arena(arena, "All people are out in %zu of %zu shakes", share->good, share->all);
 }
 
 const char *shake_findings_times(const ShakeFindings *findings, Arena *arena) {
     const Distribution *time = &findings->time;
-    const char *calm = isnan(findings->calm_time) ? ""
-                       : findings->calm_out ? text_in_arena(arena, "; without a shake %.1f s", findings->calm_time)
-                                            : "; without a shake not everybody gets out either";
+    bool known = isfinite(findings->calm_time);
+    if (!time->count && !known)
+        return "";
     if (!time->count)
-        return *calm ? text_in_arena(arena, "%s", calm + 2) : "";
-    return text_in_arena(arena, "half of them within %.1f s, 95 %% within %.1f s%s", time->median, time->high, calm);
+        return findings->calm_out ? text_in_arena(arena, "without a shake %.1f s", findings->calm_time)
+                                  : "without a shake not all people are out either";
+    if (!known)
+        return text_in_arena(arena, "half of them within %.1f s, 95 %% within %.1f s", time->median, time->high);
+    return findings->calm_out
+               ? text_in_arena(arena, "half of them within %.1f s, 95 %% within %.1f s; without a shake %.1f s",
+                               time->median, time->high, findings->calm_time)
+               : text_in_arena(
+                     arena, "half of them within %.1f s, 95 %% within %.1f s; without a shake not all people are out",
+                     time->median, time->high);
 }

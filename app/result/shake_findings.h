@@ -52,8 +52,8 @@ void shake_findings_free(ShakeFindings *findings);
 /* Runs the house once without a shake, for comparison. */
 void shake_findings_run_calm(ShakeFindings *findings, size_t route, int jobs, const volatile sig_atomic_t *stop);
 
-/* Prints "Everybody gets out in 83 of 100 shakes". */
+/* Prints "All people are out in 83 of 100 shakes". */
 const char *shake_findings_headline(const ShakeFindings *findings, Arena *arena);
 
-/* Prints "half of them within 13.2 s, 95 % within 16.0 s; without a shake 12.9 s", or "" if nobody leaves. */
+/* Prints "half of them within 13.2 s, 95 % within 16.0 s; without a shake 12.9 s", or what of it is known. */
 const char *shake_findings_times(const ShakeFindings *findings, Arena *arena);

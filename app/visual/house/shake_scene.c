@@ -2,6 +2,7 @@
 
 #include "plan/plan_geometry.h"
 #include "result/census.h"
+#include "result/shake.h"
 #include "visual/house/house_scene.h"
 #include "visual/house/people_scene.h"
 #include "visual/house/plan_scene.h"
@@ -100,34 +101,38 @@ static void add_people_tags(Scene *scene, const ShakeFindings *findings) {
     }
 }
 
+static const char *value_of(Scene *scene, const ResultTable *table, size_t record, const char *key) {
+    const char *value = result_value_and_unit(result_find(table, record, key), &scene->arena);
+    return value ? value : "-";
+}
+
 static void list_people(Scene *scene, const ShakeFindings *findings) {
+    ResultTable people = result_shake_people(findings);
     scene_add_row(scene, ROW_HEADING, "People: out in, median time");
-    for (size_t p = 0; p < findings->party_count && p < ROWS_MOST; p++) {
+    for (size_t p = 0; p < people.record_count && p < ROWS_MOST; p++) {
         const ShakeParty *party = &findings->parties[p];
-        const char *who = scene_text(scene, "%s %s", party->id, party->profile);
-        const char *out = per_cent(scene, party->out.value);
-        const char *time = party->time.count ? scene_text(scene, "%.1f s", party->time.median) : "-";
-        SceneRow *row = scene_add_row(scene, ROW_PLAIN, who);
-        row->cells[1] = out;
-        row->cells[2] = time;
+        SceneRow *row = scene_add_row(scene, ROW_PLAIN, scene_text(scene, "%s %s", party->id, party->profile));
+        row->cells[1] = value_of(scene, &people, p, "out.share");
+        row->cells[2] = value_of(scene, &people, p, "time.q50");
     }
+    result_clear(&people);
 }
 
 static void list_pieces(Scene *scene, const ShakeFindings *findings) {
-    scene_add_row(scene, ROW_HEADING, "Furniture: fell in, blocks in");
-    for (size_t p = 0; p < findings->piece_count && p < ROWS_MOST; p++) {
+    ResultTable pieces = result_shake_furniture(findings);
+    scene_add_row(scene, ROW_HEADING, "Furniture: falls in, blocks in");
+    for (size_t p = 0; p < pieces.record_count && p < ROWS_MOST; p++) {
         const ShakePiece *piece = &findings->pieces[p];
-        const Furniture *furniture = piece_of(findings, piece);
-        const char *fell = per_cent(scene, (double)piece->toppled / (double)findings->shakes);
-        const char *stops = per_cent(scene, piece->stops.value);
-        SceneRow *row = scene_add_row(scene, piece->stops.good ? ROW_LINE : ROW_PLAIN, name_of(furniture));
+        SceneRow *row =
+            scene_add_row(scene, piece->stops.good ? ROW_LINE : ROW_PLAIN, name_of(piece_of(findings, piece)));
         row->role = danger_of(piece->stops.value);
         row->symbol = SYMBOL_BOX;
-        row->cells[1] = fell;
-        row->cells[2] = stops;
+        row->cells[1] = value_of(scene, &pieces, p, "toppled_share");
+        row->cells[2] = value_of(scene, &pieces, p, "blocks.share");
     }
-    if (!findings->piece_count)
+    if (!pieces.record_count)
         scene_add_row(scene, ROW_PLAIN, "nothing here can fall");
+    result_clear(&pieces);
 }
 
 static void list_key(Scene *scene) {
