@@ -22,7 +22,7 @@ static size_t list_settings(const char *const *words, size_t count, const char *
 static bool is_there(const char *path, Fault *fault) {
     bool there = access(path, F_OK) == 0;
     if (there)
-        fault_add(fault, "%s: there is such a file already, a copy must have another name", path);
+        fault_add(fault, "%s exists already; choose another name for the copy", path);
     return there;
 }
 

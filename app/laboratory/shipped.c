@@ -110,10 +110,11 @@ static bool find_assets(void) {
 
 static void find(void) {
     if (!find_assets()) {
-        snprintf(missing, sizeof missing,
-                 "no folder \"profiles\" was found in any place where the files that come with clearance may be: %s; "
-                 "CLEARANCE_ASSETS can name another",
-                 looked);
+        snprintf(
+            missing, sizeof missing,
+            "the files that come with clearance were not found: none of these folders contains \"profiles\": %s; set "
+            "CLEARANCE_ASSETS to the folder that does",
+            looked);
         shipped.missing = missing;
     }
     snprintf(furniture, sizeof furniture, "%s/furniture", assets);

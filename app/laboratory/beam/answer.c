@@ -181,8 +181,7 @@ static void write_rows(BeamAnswer *answer, const BeamLately *lately, const BeamV
         format_another(lately, text, sizeof text);
         add_row(answer, ROW_HEADING, "Another motion is running", NULL);
         add_row(answer, ROW_PLAIN, arena_text(&answer->arena, text), NULL);
-        add_row(answer, ROW_PLAIN, "What a beam does can depend on how it began; \"Run again\" begins from rest.",
-                NULL);
+        add_row(answer, ROW_PLAIN, "The motion can depend on the initial state; \"Run again\" starts from rest.", NULL);
     }
     add_natural(answer, verdict);
 }
@@ -213,11 +212,11 @@ void beam_answer_clear(BeamAnswer *answer) {
 const char *beam_answer_error(const BeamTape *tape, Arena *arena) {
     if (tape->status == MOTION_CHATTERS)
         return text_in_arena(arena,
-                             "In cycle %zu the tip switches more than %d times and cannot be followed further: more "
-                             "contact damping, a softer contact or a larger gap would help",
+                             "In cycle %zu the tip switches more than %d times, and the run ends: use more contact "
+                             "damping, a softer contact or a larger gap",
                              tape->front + 1, MOTION_SWITCHES_MOST);
     return text_in_arena(arena,
-                         "In cycle %zu the numbers were lost, the beam swings without end: more damping of the modes, "
-                         "less force or another excitation would help",
+                         "In cycle %zu the motion grows without bound, and the run ends: use more damping of the "
+                         "modes, less force or another excitation",
                          tape->front + 1);
 }

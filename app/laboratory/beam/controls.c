@@ -27,23 +27,23 @@ static const Looks all_looks[] = {
     {"beam.length", "Length", "mm", 1e3, 0.9, 1.1, 0, 0, 0.95, 1.05, false, true},
     {"joint.stiffness", "Contact stiffness", "MN/m", 1e-6, 0.01, 100, 0, 0, 0.1, 3, true, true},
     {"joint.damping", "Contact damping", NULL, 1, 0, 4, 0, 1000, 0, 3, false, true},
-    {"joint.release", "Contact lets go", NULL, 1, 0, 0, 0, 1, 0, 0, false, true},
+    {"joint.release", "Contact release", NULL, 1, 0, 0, 0, 1, 0, 0, false, true},
     {"beam.width", "Width", "mm", 1e3, 0.5, 2, 0, 0, 0, 0, false, false},
     {"beam.thickness", "Thickness", "mm", 1e3, 0.8, 1.25, 0, 0, 0, 0, false, false},
     {"beam.youngs_modulus", "Young's modulus", "GPa", 1e-9, 0.5, 2, 0, 0, 0, 0, false, false},
     {"beam.density", "Density", NULL, 1, 0.5, 2, 0, 0, 0, 0, false, false},
     {"beam.damping_ratio", "Damping of the modes", "%", 100, 0, 3, 0, 0.1, 0, 0, false, false},
-    {"beam.modes", "Natural modes kept", NULL, 1, 0, 0, 1, 24, 0, 0, false, false},
+    {"beam.modes", "Natural modes", NULL, 1, 0, 0, 1, 24, 0, 0, false, false},
     {"beam.elements", "Finite elements", NULL, 1, 0, 0, 8, 60, 0, 0, false, false},
     {"pivot.position", "Place", "mm", 1e3, 0, 0, 0, 0.1, 0, 0, false, false},
     {"pivot.translational_stiffness", "Stiffness", "MN/m", 1e-6, 0.1, 10, 0, 0, 0, 0, true, false},
-    {"pivot.rotational_stiffness", "Stiffness against turning", NULL, 1, 0, 3, 0, 100, 0, 0, false, false},
+    {"pivot.rotational_stiffness", "Rotational stiffness", NULL, 1, 0, 3, 0, 100, 0, 0, false, false},
     {"shaker.position", "Place", "mm", 1e3, 0.5, 1.5, 0, 0, 0, 0, false, false},
     {"shaker.moving_mass", "Moving mass", "g", 1e3, 0, 3, 0, 0.1, 0, 0, false, false},
     {"shaker.stiffness", "Stiffness", "kN/m", 1e-3, 0, 3, 0, 1e5, 0, 0, false, false},
     {"shaker.damping", "Damping", NULL, 1, 0, 3, 0, 50, 0, 0, false, false},
-    {"run.transient_cycles", "Cycles left out", NULL, 1, 0, 0, 0, 2000, 0, 0, false, false},
-    {"run.cycles", "Cycles recorded", NULL, 1, 0, 0, 10, 1000, 0, 0, false, false},
+    {"run.transient_cycles", "Skipped cycles", NULL, 1, 0, 0, 0, 2000, 0, 0, false, false},
+    {"run.cycles", "Recorded cycles", NULL, 1, 0, 0, 10, 1000, 0, 0, false, false},
 };
 enum { LOOKS = sizeof all_looks / sizeof *all_looks };
 _Static_assert((int)LOOKS <= (int)BEAM_VALUES, "a parameter for each");
@@ -169,7 +169,7 @@ const PanelParameter *beam_controls_find(const BeamControls *controls, const cha
 bool beam_controls_set(const BeamControls *controls, Beam *beam, const char *name, double value, Fault *fault) {
     const PanelParameter *parameter = beam_controls_find(controls, name);
     if (!parameter) {
-        fault_add(fault, "a beam has no number \"%.60s\"", name);
+        fault_add(fault, "a beam has no parameter \"%.60s\"", name);
         return false;
     }
     if (!beam_numbers_set(parameter->row, beam, value, fault))

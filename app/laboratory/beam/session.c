@@ -34,14 +34,15 @@ static const char *const sweeps[] = {"from rest", "upwards and downwards"};
 enum { CHOICE_SWEEP, CHOICE_OVER, CHOICES };
 
 static void show_choices(BeamSession *session) {
-    session->choices[CHOICE_SWEEP] = (PanelChoice){.name = "Sweep",
-                                                   .meaning = "how each value of the orbit diagram begins: at rest, or "
-                                                              "from where the value beside it has ended",
-                                                   .options = sweeps,
-                                                   .count = sizeof sweeps / sizeof *sweeps,
-                                                   .chosen = session->diagram.carried};
+    session->choices[CHOICE_SWEEP] =
+        (PanelChoice){.name = "Sweep",
+                      .meaning = "the initial state of each value of the orbit diagram: at "
+                                 "rest, or the final state of the neighbouring value",
+                      .options = sweeps,
+                      .count = sizeof sweeps / sizeof *sweeps,
+                      .chosen = session->diagram.carried};
     session->choices[CHOICE_OVER] = (PanelChoice){.name = "Orbit over",
-                                                  .meaning = "the number that the orbit diagram goes over",
+                                                  .meaning = "the parameter that varies along the orbit diagram",
                                                   .options = beam_diagram_words,
                                                   .count = BEAM_DIAGRAM_OVER,
                                                   .chosen = session->diagram.over};
@@ -300,7 +301,7 @@ static void note_doing(BeamSession *session, const BeamNews *news) {
     answer->result.doing = answer->doing;
     answer->result.part = NAN;
     if (news->deciding) {
-        snprintf(answer->doing, size, "verdict: running it from rest");
+        snprintf(answer->doing, size, "verdict: running from rest");
     } else if (news->types_all) {
         snprintf(answer->doing, size, "type: %zu of at most %zu runs", news->types_done, news->types_all);
         answer->result.part = (double)news->types_done / (double)news->types_all;
@@ -379,8 +380,8 @@ static const char *error(const void *context, double *time) {
 
 static const char *const layer_names[] = {"loupe", "forces", "names", "sources"};
 static const char *const layer_meanings[] = {"the tip between its stops, enlarged",
-                                             "the shaker's force, and those of the stops", "what the parts are called",
-                                             "below each name its numbers, and where they come from"};
+                                             "the forces of the shaker and of the stops", "the names of the parts",
+                                             "the parameters below each name, and their sources"};
 
 /* Returns no item: nothing in the picture of a beam can be selected. */
 

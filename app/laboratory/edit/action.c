@@ -19,15 +19,15 @@ static const double APART =
 static bool is_anything(const Editor *edit, Fault *fault) {
     if (edit->id_count)
         return true;
-    fault_add(fault, "nothing is selected: click on something, or Tab goes to the next");
+    fault_add(fault, "nothing is selected: click an item, or press Tab to select the next one");
     return false;
 }
 
-/* Opens an undo step called "VERB NAMES". */
-static void open_step(Editor *edit, const char *verb) {
+/* Opens an undo step; `format` has one "%.100s" for the names of the selected items. */
+static void open_step(Editor *edit, const char *format) {
     char name[EDIT_NAME], items[EDIT_NAME];
     edit_select_names(edit, items);
-    snprintf(name, sizeof name, "%.20s %.100s", verb, items);
+    snprintf(name, sizeof name, format, items);
     edit_gesture_begin_step(edit, name);
 }
 
@@ -77,7 +77,7 @@ static bool nudge_handle(Editor *edit, Vec2 by, Fault *fault) {
     snprintf(edit->name, sizeof edit->name, "Nudge");
     bool good = !edit->refusal && edit_gesture_end_valid(edit);
     if (!good) {
-        fault_add(fault, "%s", edit->refusal ? edit->refusal : "it cannot go there");
+        fault_add(fault, "%s", edit->refusal ? edit->refusal : "the item cannot be moved there");
         edit_gesture_cancel(edit);
     }
     edit->handle = handle;
@@ -96,7 +96,7 @@ bool edit_action_nudge(Editor *edit, Vec2 by, Fault *fault) {
         return false;
     if (draft_revision(edit->draft) != before)
         return true;
-    fault_add(fault, "a door moves along its wall only");
+    fault_add(fault, "a door can only move along its wall");
     return false;
 }
 
@@ -104,7 +104,7 @@ bool edit_action_turn(Editor *edit, double by, Fault *fault) {
     size_t index, turned = 0;
     if (!is_anything(edit, fault))
         return false;
-    open_step(edit, "Turn");
+    open_step(edit, "Turn %.100s");
     for (size_t i = 0; i < edit->id_count; i++) {
         DraftList list = draft_find(edit->draft, edit->ids[i], &index);
         const char *member = list == DRAFT_FURNITURE ? "angle" : list == DRAFT_PEOPLE ? "heading" : NULL;
@@ -133,10 +133,10 @@ static bool may_topple(Editor *edit, Fault *fault) {
         if (plan->furniture[index].topples != TOPPLE_NO)
             continue;
         edit_select_name(edit, edit->ids[i], name);
-        fault_add(fault, "%s does not topple: choose the face that it falls to", name);
+        fault_add(fault, "%s does not topple: choose the face to which it topples", name);
     }
     if (!count && !fault->count)
-        fault_add(fault, "only furniture topples");
+        fault_add(fault, "only furniture can topple");
     return count;
 }
 
@@ -150,7 +150,7 @@ bool edit_action_topple(Editor *edit, Fault *fault) {
         if (draft_find(edit->draft, edit->ids[i], &index) == DRAFT_FURNITURE &&
             plan->furniture[index].topples != TOPPLE_NO)
             lies &= plan->furniture[index].toppled;
-    open_step(edit, lies ? "Stand up" : "Topple");
+    open_step(edit, lies ? "Stand up %.100s" : "Topple %.100s");
     for (size_t i = 0; i < edit->id_count; i++)
         if (draft_find(edit->draft, edit->ids[i], &index) == DRAFT_FURNITURE &&
             plan->furniture[index].topples != TOPPLE_NO)
@@ -221,8 +221,8 @@ bool edit_action_split(Editor *edit, Fault *fault) {
     for (size_t d = 0; d < plan->door_count; d++) {
         const Door *door = &plan->doors[d];
         if (door->wall_index == index && (size_t)door->segment == segment && fabs(door->at - half) < door->width / 2) {
-            fault_add(fault, "wall %.40s cannot be split there: door %.40s lies in the middle, move it first", wall->id,
-                      door->id);
+            fault_add(fault, "wall %.40s cannot be split there: door %.40s lies in the middle; move the door first",
+                      wall->id, door->id);
             return false;
         }
     }
@@ -297,7 +297,7 @@ static bool join(Editor *edit, Fault *fault) {
     Points points = points_of_handle(plan, &handle);
     bool closed = handle.list == DRAFT_WALLS && vec2_distance(points.at[0], points.at[points.count - 1]) < 1e-9;
     if (closed && handle.index == 0) {
-        fault_add(fault, "a closed wall keeps the point where it begins");
+        fault_add(fault, "the first point of a closed wall cannot be removed");
         return false;
     }
     Vec2 *rest = memory_zeroed(points.count, sizeof *rest);
@@ -306,7 +306,7 @@ static bool join(Editor *edit, Fault *fault) {
         if (i != handle.index)
             rest[count++] = points.at[i];
     edit_select_name(edit, handle.id, item);
-    snprintf(name, sizeof name, "Remove point of %.80s", item);
+    snprintf(name, sizeof name, "Remove a point of %.80s", item);
     edit_gesture_begin_step(edit, name);
     if (handle.list == DRAFT_WALLS)
         move_doors(edit, &points, handle.index, handle.id);
@@ -328,7 +328,7 @@ bool edit_action_remove(Editor *edit, Fault *fault) {
         return false;
     if (edit->handle >= 0 && can_join(edit))
         return join(edit, fault);
-    open_step(edit, "Remove");
+    open_step(edit, "Remove %.100s");
     for (size_t i = 0; i < edit->id_count; i++)
         draft_remove(edit->draft, edit->ids[i]);
     return edit_gesture_end_step(edit, fault);
@@ -351,7 +351,7 @@ static bool paste(Editor *edit, const char *name, const char *text, Vec2 by, Fau
     Fault own = {0};
     bool good = edit_gesture_end_step(edit, &own);
     for (size_t i = 0; i < own.count; i++)
-        fault_add(fault, "what is pasted cannot be put here: %s", own.lines[i]);
+        fault_add(fault, "the pasted items cannot be placed here: %s", own.lines[i]);
     fault_clear(&own);
     for (size_t i = 0; good && i < count; i++) {
         if (i == 0)

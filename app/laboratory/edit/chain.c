@@ -14,7 +14,8 @@ static const double SAME = 1e-6; /* m: points closer than this coincide */
 
 /* The properties of a tool's chain. */
 typedef struct ChainKind {
-    const char *what;   /* "wall" */
+    const char *begin;  /* format of the text before the first point: x and y, m */
+    const char *line;   /* format of the text about the next segment: length, m, and angle, degree */
     const char *name;   /* name of the undo step */
     size_t least, most; /* number of points; most 0: unlimited */
     bool closes;        /* clicking the first point again closes the chain */
@@ -27,11 +28,39 @@ typedef struct ChainKind {
 static const EditGesture wall, leave, room, route, measure;
 
 static const ChainKind kinds[EDIT_TOOLS] = {
-    [TOOL_WALL] = {.what = "wall", .name = "Draw walls", .least = 2, .closes = true, .thick = true, .gesture = &wall},
-    [TOOL_EXIT] = {.what = "exit", .name = "Draw exit", .least = 2, .most = 2, .doors = true, .gesture = &leave},
-    [TOOL_AREA] = {.what = "room", .name = "Draw room", .least = 3, .closes = true, .faces = true, .gesture = &room},
-    [TOOL_ROUTE] = {.what = "route", .name = "Draw route", .least = 1, .places = true, .gesture = &route},
-    [TOOL_MEASURE] = {.what = "distance", .name = "", .least = 2, .most = 2, .faces = true, .gesture = &measure},
+    [TOOL_WALL] = {.begin = "Wall from x %.2f m, y %.2f m. Press Enter to begin there.",
+                   .line = "Wall: %.2f m, %g degrees.",
+                   .name = "Draw walls",
+                   .least = 2,
+                   .closes = true,
+                   .thick = true,
+                   .gesture = &wall},
+    [TOOL_EXIT] = {.begin = "Exit from x %.2f m, y %.2f m. Press Enter to begin there.",
+                   .line = "Exit: %.2f m, %g degrees.",
+                   .name = "Draw exit",
+                   .least = 2,
+                   .most = 2,
+                   .doors = true,
+                   .gesture = &leave},
+    [TOOL_AREA] = {.begin = "Room from x %.2f m, y %.2f m. Press Enter to begin there.",
+                   .line = "Room: %.2f m, %g degrees.",
+                   .name = "Draw room",
+                   .least = 3,
+                   .closes = true,
+                   .faces = true,
+                   .gesture = &room},
+    [TOOL_ROUTE] = {.begin = "Route from x %.2f m, y %.2f m. Press Enter to begin there.",
+                    .name = "Draw route",
+                    .least = 1,
+                    .places = true,
+                    .gesture = &route},
+    [TOOL_MEASURE] = {.begin = "Distance from x %.2f m, y %.2f m. Press Enter to begin there.",
+                      .line = "Distance: %.2f m, %g degrees.",
+                      .name = "",
+                      .least = 2,
+                      .most = 2,
+                      .faces = true,
+                      .gesture = &measure},
 };
 
 static const ChainKind *kind_of(const Editor *edit) {
@@ -385,25 +414,29 @@ static void release(Editor *edit, bool moved) {
 
 /* Texts and marks ------------------------------------------------------------------------------------------------- */
 
+/* Returns the text that says what to do next. */
+static const char *hint(const Editor *edit) {
+    const ChainKind *kind = kind_of(edit);
+    if (edit->chain.proposed)
+        return "Press Enter to draw it, type a number to change it, or press Escape to end.";
+    if (kind->most)
+        return "Click the other end, or type the length.";
+    if (edit->chain.count < kind->least)
+        return "Click, or type the length and press Enter; Tab for the angle.";
+    return "Click, or type the length; Enter or Escape ends, Backspace removes the last point.";
+}
+
 static void describe(Editor *edit, Text *text) {
     const ChainKind *kind = kind_of(edit);
     if (!edit->chain.count) {
-        text_format(text, "%s begins at x %.2f, y %.2f m: Enter puts it there", kind->what, edit->now.at.x,
-                    edit->now.at.y);
-        return;
-    }
-    if (kind->places) {
-        text_format(text, "%s by %zu points: click the next one, or the exit; Enter ends it", kind->what,
+        text_format(text, kind->begin, edit->now.at.x, edit->now.at.y);
+    } else if (kind->places) {
+        text_format(text, "Points of the route: %zu. Click the next point or the exit; press Enter to end.",
                     edit->chain.count);
-        return;
+    } else {
+        text_format(text, kind->line, vec2_distance(last_point(edit), edit->now.at), edit->fields[FIELD_ANGLE].value);
+        text_format(text, " %s", hint(edit));
     }
-    text_format(text, "%s %.2f m, %g degrees: %s", kind->what, vec2_distance(last_point(edit), edit->now.at),
-                edit->fields[FIELD_ANGLE].value,
-                edit->chain.proposed ? "Enter draws it, a number changes it, Escape ends"
-                : kind->most         ? "click the other end, or type the length"
-                : edit->chain.count < kind->least
-                    ? "click, or type the length and Enter; Tab for the angle"
-                    : "click, or type the length; Enter or Escape ends, Backspace takes back");
 }
 
 static void show(Editor *edit) {

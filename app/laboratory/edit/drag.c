@@ -124,17 +124,17 @@ static void set_dragged(Editor *edit, const EditHandle *handle) {
 }
 
 static void name_step(const Editor *edit, const EditHandle *handle, char name[EDIT_NAME]) {
-    static const char *const verbs[] = {[GRIP_POINT] = "Move point of",
-                                        [GRIP_SEGMENT] = "Move piece of",
-                                        [GRIP_EDGE] = "Change width of",
-                                        [GRIP_CORNER] = "Resize",
-                                        [GRIP_TURN] = "Turn",
-                                        [GRIP_MIDDLE] = "Move",
-                                        [GRIP_WHOLE] = "Move"};
+    static const char *const steps[] = {[GRIP_POINT] = "Move a point of %.100s",
+                                        [GRIP_SEGMENT] = "Move a segment of %.100s",
+                                        [GRIP_EDGE] = "Change the width of %.100s",
+                                        [GRIP_CORNER] = "Resize %.100s",
+                                        [GRIP_TURN] = "Turn %.100s",
+                                        [GRIP_MIDDLE] = "Move %.100s",
+                                        [GRIP_WHOLE] = "Move %.100s"};
     char item[EDIT_NAME];
     edit_select_name(edit, handle->id, item);
     bool end = handle->grip == GRIP_POINT && handle->list == DRAFT_EXITS;
-    snprintf(name, EDIT_NAME, "%s %.100s", end ? "Move end of" : verbs[handle->grip], item);
+    snprintf(name, EDIT_NAME, end ? "Move an end of %.100s" : steps[handle->grip], item);
 }
 
 static void list_fields(Editor *edit, const EditHandle *handle) {
@@ -198,26 +198,40 @@ static void release(Editor *edit, bool moved) {
         edit->grabbed = true;
 }
 
-/* Reports that the dragged piece overlaps a wall. */
-static void describe_overlap(const Editor *edit, Text *text) {
-    const Plan *plan = draft_plan(edit->draft);
-    size_t index, wall = 0;
+/* Finds the wall that the dragged piece overlaps, and the depth, m; false: none. */
+static bool find_overlap(const Editor *edit, const Plan *plan, size_t *wall, double *depth) {
+    size_t index;
     if (draft_find(edit->draft, edit->dragged_id, &index) != DRAFT_FURNITURE || index >= plan->furniture_count)
-        return;
-    double depth = overlap_depth(plan, &plan->furniture[index], &wall);
-    if (depth >= OVERLAP_LEAST)
-        text_format(text, "; stands %.0f cm in wall %s", 100 * depth, plan->walls[wall].id);
+        return false;
+    *depth = overlap_depth(plan, &plan->furniture[index], wall);
+    return *depth >= OVERLAP_LEAST;
+}
+
+/* Writes the fields as a list: "width 1.20 m, depth 0.60 m". */
+static void list_values(const Editor *edit, Text *text) {
+    text_add(text, "");
+    for (size_t i = 0; i < edit->field_count; i++) {
+        const EditField *field = &edit->fields[i];
+        if (i)
+            text_add(text, ", ");
+        text_format(text, strcmp(field->unit, "degree") == 0 ? "%s %.1f degrees" : "%s %.2f m", field->name,
+                    field->value);
+    }
 }
 
 static void describe(Editor *edit, Text *text) {
+    const Plan *plan = draft_plan(edit->draft);
     char item[EDIT_NAME];
+    size_t wall = 0;
+    double depth = 0;
+    Text values = {0};
     edit_select_name(edit, edit->dragged_id, item);
-    text_format(text, "%s:", item);
-    for (size_t i = 0; i < edit->field_count; i++)
-        text_format(text, "%s %s %.*f%s", i ? "," : "", edit->fields[i].name,
-                    strcmp(edit->fields[i].unit, "degree") == 0 ? 1 : 2, edit->fields[i].value,
-                    strcmp(edit->fields[i].unit, "degree") == 0 ? " degrees" : " m");
-    describe_overlap(edit, text);
+    list_values(edit, &values);
+    if (find_overlap(edit, plan, &wall, &depth))
+        text_format(text, "%s: %s; it stands %.0f cm in wall %s", item, values.text, 100 * depth, plan->walls[wall].id);
+    else
+        text_format(text, "%s: %s", item, values.text);
+    memory_free(values.text);
 }
 
 static void show(Editor *edit) {
@@ -257,7 +271,7 @@ static void make_whole(Editor *edit) {
 static void describe_whole(Editor *edit, Text *text) {
     char items[EDIT_NAME];
     edit_select_names(edit, items);
-    text_format(text, "%s moved by %.2f, %.2f m", items, edit->now.at.x, edit->now.at.y);
+    text_format(text, "%s is moved by %.2f m, %.2f m.", items, edit->now.at.x, edit->now.at.y);
 }
 
 static void show_whole(Editor *edit) {
@@ -331,7 +345,7 @@ static void release_box(Editor *edit, bool moved) {
 
 static void describe_box(Editor *edit, Text *text) {
     (void)edit;
-    text_add(text, "what lies within is selected");
+    text_add(text, "Release the button to select the items inside.");
 }
 
 static void show_box(Editor *edit) {

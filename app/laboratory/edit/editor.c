@@ -17,7 +17,7 @@
 
 static const EditToolRow tools[EDIT_TOOLS] = {
     [TOOL_SELECT] = {"select", "Select an item with a click, and move it by its handles.",
-                     "Click an item, or drag a rectangle round several."},
+                     "Click an item, or drag a rectangle around several."},
     [TOOL_WALL] = {"wall", "Draw walls, one after another.",
                    "Click where the wall begins, or press Enter to type the place."},
     [TOOL_DOOR] = {"door", "Place doors and openings in walls.", "Click a wall, or press Enter to type the place."},

@@ -223,7 +223,7 @@ char *editor_copy(Editor *editor); /* text for a clipboard, NULL: nothing is sel
 bool editor_paste(Editor *editor, const char *text, Fault *fault);
 
 /* Makes an earthquake with the next seed. It starts from the house as it stood before the last earthquake if nothing
- * was edited since. `editor_shake_result`: "shake 3: 4 of 11 pieces fell". */
+ * was edited since. `editor_shake_result`: "Shake 3: fallen pieces: 4 of 11". */
 bool editor_shake(Editor *editor, Fault *fault);
 const char *editor_shake_result(const Editor *editor);
 

@@ -13,7 +13,7 @@ static void forget_refusal(Editor *edit) {
 static void store_refusal(Editor *edit, const Fault *fault) {
     Text text = {0};
     forget_refusal(edit);
-    text_add(&text, fault->count ? fault->lines[0] : "it cannot be so");
+    text_add(&text, fault->count ? fault->lines[0] : "this edit is not possible");
     edit->refusal = text.text;
 }
 

@@ -109,8 +109,8 @@ const char *edit_image_error(Editor *edit) {
     find(edit);
     if (!edit->image)
         return NULL;
-    return !edit->image_shape  ? "the picture to trace over is not there"
-           : edit->image_other ? "the picture to trace over is another one than it was"
+    return !edit->image_shape  ? "the picture to trace over was not found"
+           : edit->image_other ? "the picture to trace over has changed since it was chosen"
                                : NULL;
 }
 
@@ -135,8 +135,10 @@ bool edit_image_set(Editor *edit, const char *path, Fault *fault) {
     if (!path || !*path)
         return remove_image(edit, fault);
     if (!look_at(path, &shape, digest)) {
-        fault_add(fault, "%s: %s", path,
-                  errno ? strerror(errno) : "is no PNG picture, which is what can be traced over");
+        if (errno)
+            fault_add(fault, "%s: %s", path, strerror(errno));
+        else
+            fault_add(fault, "%s is not a PNG picture; only PNG pictures can be traced over", path);
         return false;
     }
     char *image = as_written(edit, path);
@@ -280,10 +282,10 @@ static void release(Editor *edit, bool moved) {
 
 static void describe(Editor *edit, Text *text) {
     if (edit->chain.count == 2)
-        text_add(text, "type how long this really is, and Enter");
+        text_add(text, "Type the real length, then press Enter.");
     else
-        text_add(text, levels(edit) ? "click another point that is level with the first, or straight above it"
-                                    : "click another point whose distance to the first is known");
+        text_add(text, levels(edit) ? "Click a second point that is level with the first, or straight above it."
+                                    : "Click a second point at a known distance from the first.");
 }
 
 static void show(Editor *edit) {

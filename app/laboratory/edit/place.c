@@ -200,14 +200,15 @@ static void release(Editor *edit, bool moved) {
 static void describe(Editor *edit, Text *text) {
     const EditTarget *now = &edit->now;
     if (edit->tool == TOOL_DOOR && now->wall < edit->plan_before.wall_count)
-        text_format(text, "door %.2f m wide in wall %s, %.2f m from its beginning", now->amount,
+        text_format(text, "Door: %.2f m wide, in wall %s, %.2f m from its start.", now->amount,
                     edit->plan_before.walls[now->wall].id, now->along);
     else if (edit->tool == TOOL_FURNITURE)
-        text_format(text, "%.2f x %.2f m, %g degrees, at x %.2f, y %.2f m", now->size.x, now->size.y, now->angle,
-                    now->at.x, now->at.y);
+        text_format(text, "Furniture: %.2f x %.2f m, %g degrees, at x %.2f m, y %.2f m.", now->size.x, now->size.y,
+                    now->angle, now->at.x, now->at.y);
     else
-        text_format(text, "at x %.2f, y %.2f m, heading %g degrees", now->at.x, now->at.y, now->angle);
-    text_add(text, edit->keys ? ": Enter puts it there, Tab goes to the next number" : "");
+        text_format(text, "Person: at x %.2f m, y %.2f m, heading %g degrees.", now->at.x, now->at.y, now->angle);
+    if (edit->keys)
+        text_add(text, " Press Enter to place it, or Tab for the next number.");
 }
 
 static void show(Editor *edit) {

@@ -149,7 +149,7 @@ const Proposal *edit_propose_list(Editor *edit, size_t *count, const char **doin
         return NULL;
     if (!is_over(search)) {
         pthread_mutex_lock(&search->mutex);
-        snprintf(edit->proposing, sizeof edit->proposing, "changes tried: %zu", search->tries);
+        snprintf(edit->proposing, sizeof edit->proposing, "Changes tried: %zu", search->tries);
         pthread_mutex_unlock(&search->mutex);
         *doing = edit->proposing;
         return NULL;
@@ -176,7 +176,7 @@ bool edit_propose_accept(Editor *edit, size_t proposal, Fault *fault) {
     const char *doing;
     edit_propose_list(edit, &count, &doing);
     if (proposal >= count) {
-        fault_add(fault, "there is no such proposal any more, ask again");
+        fault_add(fault, "this proposal is out of date: ask for new ones");
         return false;
     }
     const Suggestion *chosen = &edit->search->list.list[proposal];

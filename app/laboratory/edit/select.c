@@ -257,5 +257,5 @@ void edit_select_names(const Editor *edit, char name[EDIT_NAME]) {
     if (edit->id_count == 1)
         edit_select_name(edit, edit->ids[0], name);
     else
-        snprintf(name, EDIT_NAME, "%zu things", edit->id_count);
+        snprintf(name, EDIT_NAME, "%zu items", edit->id_count);
 }

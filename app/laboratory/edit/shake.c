@@ -42,19 +42,14 @@ static EditShake *store(Editor *edit, const Plan *plan, const bool *topples, siz
 }
 
 static void describe(Editor *edit, size_t fallen, size_t all) {
-    char count[24] = "none";
-    if (fallen)
-        snprintf(count, sizeof count, "%zu", fallen);
-    snprintf(edit->shaken, sizeof edit->shaken, "shake %" PRIu64 ": %s of %zu piece%s fell", edit->seed, count, all,
-             all == 1 ? "" : "s");
+    snprintf(edit->shaken, sizeof edit->shaken, "Shake %" PRIu64 ": fallen pieces: %zu of %zu", edit->seed, fallen,
+             all);
 }
 
 /* Makes one undo step from the present house to the seed's outcome for the house before the shakes. */
 static bool make(Editor *edit, const Furniture *before, const bool *topples, Fault *fault) {
     const Plan *plan = draft_plan(edit->draft);
-    char name[EDIT_NAME];
-    snprintf(name, sizeof name, "S%s", edit->shaken + 1);
-    edit_gesture_begin_step(edit, name);
+    edit_gesture_begin_step(edit, edit->shaken);
     for (size_t i = 0; i < plan->furniture_count; i++) {
         bool lies = before[i].toppled || topples[i];
         if (lies != plan->furniture[i].toppled)
@@ -76,7 +71,7 @@ bool edit_shake_do(Editor *edit, Fault *fault) {
     before.furniture = furniture;
     if (!can_anything_fall(&before)) {
         memory_free(furniture);
-        fault_add(fault, "no furniture that stands here can fall: choose the face that a piece falls to");
+        fault_add(fault, "no standing piece of furniture can fall: choose the face to which a piece topples");
         return false;
     }
     bool *topples = memory_zeroed(before.furniture_count + 1, sizeof *topples);

@@ -37,10 +37,10 @@ static void add_selected(Editor *edit, size_t *count) {
     if (is_named(list))
         add(edit, count,
             (EditText){text_in_arena(&edit->text_arena, "%s.%s.name", kind_names[list], id), group, "name",
-                       arena_text(&edit->text_arena, name ? name : ""), "What it is called on the plan."});
+                       arena_text(&edit->text_arena, name ? name : ""), "Name on the plan."});
     add(edit, count,
         (EditText){text_in_arena(&edit->text_arena, "%s.%s.id", kind_names[list], id), group, "id",
-                   arena_text(&edit->text_arena, id), "Its short name in the file, for references and settings."});
+                   arena_text(&edit->text_arena, id), "Short name in the file, for references and settings."});
 }
 
 const EditText *edit_text_list(Editor *edit, size_t *count) {
@@ -50,11 +50,10 @@ const EditText *edit_text_list(Editor *edit, size_t *count) {
     if (edit->id_count)
         add_selected(edit, count);
     add(edit, count,
-        (EditText){"house.name", "House", "name", arena_text(&edit->text_arena, plan->name),
-                   "What the house is called."});
+        (EditText){"house.name", "House", "name", arena_text(&edit->text_arena, plan->name), "Name of the house."});
     add(edit, count,
         (EditText){"house.note", "House", "note", arena_text(&edit->text_arena, plan->note),
-                   "Where the plan comes from, and what of it is assumed."});
+                   "Source of the plan, and what is assumed."});
     return edit->texts;
 }
 
@@ -91,8 +90,8 @@ bool edit_text_set(Editor *edit, const char *name, const char *value, Fault *fau
     char id[EDIT_NAME], step[EDIT_NAME], item[EDIT_NAME];
     const char *member;
     if (strcmp(name, "house.name") == 0 || strcmp(name, "house.note") == 0) {
-        snprintf(step, sizeof step, "Change the house's %s", name + 6);
-        edit_gesture_begin_step(edit, step);
+        edit_gesture_begin_step(edit, strcmp(name, "house.name") == 0 ? "Change the name of the house"
+                                                                      : "Change the note of the house");
         draft_set_house(edit->draft, name + 6, json_string(value));
         return edit_gesture_end_step(edit, fault);
     }

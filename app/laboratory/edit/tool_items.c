@@ -55,7 +55,7 @@ static void add(Editor *edit, size_t *count, CatalogueRow item) {
 }
 
 static void list_furniture(Editor *edit, size_t *count) {
-    add(edit, count, (CatalogueRow){"free rectangle", "", "as large as it is drawn out"});
+    add(edit, count, (CatalogueRow){"free rectangle", "", "drawn from corner to corner"});
     for (size_t i = 0; i < edit->catalogue.count; i++) {
         const CatalogueItem *item = &edit->catalogue.items[i];
         add(edit, count,
@@ -76,11 +76,11 @@ const CatalogueRow *edit_tool_items_list(Editor *edit, size_t *count) {
             add(edit, count, (CatalogueRow){edit->profiles[i], "", ""});
     } else if (edit->tool == TOOL_DOOR) {
         add(edit, count, (CatalogueRow){"hinged", "", "a leaf that swings"});
-        add(edit, count, (CatalogueRow){"opening", "", "nothing closes it"});
-        add(edit, count, (CatalogueRow){"sliding", "", "a leaf that slides beside it"});
+        add(edit, count, (CatalogueRow){"opening", "", "without a leaf"});
+        add(edit, count, (CatalogueRow){"sliding", "", "a leaf that slides along the wall"});
     }
     if (edit->tool == TOOL_IMAGE) {
-        add(edit, count, (CatalogueRow){"scale", "", "two points and how far they really are apart"});
+        add(edit, count, (CatalogueRow){"scale", "", "two points and their real distance"});
         add(edit, count, (CatalogueRow){"level", "", "two points that are level, or one above the other"});
     }
     return edit->item_rows;

@@ -84,7 +84,7 @@ bool house_control_set(void *context, const char *name, double value, Fault *fau
     HouseSession *session = house_control_sync(context);
     size_t row = house_value_find(&session->values, name);
     if (row == SIZE_MAX) {
-        fault_add(fault, "there is no number called \"%s\"", name);
+        fault_add(fault, "there is no parameter \"%s\"", name);
         return false;
     }
     double before = session->values.rows[row].value;
@@ -150,8 +150,8 @@ static void list(HouseSession *session) {
     bool rides = session->runs[RUN_SHOWN] && anybody_rides(&session->runs[RUN_SHOWN]->house);
     session->choice_count = 0;
     PanelChoice *ghost = add_choice(session, GHOST,
-                                    "What is shown behind, for comparison: the run that was kept with K, "
-                                    "or the same house with the other way of driving.");
+                                    "The run that is shown for comparison: the saved run, or the same house "
+                                    "with the other driving model.");
     add_option(session, ghost, "none", session->ghost == GHOST_NONE);
     if (session->runs[RUN_BEFORE])
         add_option(session, ghost, "before", session->ghost == GHOST_BEFORE);
@@ -160,8 +160,8 @@ static void list(HouseSession *session) {
                    session->ghost == GHOST_RIVAL);
     const Plan *plan = draft_plan(session->draft);
     if (plan->route_count > 1) {
-        PanelChoice *route = add_choice(session, ROUTE, "Whose route is driven: everybody's, or one alone.");
-        add_option(session, route, "everybody", !session->wish.route);
+        PanelChoice *route = add_choice(session, ROUTE, "The routes in use: those of all people, or a single one.");
+        add_option(session, route, "all people", !session->wish.route);
         for (size_t r = 0; r < plan->route_count; r++) {
             const char *id = plan->routes[r].id;
             add_option(session, route, id, session->wish.route && strcmp(session->wish.route, id) == 0);
@@ -170,7 +170,7 @@ static void list(HouseSession *session) {
     if (!rides)
         return;
     PanelChoice *driving = add_choice(session, DRIVING,
-                                      "The way of driving: as each profile says, a driver who turns the "
+                                      "The driving model: that of each profile, a driver who turns the "
                                       "chair, or the paper's disc on straight legs and corners.");
     add_option(session, driving, "as in the file", session->wish.driving < 0);
     for (int way = DRIVING_DRIVER; way <= DRIVING_MIURA; way++)

@@ -198,24 +198,29 @@ double house_run_reach(HouseRun *run) {
     return reach;
 }
 
-bool house_run_describe(HouseRun *run, const char *who, char *text, size_t size) {
+bool house_run_describe(HouseRun *run, const char *model, char *text, size_t size) {
+    char progress[64] = "";
     switch (house_run_stage(run)) {
     case HOUSE_WAITS:
     case HOUSE_READS:
-        snprintf(text, size, "%sreading the house", who);
-        return true;
+        snprintf(progress, sizeof progress, "reading the house");
+        break;
     case HOUSE_PLANS:
-        snprintf(text, size, "%splanning the ways", who);
-        return true;
+        snprintf(progress, sizeof progress, "planning the routes");
+        break;
     case HOUSE_DRIVES:
-        snprintf(text, size, "%scomputed %.1f s", who, house_run_reach(run));
-        return true;
+        snprintf(progress, sizeof progress, "computed %.1f s", house_run_reach(run));
+        break;
     case HOUSE_OVER:
     case HOUSE_FAILED:
     case HOUSE_STOPPED:
-        break;
+        return false;
     }
-    return false;
+    if (model)
+        snprintf(text, size, "%s: %s", model, progress);
+    else
+        snprintf(text, size, "%s", progress);
+    return true;
 }
 
 Observation house_run_begin(const HouseRun *run) {

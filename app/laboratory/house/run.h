@@ -99,8 +99,9 @@ double house_run_age(HouseRun *run);
 /* Returns the time up to which everything is recorded, s; further rows come after it. */
 double house_run_reach(HouseRun *run);
 
-/* Writes the progress after `who`, "computed 12.3 s"; false: the run is over. */
-bool house_run_describe(HouseRun *run, const char *who, char *text, size_t size);
+/* Writes the progress: "computed 12.3 s", or, with the name of a driving model, "miura: computed 12.3 s". False: the
+ * run is over. */
+bool house_run_describe(HouseRun *run, const char *model, char *text, size_t size);
 
 /* Returns an observation of all people in the run, without rows; house_run_copy_rows fills it. */
 Observation house_run_begin(const HouseRun *run);

@@ -153,10 +153,13 @@ static void report_divergence(HouseSession *session) {
         const Inhabitant *who = &session->runs[RUN_SHOWN]->house.people[i];
         if (person->reason != REASON_DIVERGED)
             continue;
-        text_format(&session->error,
-                    "%sthe numbers of person %s diverged at %.3f s, the run ends with the last good state: smaller "
-                    "run.dt or softer contact of %s would help",
-                    session->error.used ? "\n" : "", who->id, person->time, who->profile->name);
+        if (session->error.used)
+            text_add(&session->error, "\n");
+        text_format(
+            &session->error,
+            "the numbers of person %s diverged at %.3f s; the run ends with the last valid state. Use a smaller "
+            "run.dt or a softer contact of %s",
+            who->id, person->time, who->profile->name);
         report_error(session, person->time);
     }
 }

@@ -89,8 +89,11 @@ static bool check_route(const Plan *plan, const char *path, const char *route, F
         return true;
     Text known = {0};
     for (size_t r = 0; r < plan->route_count; r++)
-        text_format(&known, "%s%s", r ? ", " : ", its routes are ", plan->routes[r].id);
-    fault_add(fault, "%s has no route \"%s\"%s", path, route, known.text ? known.text : "");
+        text_format(&known, r ? ", %s" : "%s", plan->routes[r].id);
+    if (known.text)
+        fault_add(fault, "%s has no route \"%s\", its routes are %s", path, route, known.text);
+    else
+        fault_add(fault, "%s has no routes, so --route %s cannot be used", path, route);
     memory_free(known.text);
     return false;
 }
@@ -109,7 +112,7 @@ static void *open_house(const char *path, const LaboratoryOptions *options, Faul
     Draft *draft = open_draft(path, options, fault);
     HouseWorker *worker = draft ? house_worker_create() : NULL;
     if (draft && !worker)
-        fault_add(fault, "no house can be run: the system gives no more threads, close some other programs");
+        fault_add(fault, "the house cannot be run: the system has no more threads; close other programs");
     if (!worker) {
         draft_destroy(draft);
         return NULL;
@@ -256,8 +259,8 @@ static const char *note(void *context) {
     const char *picture = editor_image_error(session->editor);
     *session->texts.note = 0;
     if (wish && wish->epoch_count > 1) {
-        char mixed[64];
-        snprintf(mixed, sizeof mixed, "mixed: plan changed at %.1f s, R runs it clean",
+        char mixed[96];
+        snprintf(mixed, sizeof mixed, "mixed: the plan changed at %.1f s; press R to run it from the start",
                  wish->epochs[wish->epoch_count - 1].time);
         add_note(session, mixed);
     }
@@ -375,11 +378,11 @@ static const char *const layer_names[LAYERS] = {
 };
 
 static const char *const layer_meanings[LAYERS] = {
-    [LAYER_RINGS] = "Personal spaces, pressed in where something is near.",
-    [LAYER_LOCI] = "The ways so far, with a tick each second and bodies left behind.",
-    [LAYER_GHOST] = "What was before, or the other way of driving.",
-    [LAYER_DANGER] = "Discs of the dangerous points, by rank.",
-    [LAYER_WIDTHS] = "The planned ways, and the widths W1 and W2 before and behind each corner.",
+    [LAYER_RINGS] = "Personal spaces, indented where a person or an obstacle is near.",
+    [LAYER_LOCI] = "The paths so far, with a tick for each second and earlier outlines of the bodies.",
+    [LAYER_GHOST] = "The saved run, or the other driving model.",
+    [LAYER_DANGER] = "Dangerous points, as discs with their rank.",
+    [LAYER_WIDTHS] = "The planned routes, and the widths W1 and W2 before and after each corner.",
     [LAYER_GRID] = "Lines a metre apart.",
     [LAYER_NAMES] = "Names of people, rooms, doors and furniture.",
     [LAYER_FORCES] = "Stars of contacts, with their forces.",

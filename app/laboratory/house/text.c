@@ -249,7 +249,7 @@ static const char *against(HouseSession *session, const Observation *now) {
     const char *word = house_scene_before_name(ghost);
     double before = ghost.observation->time, more = now->time - before;
     if (!ghost.observation->completed)
-        return scene_text(scene, "%s not out", word);
+        return scene_text(scene, "%s: not all people leave", word);
     if (!now->completed || before <= 0)
         return scene_text(scene, "%s %.1f s", word, before);
     if (fabs(more) < ALIKE)
@@ -338,19 +338,19 @@ bool house_text_moved(const HouseSession *session, double time) {
 /* Returns a text about the work in progress; NULL: there is none. */
 static const char *describe_progress(HouseSession *session) {
     HouseTexts *texts = &session->texts;
-    char who[32] = "";
+    const char *model = NULL;
     if (house_runs_seeks_reasons(session))
-        return "looking for the reason";
+        return "searching for the reason";
     HouseRun *run = session->runs[RUN_LATEST] ? session->runs[RUN_LATEST] : session->runs[RUN_MIXED];
     if (!run && session->runs[RUN_SHOWN] && !session->whole)
         run = session->runs[RUN_SHOWN];
     if (!run && session->runs[RUN_RIVAL] && !house_runs_is_over(session, RUN_RIVAL)) {
         run = session->runs[RUN_RIVAL];
-        snprintf(who, sizeof who, "%s: ", profile_driving_name(run->wish.driving));
+        model = profile_driving_name(run->wish.driving);
     }
     if (!run && session->runs[RUN_ROUTES] && !house_runs_is_over(session, RUN_ROUTES))
         run = session->runs[RUN_ROUTES];
-    return run && house_run_describe(run, who, texts->doing, sizeof texts->doing) ? texts->doing : NULL;
+    return run && house_run_describe(run, model, texts->doing, sizeof texts->doing) ? texts->doing : NULL;
 }
 
 /* Returns the answer before a house is displayed. */

@@ -15,28 +15,28 @@ typedef struct Offer {
 } Offer;
 
 static const Offer door_offers[] = {{"width", "width", 0.5, 1.5},
-                                    {"at", "place along its wall", 0, 0},
+                                    {"at", "place along the wall", 0, 0},
                                     {"state", "state", 0, 0},
-                                    {"opening_time", "time to open it", 0, 10}};
-static const Offer furniture_offers[] = {{"centre.x", "place, x", 0, 0},    {"centre.y", "place, y", 0, 0},
-                                         {"angle", "turned by", -180, 180}, {"size.x", "size along", 0, 0},
-                                         {"size.y", "size across", 0, 0},   {"topples", "topples to its", 0, 0},
-                                         {"toppled", "lies there", 0, 0}};
+                                    {"opening_time", "opening time", 0, 10}};
+static const Offer furniture_offers[] = {{"centre.x", "place, x", 0, 0}, {"centre.y", "place, y", 0, 0},
+                                         {"angle", "angle", -180, 180},  {"size.x", "width", 0, 0},
+                                         {"size.y", "depth", 0, 0},      {"topples", "topples to", 0, 0},
+                                         {"toppled", "toppled", 0, 0}};
 static const Offer wall_offers[] = {{"thickness", "thickness", 0, 0.5}};
 static const Offer exit_offers[] = {{"opens", "opens at", 0, 60}};
-static const Offer person_offers[] = {{"delay", "waits for", 0, 30},
+static const Offer person_offers[] = {{"delay", "delay", 0, 30},
                                       {"speed", "free speed (0: the profile's)", 0, 2},
                                       {"at.x", "start, x", 0, 0},
                                       {"at.y", "start, y", 0, 0},
                                       {"heading", "heading at the start", -180, 180}};
-static const Offer crowd_offers[] = {{"count", "people", 0, 0}, {"delay", "waits for", 0, 60}};
+static const Offer crowd_offers[] = {{"count", "people", 0, 0}, {"delay", "delay", 0, 60}};
 static const Offer run_offers[] = {{"routes", "routes", 0, 0},
-                                   {"until", "gives up at", 0, 0},
+                                   {"until", "time limit", 0, 0},
                                    {"patience", "patience", 0, 0},
-                                   {"clearance_warning", "danger: clearance below", 0, 0.2},
-                                   {"force_warning", "danger: force above", 0, 0},
-                                   {"loss_warning", "danger: lost time above", 0, 0},
-                                   {"reversals", "most changes of direction", 0, 10},
+                                   {"clearance_warning", "warning: clearance below", 0, 0.2},
+                                   {"force_warning", "warning: force above", 0, 0},
+                                   {"loss_warning", "warning: lost time above", 0, 0},
+                                   {"reversals", "maximum changes of direction", 0, 10},
                                    {"cell", "cell of the route search", 0, 0},
                                    {"sample", "time between records", 0, 0},
                                    {"dt", "time step", 0, 0}};

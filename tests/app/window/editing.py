@@ -213,7 +213,7 @@ for view, keys in (("flat", ()), ("raised", ("key V", "wait 5"))):
     check(len(seen) == 4 and seen[0]["animation"] == "" and steps[1] > 0, f"{view}: a piece is seen to fall", steps)
     check(seen[1]["animation"] is None and steps[3] == 0, f"{view}: then it rests", steps)
     check(seen[2]["animation"] == "shaking (seed 1)" and seen[3]["animation"] is None and
-          seen[3]["message"].startswith("shake 1: ") and seen[3]["message"].endswith(" of 4 pieces fell"),
+          seen[3]["message"].startswith("Shake 1: fallen pieces: ") and seen[3]["message"].endswith(" of 4"),
           f"{view}: a shake says its seed while it lasts, then what fell", [s["animation"] for s in seen])
     check(jumps[1] == jumps[3] == 0 and all(s["animation"] is None for s in still),
           f"{view}: with --reduced-motion nothing is seen to fall", jumps)

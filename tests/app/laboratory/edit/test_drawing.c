@@ -268,7 +268,7 @@ TEST(a_picture_to_trace_over_gets_its_scale_and_is_made_level) {
     laboratory->close(again);
     unlink(path);
     again = editing_open_text(text);
-    CHECK_TEXT(laboratory->note(again), "the picture to trace over is not there");
+    CHECK_TEXT(laboratory->note(again), "the picture to trace over was not found");
     CHECK(!editor_image(laboratory->editor(again)).path);
     laboratory->close(again);
     CHECK(editing_succeeds(editor_set_image(laboratory->editor(session), NULL, &fault), &fault));

@@ -109,7 +109,7 @@ TEST(an_edit_on_the_way_goes_on_from_there) {
     laboratory->update(session, 5);
     CHECK(running_house_set(session, "profile.manual-chair.drive.free_speed", 0.4));
     running_house_finish(session, 5);
-    CHECK(strstr(laboratory->note(session), "mixed: plan changed at 5.0 s"));
+    CHECK(strstr(laboratory->note(session), "mixed: the plan changed at 5.0 s"));
     CHECK(laboratory->outline(session, person, 3, again) == points &&
           memcmp(again, early, points * sizeof *again) == 0);
     CHECK(laboratory->outline(session, person, 7, again) == points && memcmp(again, late, points * sizeof *again) != 0);

@@ -59,7 +59,7 @@ TEST(routes_and_ways_of_driving_can_be_chosen) {
     running_house_finish(session, 0);
     CHECK(house_session_digest(session) == running_house_digest_of("ube-techno-house", NULL, "B", DRIVING_MIURA));
     running_house_choose(session, "Driving", "as in the file");
-    running_house_choose(session, "Route", "everybody");
+    running_house_choose(session, "Route", "all people");
     running_house_finish(session, 0);
     CHECK(house_session_digest(session) == running_house_digest_of("ube-techno-house", NULL, NULL, -1));
     laboratory->close(session);
