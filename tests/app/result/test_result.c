@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "case.h"
+#include "pens.h"
 #include "command/answer.h"
 #include "command/answer_text.h"
 #include "house/journey.h"
@@ -49,23 +50,6 @@ static ResultTable sample(void) {
     result_add(&table, (ResultRow){.key = "reason", .label = "reason", .omitted = true});
     result_end(&table);
     return table;
-}
-
-static const Block *table_of(const Document *document, size_t index) {
-    for (size_t b = 0; b < document->count; b++)
-        if (document->blocks[b].kind == BLOCK_TABLE && index-- == 0)
-            return &document->blocks[b];
-    return NULL;
-}
-
-/* The cell of the first record under a head, in any table of the document; NULL: there is none. */
-static const char *cell_under(const Document *document, const char *head) {
-    const Block *block;
-    for (size_t t = 0; (block = table_of(document, t)); t++)
-        for (size_t c = 0; c < block->table.column_count; c++)
-            if (strcmp(block->table.columns[c].head, head) == 0)
-                return block->table.cells[c];
-    return NULL;
 }
 
 TEST(a_record_is_an_object_whose_keys_with_points_are_objects_within) {
@@ -162,7 +146,7 @@ TEST(a_page_is_never_too_narrow_for_a_table) {
     Document document = document_begin("clearance 9");
     result_page_table(&document, "caption", &table);
     size_t cells = 0, parts = 0;
-    for (const Block *block; (block = table_of(&document, parts)); parts++) {
+    for (const Block *block; (block = pens_table(&document, parts)); parts++) {
         CHECK(block->table.column_count <= 10);
         CHECK_TEXT(block->table.columns[0].head, "Fact 0");
         cells += block->table.column_count - 1;
@@ -190,58 +174,6 @@ TEST(two_runs_are_compared_where_both_have_succeeded) {
     result_clear(&failed);
 }
 
-/* The text of the row's fact stands on the terminal, in JSON, on the panel and on the page. */
-static void check_fact(const ResultRow *row, const char *text, const json_t *json, const Document *document) {
-    Arena arena = {0};
-    SceneRow line;
-    const char *value = result_value(row, &arena);
-    const char *label = row->head ? row->head : row->label;
-    const char *head = row->unit ? text_in_arena(&arena, "%s %s", label, row->unit) : label;
-    CHECK(strstr(text, document ? head : row->label) && strstr(text, value));
-    const char *capital = text_in_arena(&arena, "%c%s", label[0] - 'a' + 'A', label + 1);
-    const char *cell =
-        document ? cell_under(document, row->unit ? text_in_arena(&arena, "%s, %s", capital, row->unit) : capital)
-                 : NULL;
-    if (document)
-        CHECK_TEXT(cell ? cell : "", value);
-    CHECK(result_panel_row(&line, row, &arena));
-    CHECK_TEXT(line.cells[0], row->label);
-    CHECK_TEXT(line.cells[1], row->unit ? text_in_arena(&arena, "%s %s", value, row->unit) : value);
-    if (row->key) {
-        char key[64];
-        snprintf(key, sizeof key, "%s", row->key);
-        char *point = strchr(key, '.');
-        const json_t *at = json;
-        if (point) {
-            *point = 0;
-            at = json_object_get(json, key);
-        }
-        const json_t *found = json_object_get(at, point ? point + 1 : key);
-        CHECK(found);
-        if (row->kind == RESULT_NUMBER || row->kind == RESULT_COUNT)
-            CHECK_NEAR(json_number_value(found), row->number, 1e-6);
-        else if (row->kind == RESULT_TEXT)
-            CHECK_TEXT(json_string_value(found), value);
-    }
-    arena_clear(&arena);
-}
-
-/* Every fact that a builder writes down about the first record is printed by all four. */
-static void check_facts(const ResultTable *table, size_t least, const char *text, const json_t *json,
-                        const Document *document) {
-    size_t facts = 0;
-    Arena arena = {0};
-    for (size_t r = 0; r < table->row_count; r++) {
-        const ResultRow *row = result_at(table, 0, r);
-        if (!row->label || !result_value(row, &arena))
-            continue;
-        check_fact(row, text, json, document);
-        facts++;
-    }
-    CHECK(facts >= least);
-    arena_clear(&arena);
-}
-
 static void check_house(const char *name, size_t least) {
     House house;
     case_house(&house, name, -1, NULL);
@@ -252,33 +184,20 @@ static void check_house(const char *name, size_t least) {
     report_people_add(&document, &house, &observation);
     json_t *answer = answer_house(&house, &observation);
     ResultTable people = result_house_people(&house, &observation);
-    check_facts(&people, least, text.text, json_array_get(json_object_get(answer, "people"), 0), &document);
+    pens_check_facts(&people, least, text.text, json_array_get(json_object_get(answer, "people"), 0), &document);
     result_clear(&people);
     document_clear(&document);
     ResultTable hazards = result_house_hazards(&observation);
     document = document_begin("clearance 9");
     report_places_add_table(&document, &observation, NULL);
     if (hazards.record_count)
-        check_facts(&hazards, 5, text.text, json_array_get(json_object_get(answer, "hazards"), 0), &document);
+        pens_check_facts(&hazards, 5, text.text, json_array_get(json_object_get(answer, "hazards"), 0), &document);
     result_clear(&hazards);
     document_clear(&document);
     json_decref(answer);
     memory_free(text.text);
     observation_free(&observation);
     house_free(&house);
-}
-
-/* Prints the rows with all pens, and checks that each has every fact of the first record. */
-static void check_pens(const ResultTable *table, size_t least) {
-    Text text = {0};
-    Document document = document_begin("clearance 9");
-    json_t *list = result_json_list(table);
-    result_text_table(&text, table);
-    result_page_table(&document, "caption", table);
-    check_facts(table, least, text.text, json_array_get(list, 0), &document);
-    json_decref(list);
-    document_clear(&document);
-    memory_free(text.text);
 }
 
 /* The facts of a check, and its sentence, with a number of facts at least. */
@@ -290,7 +209,7 @@ static void check_paths(const char *name, const char *sentence, size_t least) {
     Observation observation = result_check_observation(&house, &journeys);
     Census census = census_make(&house, &observation);
     ResultTable people = result_check_people(&house, &journeys, NULL);
-    check_pens(&people, least);
+    pens_check(&people, least);
     CHECK_TEXT(result_check_sentence(&house, &observation, &census, &arena), sentence);
     result_clear(&people);
     arena_clear(&arena);
@@ -314,7 +233,7 @@ TEST(each_fact_of_a_suggestion_is_printed_by_all_pens) {
     SuggestList list = {.list = {{"Widen doors", settings, 2, 0.08, 26.068}}, .count = 1, .tries = 18};
     ResultTable table = result_suggest_changes(&list), copy = result_copy(&table);
     Arena arena = {0};
-    check_pens(&table, 5);
+    pens_check(&table, 5);
     json_t *list_of_changes = result_json_list(&copy);
     char *text = json_dumps(list_of_changes, JSON_COMPACT | JSON_REAL_PRECISION(12));
     CHECK_TEXT(text, "[{\"words\":\"Widen doors\",\"settings\":[\"door.d3.width=0.83\",\"door.d4.width=0.9\"],"
@@ -346,8 +265,8 @@ TEST(each_fact_of_a_beam_is_on_terminal_and_panel_and_in_json) {
     result_json_add(answer, &motion, 0);
     result_json_add(answer, &forces, 0);
     result_text_list(&text, (const ResultTable *const[]){&motion, &forces}, 2);
-    check_facts(&motion, 6, text.text, answer, NULL);
-    check_facts(&forces, 10, text.text, answer, NULL);
+    pens_check_facts(&motion, 6, text.text, answer, NULL);
+    pens_check_facts(&forces, 10, text.text, answer, NULL);
     CHECK_NEAR(result_find(&forces, 0, "peaks.max")->number, 1032, 2);
     json_decref(answer);
     memory_free(text.text);

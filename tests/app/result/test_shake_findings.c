@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include "check.h"
+#include "pens.h"
+#include "result/shake.h"
 #include "scratch.h"
 #include "experiment/house_experiment.h"
 #include "visual/house/shake_plots.h"
@@ -94,6 +96,23 @@ TEST(the_picture_and_the_plot_say_it) {
     CHECK_NEAR(series->y[series->count - 1], 100 * made.findings.everybody.value, 1e-9);
     CHECK(series->y[0] == 0);
     arena_clear(&arena);
+    close_case(&made);
+}
+
+TEST(each_fact_of_shakes_is_printed_by_all_pens) {
+    Case made;
+    open_case(&made, CORRIDOR "'people': [{'id': 'p1', 'profile': 'manual-chair', 'at': [1, 0.6]}]}", 8, 1);
+    shake_findings_run_calm(&made.findings, SIZE_MAX, 1, NULL);
+    ResultTable people = result_shake_people(&made.findings), pieces = result_shake_furniture(&made.findings),
+                answer = result_shake_answer(&made.findings);
+    pens_check(&people, 8);
+    pens_check(&pieces, 6);
+    pens_check(&answer, 8);
+    CHECK_NEAR(result_find(&people, 0, "out.share")->number, made.findings.everybody.value, 1e-12);
+    CHECK(result_find(&pieces, 0, "toppled")->number == (double)made.findings.pieces[0].toppled);
+    result_clear(&people);
+    result_clear(&pieces);
+    result_clear(&answer);
     close_case(&made);
 }
 
