@@ -99,10 +99,12 @@ static const char *name_of(const Options *options, Topics *topics) {
 /* Returns the topic, or else the verb, one of whose words is spelt almost so, or NULL: "huose" is near house-file. */
 static const char *nearest_by_word(Topics *topics, const char *name) {
     for (size_t t = 0; t < topics->count + VERBS; t++)
-        for (const char *at = topics->names[t]; *at; at += strcspn(at, "-"), at += *at == '-') {
-            const char *word = text_in_arena(&topics->arena, "%.*s", (int)strcspn(at, "-"), at);
+        for (const char *at = topics->names[t]; *at;) {
+            size_t length = strcspn(at, "-");
+            const char *word = memcpy(arena_allocate(&topics->arena, length + 1), at, length);
             if (text_nearest(name, &word, 1))
                 return topics->names[t];
+            at += length + (at[length] == '-');
         }
     return NULL;
 }
