@@ -60,8 +60,8 @@ void json_fault(const JsonNode *node, Fault *fault, const char *format, ...) __a
  * names the nearest known key. */
 void json_check_keys(const JsonNode *object, const char *const *known, Fault *fault);
 
-/* Checks that a file is an object with `format` and version 1; `what` names the kind of file in errors, "house". Returns
- * false if the file is not an object or declares another format, so that nothing more can be checked. */
+/* Checks that a file is an object with `format` and version 1; `what` names the kind of file in errors, "house".
+ * Returns false if the file is not an object or declares another format, so that nothing more can be checked. */
 bool json_check_header(const JsonNode *root, const char *what, const char *format, Fault *fault);
 
 /* Returns the text of the member `key`, copied into `arena`; "" when it is absent or, after an error, not a text. */
