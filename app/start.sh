@@ -21,7 +21,7 @@ fi
 house=houses/ube-techno-house.json
 echo "there is no display for a window: running $house"
 echo
-# 1 is an answer too: somebody does not get out
+# 1 is an answer too: not all people are out
 build/app/clearance run "$house" --view raised --report --out out || [ $? -eq 1 ]
 echo
 echo "look at out/report.html, out/plan.png and out/raised.png; other houses: build/app/clearance run houses/NAME.json --out out"

@@ -55,7 +55,7 @@ static void add_examples(Text *text, const char *lines) {
 
 void help_add(Text *text) {
     text_add(text, "clearance " CLEARANCE_VERSION
-                   ": does a wheelchair user get out, how long does it take, where is the danger?\n"
+                   ": does a wheelchair user reach an exit, how long does it take, where is the danger?\n"
                    "And a beam that rattles in its clearance: is its motion periodic or chaotic?\n\n"
                    "Verbs:\n");
     for (size_t v = 0; v < VERBS; v++) {
@@ -71,7 +71,7 @@ void help_add(Text *text) {
     text_add(text, "\n`clearance VERB --help` lists the options of a verb, `clearance help options` all options.\n"
                    "`clearance help` lists the topics that are explained at length.\n\n"
                    "Exit codes:\n");
-    add_row(text, "0", 5, "the answer is yes: all people get out, or the motion of the beam is known");
+    add_row(text, "0", 5, "the answer is yes: all people are out, or the motion of the beam is known");
     add_row(text, "1", 5, "the answer is no, or the work was interrupted");
     add_row(text, "2", 5, "wrong use or bad input, with one line of explanation per error on standard error");
     add_row(text, "3", 5, "an error of the program itself");

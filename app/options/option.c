@@ -128,7 +128,7 @@ const Option option_rows[] = {
     {"--shake", OPTION_WHOLE, FIELD(study.shakes), 1, STUDY_RUNS_MOST, "N",
      "houses only: simulate N earthquakes with the seeds from --seed on; in each, furniture topples by its "
      "probability, "
-     "then routes are re-planned; says who gets out how often and how fast, and what stops the others",
+     "then routes are re-planned; says how often and how fast each person leaves, and what stops the others",
      GROUP_STUDY, FOR_STUDY, NULL, NULL},
     {"--spread", OPTION_NAME, NO_FIELD, NO_RANGE, "NAME=SHARE",
      "draw the parameter of each run from a normal distribution with this relative standard deviation, such as 0.02 "
@@ -152,7 +152,7 @@ const Option option_rows[] = {
     {"--json", OPTION_FLAG, FIELD(json), NO_RANGE, NULL, "print the answer as one JSON object and nothing else",
      GROUP_OUTPUT, FOR_HOUSES | FOR_CASES | FOR_IMPORT, NULL, NULL},
     {"--suggest", OPTION_FLAG, FIELD(suggest), NO_RANGE, NULL,
-     "if somebody does not get out, list the smallest changes that let all people out: doors widened, furniture moved, "
+     "if not all people can leave, list the smallest changes that let all of them out: doors widened, furniture moved, "
      "turned or stood up, each tried by simulation",
      GROUP_OUTPUT, FOR_CHECK, NULL, NULL},
     {"--to", OPTION_CHOICE, FIELD(format), NO_RANGE, EXPORT_WORDS,

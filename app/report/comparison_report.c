@@ -20,15 +20,15 @@ static const char *const names[] = {"A", "B", "B - A"};
 static const char *format_answer(Document *document, const Reported runs[2]) {
     const Observation *a = runs[0].observation, *b = runs[1].observation;
     if (a->completed != b->completed)
-        return b->completed ? "B lets everybody out, A does not" : "A lets everybody out, B does not";
+        return b->completed ? "B lets all people out, A does not" : "A lets all people out, B does not";
     if (!a->completed)
-        return "Neither A nor B lets everybody out";
+        return "Neither A nor B lets all people out";
     double gain = a->time - b->time;
     if (fabs(gain) < 0.05)
-        return document_text(document, "Everybody is out in %.1f s in both", a->time);
+        return document_text(document, "All people are out in %.1f s in both", a->time);
     return document_text(document,
-                         gain > 0 ? "Everybody is out %.1f s earlier in B: in %.1f s instead of %.1f s"
-                                  : "Everybody is out %.1f s later in B: in %.1f s instead of %.1f s",
+                         gain > 0 ? "All people are out %.1f s earlier in B: in %.1f s instead of %.1f s"
+                                  : "All people are out %.1f s later in B: in %.1f s instead of %.1f s",
                          fabs(gain), b->time, a->time);
 }
 

@@ -20,8 +20,8 @@ typedef struct ShakeParty {
 typedef struct ShakePiece {
     size_t index;     /* in the plan */
     size_t toppled;   /* shakes in which it fell */
-    size_t with_loss; /* of them, those in which somebody did not leave */
-    Share stops;      /* shakes in which it stops somebody */
+    size_t with_loss; /* of them, those in which not all people left */
+    Share stops;      /* shakes in which it stops people */
 } ShakePiece;
 
 /* Points into study and house, which must outlive the findings. shake_findings_free releases them. */
@@ -29,19 +29,19 @@ typedef struct ShakeFindings {
     const Study *study;
     const House *house;  /* before a shake */
     size_t shakes;       /* made, and possible */
-    Share everybody;     /* shakes in which everybody leaves */
-    Share caught;        /* in which furniture falls on somebody */
-    Share elsewhere;     /* in which a wall, a door or other people stop somebody */
-    Distribution time;   /* s, until everybody is out, of those in which everybody leaves */
+    Share everybody;     /* shakes in which all people leave */
+    Share caught;        /* in which furniture falls on a person */
+    Share elsewhere;     /* in which a wall, a door or other people stop a person */
+    Distribution time;   /* s, until all people are out, of the shakes in which all leave */
     ShakeParty *parties; /* (party_count) those who take part */
     size_t party_count;
-    ShakePiece *pieces; /* (piece_count) pieces that can fall or stop somebody, the worst first */
+    ShakePiece *pieces; /* (piece_count) pieces that can fall or stop people, the worst first */
     size_t piece_count;
     size_t toppling;     /* of them can fall */
-    const Trial *worst;  /* the first shake in which fewest leave; NULL: everybody always leaves */
+    const Trial *worst;  /* the first shake in which fewest leave; NULL: all people always leave */
     const char *made_by; /* the settings for the house after that shake, as on a command line; "" if furniture falls on
-                            somebody, since such a house cannot be read */
-    bool calm_out;       /* everybody leaves without a shake */
+                            a person, since such a house cannot be read */
+    bool calm_out;       /* all people leave without a shake */
     double calm_time;    /* s; NAN: not run */
     Arena arena;
 } ShakeFindings;

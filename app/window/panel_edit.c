@@ -137,7 +137,7 @@ static void show_way_out(Window *window, Tab *tab, Editor *editor) {
         act_show_place(window);
     if (!doing &&
         ui_button(window->ui, &(UiButton){.label = "Smallest change",
-                                          .help = "Smallest change: Find the smallest change that lets everybody "
+                                          .help = "Smallest change: Find the smallest change that lets all people "
                                                   "leave, by simulating wider doors and moved furniture"}))
         editor_ask_proposals(editor);
     show_proposals(window, editor);

@@ -1,5 +1,5 @@
 /* The editing part of the panel: the catalogue of the tool, the texts of the selection, the picture to trace, and the
- * proposals that let everybody leave. */
+ * proposals that let all people out. */
 #pragma once
 
 #include "window/window_state.h"

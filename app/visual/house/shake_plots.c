@@ -75,10 +75,10 @@ bool shake_plots_times(Plot *plot, const ShakeFindings *findings, Arena *arena) 
     if (time->count) {
         PlotSeries *all = &plot->series[plot->series_count++];
         *all = cumulated(findings, HOUSE_TIME, arena);
-        all->name = several ? "everybody" : NULL;
+        all->name = several ? "all people" : NULL;
         all->role = ROLE_WALL;
         all->width = ALL_WIDTH;
-        plot->note = text_in_arena(arena, "everybody: median %.1f s, quartiles %.1f and %.1f s, 95 %% within %.1f s",
+        plot->note = text_in_arena(arena, "all people: median %.1f s, quartiles %.1f and %.1f s, 95 %% within %.1f s",
                                    time->median, time->quarters[0], time->quarters[1], time->high);
         add_guide(plot, time->median, "median", LINE_DASHED);
         add_guide(plot, time->high, "95 %", LINE_DOTTED);

@@ -1,5 +1,5 @@
-/* Evacuation times after an earthquake as a plot: the share of shakes in which everybody, and each of a few people, is
- * out within a time. */
+/* Evacuation times after an earthquake as a plot: the share of shakes in which all people, and each of a few people,
+ * are out within a time. */
 #pragma once
 
 #include "plot/plot.h"
