@@ -58,8 +58,8 @@ TEST(one_answer_far_from_trouble_is_said_for_a_beam_and_for_a_house) {
                  "It stays periodic with one of these changed alone by up to 20 %: clearance or speed.\n" BASIS);
     types.parameters[0].sensitivity = -2.5;
     check_advice("house", &types, 400,
-                 "Type I: this route can be relied on. Everybody gets out with one answer within 1 % of every number: "
-                 "500 N.\nEverybody gets out also with one of these changed alone by up to 20 %: clearance or speed.\n"
+                 "Type I: this route can be relied on. All people leave, with one answer within 1 % of every number: "
+                 "500 N.\nAll people also leave with one of these changed alone by up to 20 %: clearance or speed.\n"
                  "It depends most on clearance: 1 % more makes the time 2.5 % shorter.\n"
                  "This rests on 80 runs of 400 cycles from 16 starts within 1 % of here.\n");
 }
@@ -91,11 +91,10 @@ TEST(several_answers_are_listed_with_their_starts) {
         "The nearest trouble is at clearance 0.09 mm (10 % below).\n" BASIS);
     types.points[1].answers[0].starts = TYPES_STARTS;
     types.points[1].answer_count = 1;
-    check_advice(
-        "house", &types, 0,
-        "Type II: this route depends on small changes. Everybody gets out throughout, but at clearance 0.099 mm "
-        "by another route: 400 N from each of 16 starts.\n"
-        "The nearest trouble is at clearance 0.09 mm (10 % below).\n" BASIS);
+    check_advice("house", &types, 0,
+                 "Type II: this route depends on small changes. All people leave throughout, but at clearance 0.099 mm "
+                 "by another route: 400 N from each of 16 starts.\n"
+                 "The nearest trouble is at clearance 0.09 mm (10 % below).\n" BASIS);
 }
 
 TEST(a_point_that_is_not_regular_says_from_how_many_starts_and_what_would_help) {
@@ -104,8 +103,8 @@ TEST(a_point_that_is_not_regular_says_from_how_many_starts_and_what_would_help) 
     types.points[0].irregular = TYPES_STARTS;
     check_advice(
         "house", &types, 0,
-        "Type III: do not rely on this route. Not everybody gets out right here, from any of 16 starts.\n"
-        "Not everybody gets out with one of these changed alone by up to 20 % either: clearance or speed.\n" BASIS);
+        "Type III: do not rely on this route. Not all people leave right here, from any of 16 starts.\n"
+        "Not all people leave with one of these changed alone by up to 20 % either: clearance or speed.\n" BASIS);
     types.worst = 1;
     types.points[1].irregular = 3;
     types.parameters[1].above = (Neighbour){.found = true, .value = 2.2, .share = 0.1};
@@ -122,7 +121,7 @@ TEST(an_undecided_type_names_the_remedy_unless_it_was_stopped) {
     types.thorough = 4;
     check_advice(
         "house", &types, 0,
-        "The type is undecided. It is undecided whether everybody gets out right here, from 5 of 16 starts. A "
+        "The type is undecided. It is undecided whether all people leave right here, from 5 of 16 starts. A "
         "larger run.until may decide it.\n"
         "This rests on 80 runs from 16 starts within 1 % of here. Repeated with the full analysis: 4 of them.\n");
     types.stopped = true;
