@@ -52,7 +52,7 @@ static const char *line_of(Thumbnail *thumbnail, const char *note) {
                          sentence + 1, shown < length ? " \u2026" : "", is_assumed ? " (assumed plan)" : "");
 }
 
-static void tell(Thumbnail *thumbnail, const char *path, const char *name, const char *note) {
+static void set_texts(Thumbnail *thumbnail, const char *path, const char *name, const char *note) {
     thumbnail->name = name && *name ? arena_text(&thumbnail->arena, name) : thumbnail_name_of(path, &thumbnail->arena);
     thumbnail->line = line_of(thumbnail, note ? note : "");
 }
@@ -70,7 +70,7 @@ bool thumbnail_read_house(Thumbnail *thumbnail, const char *path, Fault *fault) 
     House house = {.seed = 0};
     bool good = plan_read(&house.plan, path, NULL, 0, fault) && outline_build(&house.outline, &house.plan, fault);
     if (good) {
-        tell(thumbnail, path, house.plan.name, house.plan.note);
+        set_texts(thumbnail, path, house.plan.name, house.plan.note);
         plan_picture_bare(&thumbnail->scene, &house);
     }
     if (!good)
@@ -123,7 +123,7 @@ bool thumbnail_read_beam(Thumbnail *thumbnail, const char *path, Fault *fault) {
     Rig rig;
     bool good = beam_read(&beam, path, NULL, 0, fault);
     if (good && (good = rig_build(&rig, &beam, path, fault))) {
-        tell(thumbnail, path, beam.name, beam.note);
+        set_texts(thumbnail, path, beam.name, beam.note);
         draw_beam(&thumbnail->scene, &beam, &rig);
         rig_clear(&rig);
     }

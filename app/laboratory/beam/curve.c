@@ -19,7 +19,7 @@ void beam_curve_clear(BeamCurve *curve) {
     *curve = (BeamCurve){0};
 }
 
-size_t beam_curve_until(const BeamCurve *curve, double time) {
+size_t beam_curve_count_until(const BeamCurve *curve, double time) {
     size_t low = 0, high = curve->count;
     while (low < high) {
         size_t middle = low + (high - low) / 2;
@@ -32,7 +32,7 @@ size_t beam_curve_until(const BeamCurve *curve, double time) {
 }
 
 void beam_curve_copy(BeamCurve *to, const BeamCurve *from, double time) {
-    size_t count = beam_curve_until(from, time);
+    size_t count = beam_curve_count_until(from, time);
     beam_curve_reset(to);
     for (size_t i = 0; i < count; i++)
         beam_curve_add(to, from->time[i], from->x[i], from->y[i]);

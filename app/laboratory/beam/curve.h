@@ -19,7 +19,7 @@ static inline void beam_curve_reset(BeamCurve *curve) {
 }
 
 /* Returns how many points are not later than a time. */
-size_t beam_curve_until(const BeamCurve *curve, double time);
+size_t beam_curve_count_until(const BeamCurve *curve, double time);
 
 /* Copies to `to` the points of `from` up to a time. */
 void beam_curve_copy(BeamCurve *to, const BeamCurve *from, double time);

@@ -8,7 +8,7 @@
 #include "base/parameters_number.h"
 #include "base/text.h"
 #include "experiment/beam_numbers.h"
-#include "laboratory/beam/show.h"
+#include "laboratory/beam/picture.h"
 #include "laboratory/save_file.h"
 #include "visual/beam/beam_film.h"
 
@@ -366,10 +366,10 @@ static const TimelineMark *marks(void *context, size_t *count) {
     const BeamTape *tape = &session->tape;
     *count = 0;
     for (size_t p = 1; p < tape->part_count; p++)
-        session->ticks[(*count)++] = (TimelineMark){tape->parts[p]->begin, TIMELINE_CHANGE};
+        session->marks[(*count)++] = (TimelineMark){tape->parts[p]->begin, TIMELINE_CHANGE};
     if (beam_session_has_ended(session))
-        session->ticks[(*count)++] = (TimelineMark){tape->front_time, TIMELINE_ERROR};
-    return session->ticks;
+        session->marks[(*count)++] = (TimelineMark){tape->front_time, TIMELINE_ERROR};
+    return session->marks;
 }
 
 static const char *error(const void *context, double *time) {
@@ -435,14 +435,14 @@ const Laboratory beam_laboratory = {
     .span = span,
     .reach = reach,
     .show = show,
-    .still = beam_show_still,
-    .added = beam_show_added,
-    .moving = beam_show_moving,
-    .set_camera = beam_show_look,
-    .set_layers = beam_show_reveal,
-    .plot_count = beam_show_plot_count,
-    .plot = beam_show_plot,
-    .points_until = beam_show_until,
+    .still = beam_picture_still,
+    .added = beam_picture_added,
+    .moving = beam_picture_moving,
+    .set_camera = beam_picture_set_camera,
+    .set_layers = beam_picture_set_layers,
+    .plot_count = beam_picture_plot_count,
+    .plot = beam_picture_plot,
+    .points_until = beam_picture_points_until,
     .answer = answer,
     .clock = clock_words,
     .note = note,
@@ -468,5 +468,5 @@ const Laboratory beam_laboratory = {
     .outline = outline,
     .command = command,
     .save = save,
-    .sound = beam_show_sound,
+    .sound = beam_picture_sound,
 };

@@ -27,7 +27,7 @@ typedef struct BeamSession {
     unsigned news;    /* LABORATORY_... bits of the next update */
     Scene added;      /* always empty */
     const char *error;
-    TimelineMark ticks[BEAM_TAPE_PARTS + 1];
+    TimelineMark marks[BEAM_TAPE_PARTS + 1];
     PanelChoice choices[2];
     Arena command_words;
     const char *command[3 + 2 * BEAM_VALUES];

@@ -95,8 +95,8 @@ static size_t count_next(const BeamSweep *sweep, int jobs) {
     return count < all - sweep->done ? count : all - sweep->done;
 }
 
-bool beam_sweep_go_on(BeamSweep *sweep, int jobs, const volatile sig_atomic_t *stop,
-                      BeamSweepPoints points[BEAM_SWEEP_PASSES]) {
+bool beam_sweep_advance(BeamSweep *sweep, int jobs, const volatile sig_atomic_t *stop,
+                        BeamSweepPoints points[BEAM_SWEEP_PASSES]) {
     const BeamSweepTask *task = &sweep->task;
     size_t count = count_next(sweep, jobs);
     if (!count)

@@ -385,7 +385,7 @@ void beam_traces_show(BeamTraces *traces, BeamTape *tape, double time) {
 
 size_t beam_traces_until(const BeamTraces *traces, size_t plot, size_t series, double time) {
     const BeamCurve *curve = traces->curves[plot][series];
-    return traces->whole[plot][series] ? curve->count : beam_curve_until(curve, time);
+    return traces->whole[plot][series] ? curve->count : beam_curve_count_until(curve, time);
 }
 
 void beam_traces_store(BeamTraces *traces, double time) {

@@ -124,7 +124,7 @@ static void begin_sweep(BeamWorker *worker) {
 static void go_on_sweeping(BeamWorker *worker) {
     BeamSweepPoints points[BEAM_SWEEP_PASSES] = {{0}};
     pthread_mutex_unlock(&worker->lock);
-    worker->swept = !beam_sweep_go_on(&worker->sweeping, worker->jobs, &worker->sweep.stop, points);
+    worker->swept = !beam_sweep_advance(&worker->sweeping, worker->jobs, &worker->sweep.stop, points);
     pthread_mutex_lock(&worker->lock);
     for (int pass = 0; pass < BEAM_SWEEP_PASSES; pass++) {
         for (size_t i = 0; i < points[pass].count && !worker->sweep.asked; i++)

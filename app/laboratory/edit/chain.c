@@ -176,8 +176,8 @@ static const Door *door_at(const Plan *plan, Vec2 at, double reach) {
         plan_geometry_door_ends(plan, &plan->doors[d], &from, &to);
         double half = plan->walls[plan->doors[d].wall_index].thickness / 2;
         Vec2 foot = vec2_nearest_on_segment(at, from, to);
-        bool beside = vec2_distance(foot, from) < reach || vec2_distance(foot, to) < reach;
-        if (!beside && vec2_distance(at, foot) <= real_max(half, reach))
+        bool near_end = vec2_distance(foot, from) < reach || vec2_distance(foot, to) < reach;
+        if (!near_end && vec2_distance(at, foot) <= real_max(half, reach))
             return &plan->doors[d];
     }
     return NULL;

@@ -181,9 +181,9 @@ void editor_release(Editor *edit, const Pointer *pointer) {
     edit_pointer_release(edit, pointer);
 }
 
-bool editor_type(Editor *edit, const char *letters) {
+bool editor_type(Editor *edit, const char *characters) {
     editor_end_number(edit);
-    return edit_pointer_type(edit, letters);
+    return edit_pointer_type(edit, characters);
 }
 
 bool editor_enter(Editor *edit) {

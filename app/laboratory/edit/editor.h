@@ -193,7 +193,7 @@ void editor_release(Editor *editor, const Pointer *pointer);
 /* Keys while the plan has the focus; true if the key was used. `type` takes characters that begin or continue a
  * number ("2", ",", "-", "c"); `enter` completes the gesture, or begins one with typed places; `back` removes the
  * last point or character; `tab` goes to the next field (-1: the previous field); `escape` cancels. */
-bool editor_type(Editor *editor, const char *letters);
+bool editor_type(Editor *editor, const char *characters);
 bool editor_enter(Editor *editor);
 bool editor_back(Editor *editor);
 bool editor_tab(Editor *editor, int step);

@@ -34,15 +34,15 @@ bool edit_field_any(const Editor *edit) {
     return false;
 }
 
-bool edit_field_begins(const char *letters) {
-    return (*letters >= '0' && *letters <= '9') || (*letters && strchr("-.,+", *letters));
+bool edit_field_begins(const char *characters) {
+    return (*characters >= '0' && *characters <= '9') || (*characters && strchr("-.,+", *characters));
 }
 
 /* True if the characters may continue a number: letters of units, signs and, beyond ASCII, the degree and minus
  * signs. */
-static bool may_continue(const char *letters) {
-    for (; *letters; letters++)
-        if (!strchr("0123456789-+., '\"cmkftinrdeg", *letters) && (unsigned char)*letters < 0x80)
+static bool may_continue(const char *characters) {
+    for (; *characters; characters++)
+        if (!strchr("0123456789-+., '\"cmkftinrdeg", *characters) && (unsigned char)*characters < 0x80)
             return false;
     return true;
 }
@@ -67,12 +67,12 @@ static void read_typed(Editor *edit) {
         field->value = value;
 }
 
-bool edit_field_type(Editor *edit, const char *letters) {
+bool edit_field_type(Editor *edit, const char *characters) {
     size_t used = strlen(edit->typed);
-    bool fits = *edit->typed ? may_continue(letters) : edit_field_begins(letters) && may_continue(letters);
+    bool fits = *edit->typed ? may_continue(characters) : edit_field_begins(characters) && may_continue(characters);
     if (!edit->gesture || !edit->field_count || !fits)
         return false;
-    snprintf(edit->typed + used, sizeof edit->typed - used, "%s", letters);
+    snprintf(edit->typed + used, sizeof edit->typed - used, "%s", characters);
     read_typed(edit);
     return true;
 }

@@ -16,9 +16,9 @@ void edit_field_show(Editor *edit, size_t field, double value);
 bool edit_field_any(const Editor *edit);
 
 /* Keys, as in editor.h; false: the key is not used. */
-bool edit_field_type(Editor *edit, const char *letters);
+bool edit_field_type(Editor *edit, const char *characters);
 bool edit_field_back(Editor *edit);
 bool edit_field_tab(Editor *edit, int step);
 
 /* True if a number can begin with these characters. */
-bool edit_field_begins(const char *letters);
+bool edit_field_begins(const char *characters);

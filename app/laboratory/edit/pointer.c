@@ -173,10 +173,10 @@ static bool grab_focused(Editor *edit) {
     return true;
 }
 
-bool edit_pointer_type(Editor *edit, const char *letters) {
-    if (!edit->gesture && !(edit_field_begins(letters) && grab_focused(edit)))
+bool edit_pointer_type(Editor *edit, const char *characters) {
+    if (!edit->gesture && !(edit_field_begins(characters) && grab_focused(edit)))
         return false;
-    if (!edit_field_type(edit, letters))
+    if (!edit_field_type(edit, characters))
         return false;
     edit_gesture_update(edit);
     return true;

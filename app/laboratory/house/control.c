@@ -173,8 +173,8 @@ static void list(HouseSession *session) {
                                       "The driving model: that of each profile, a driver who turns the "
                                       "chair, or the paper's disc on straight legs and corners.");
     add_option(session, driving, "as in the file", session->wish.driving < 0);
-    for (int way = DRIVING_DRIVER; way <= DRIVING_MIURA; way++)
-        add_option(session, driving, profile_driving_name(way), session->wish.driving == way);
+    for (int model = DRIVING_DRIVER; model <= DRIVING_MIURA; model++)
+        add_option(session, driving, profile_driving_name(model), session->wish.driving == model);
 }
 
 static void apply_ghost(HouseSession *session, const char *word) {

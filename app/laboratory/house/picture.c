@@ -52,7 +52,7 @@ void house_picture_make_film(HouseSession *session, double time) {
                                                           : house_run_house(session->runs[RUN_SHOWN], epoch);
     Before ghost = house_runs_compared(session);
     bool is_crowd = ghost.house && ghost.house->person_count > GHOSTS_MOST;
-    bool ways = house_runs_is_over(session, RUN_ROUTES) && session->layers & 1u << LAYER_WIDTHS;
+    bool has_routes = house_runs_is_over(session, RUN_ROUTES) && session->layers & 1u << LAYER_WIDTHS;
     FilmOptions options = {
         .camera = session->camera,
         .bare = true,
@@ -63,7 +63,7 @@ void house_picture_make_film(HouseSession *session, double time) {
         .ahead = session->whole && session->ghost == GHOST_BEFORE && ghost.house, /* both are complete */
         .observed = house == &session->runs[RUN_SHOWN]->house ? NULL : &session->runs[RUN_SHOWN]->house,
         .trails = session->trails.trails,
-        .ways = ways ? &session->runs[RUN_ROUTES]->ways : NULL,
+        .ways = has_routes ? &session->runs[RUN_ROUTES]->routes : NULL,
         .falling = session->fall.pieces,
         .falling_count = falling,
         .box = box_of(&session->runs[RUN_SHOWN]->house)};

@@ -23,7 +23,7 @@ HouseRun *house_run_create(const HouseWish *wish) {
 
 void house_run_destroy(HouseRun *run) {
     observation_free(&run->observation);
-    scene_clear(&run->ways);
+    scene_clear(&run->routes);
     house_free(&run->house);
     for (size_t i = 0; i + 1 < run->wish.epoch_count; i++)
         house_free(&run->earlier[i]);
@@ -111,9 +111,9 @@ static void drive(HouseRun *run) {
     memory_free(changes);
 }
 
-static void make_ways(HouseRun *run) {
+static void make_routes(HouseRun *run) {
     Observation all = house_run_begin(run);
-    route_scene_add(&run->ways, &run->house, &all, true, true, &run->stop);
+    route_scene_add(&run->routes, &run->house, &all, true, true, &run->stop);
     observation_free(&all);
 }
 
@@ -137,8 +137,8 @@ void house_run_make(HouseRun *run) {
     }
     make_room(run);
     enter(run, HOUSE_PLANS);
-    if (run->wish.job == HOUSE_JOB_WAYS)
-        make_ways(run);
+    if (run->wish.job == HOUSE_JOB_ROUTES)
+        make_routes(run);
     else
         drive(run);
     enter(run, parallel_stopped(&run->stop) ? HOUSE_STOPPED : HOUSE_OVER);

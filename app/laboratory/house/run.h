@@ -14,10 +14,10 @@
 
 /* The kinds of jobs of the worker. */
 typedef enum HouseJob {
-    HOUSE_JOB_RUN,   /* the run of a plan */
-    HOUSE_JOB_MIXED, /* the run of a plan that changes */
-    HOUSE_JOB_RIVAL, /* the run of another driving model, for comparison */
-    HOUSE_JOB_WAYS,  /* only the planned routes, as a scene */
+    HOUSE_JOB_RUN,    /* the run of a plan */
+    HOUSE_JOB_MIXED,  /* the run of a plan that changes */
+    HOUSE_JOB_RIVAL,  /* the run of another driving model, for comparison */
+    HOUSE_JOB_ROUTES, /* only the planned routes, as a scene */
     HOUSE_JOBS,
 } HouseJob;
 
@@ -52,7 +52,7 @@ typedef struct HouseRun {
     House house;    /* the house of the last epoch */
     House *earlier; /* (wish.epoch_count - 1) the houses of the earlier epochs */
     Observation observation;
-    Scene ways;
+    Scene routes;
     Fault fault;
 
     unsigned roles; /* the run's roles in the session: see runs.h */

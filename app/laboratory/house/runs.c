@@ -34,7 +34,7 @@ static const RoleRow roles[RUN_ROLES] = {
     [RUN_EARLY] = {HOUSE_JOB_RUN, RUNS_CLOSE, NULL},
     [RUN_BEFORE] = {HOUSE_JOB_RUN, RUNS_CLOSE, NULL},
     [RUN_RIVAL] = {HOUSE_JOB_RIVAL, RUNS_CLOSE | RUNS_DISPLAY, wants_rival},
-    [RUN_ROUTES] = {HOUSE_JOB_WAYS, RUNS_CLOSE | RUNS_DISPLAY, wants_routes},
+    [RUN_ROUTES] = {HOUSE_JOB_ROUTES, RUNS_CLOSE | RUNS_DISPLAY, wants_routes},
 };
 
 void house_runs_retain(HouseRun *run) {

@@ -11,7 +11,7 @@
  *     early     run     - the latest, whose plan is drawn already    with its last other role
  *     before    run     - saved for comparison                       by clear, or when another run is saved
  *     rival     rival   while it is chosen as the ghost              when another run is displayed or needed
- *     routes    ways    while the widths are displayed               when another run is displayed or needed */
+ *     routes    routes  while the widths are displayed               when another run is displayed or needed */
 #pragma once
 
 #include "laboratory/house/session_state.h"

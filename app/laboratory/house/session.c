@@ -285,8 +285,8 @@ static const PanelRow *rows(const void *context, size_t *count) {
 
 static const TimelineMark *marks(void *context, size_t *count) {
     const HouseSession *session = context;
-    *count = session->texts.tick_count;
-    return session->texts.ticks;
+    *count = session->texts.mark_count;
+    return session->texts.marks;
 }
 
 static const char *error(const void *context, double *time) {

@@ -45,8 +45,8 @@ typedef struct HouseTexts {
     Scene moment;                /* holds the texts about the selection and the comparison */
     double before[HAZARDS_MOST]; /* s, shortly before a person reaches each dangerous point */
     PanelRow *rows;              /* (row_count) */
-    TimelineMark *ticks;         /* (tick_count) */
-    size_t row_count, row_capacity, tick_count, tick_capacity;
+    TimelineMark *marks;         /* (mark_count) */
+    size_t row_count, row_capacity, mark_count, mark_capacity;
     const char *title, *detail;
     Role role;
     double said; /* s, of a steady clock, at the last update of the texts */

@@ -17,7 +17,7 @@
 #define ALIKE 0.05 /* s: times closer than this count as equal */
 #define AHEAD 2.0  /* s, time before a person reaches a dangerous point at which "go to" begins */
 
-enum { TICKS_MOST = 2000 };
+enum { MARKS_MOST = 2000 };
 
 #define NEW_CONTACT 0.1 /* s: a body that has been free for less is still touching */
 
@@ -193,24 +193,24 @@ static void add_listed(HouseSession *session) {
     }
 }
 
-/* Ticks ----------------------------------------------------------------------------------------------------------- */
+/* Marks ----------------------------------------------------------------------------------------------------------- */
 
-static void add_tick(HouseSession *session, double time, TimelineMarkKind kind) {
+static void add_mark(HouseSession *session, double time, TimelineMarkKind kind) {
     HouseTexts *texts = &session->texts;
-    if (texts->tick_count == TICKS_MOST)
+    if (texts->mark_count == MARKS_MOST)
         return;
-    texts->ticks = memory_reserve(texts->ticks, &texts->tick_capacity, texts->tick_count + 1, sizeof *texts->ticks);
-    texts->ticks[texts->tick_count++] = (TimelineMark){time, kind};
+    texts->marks = memory_reserve(texts->marks, &texts->mark_capacity, texts->mark_count + 1, sizeof *texts->marks);
+    texts->marks[texts->mark_count++] = (TimelineMark){time, kind};
 }
 
-static int compare_ticks(const void *a, const void *b) {
+static int compare_marks(const void *a, const void *b) {
     const TimelineMark *p = a, *q = b;
     return p->time != q->time ? (p->time > q->time) - (p->time < q->time) : (int)p->kind - (int)q->kind;
 }
 
-static void make_ticks(HouseSession *session) {
+static void make_marks(HouseSession *session) {
     const Observation *observation = session->observation;
-    session->texts.tick_count = 0;
+    session->texts.mark_count = 0;
     for (size_t i = 0; i < observation->person_count; i++) {
         const PersonObservation *person = &observation->people[i];
         const Trail *trail = &session->trails.trails[i];
@@ -220,18 +220,18 @@ static void make_ticks(HouseSession *session) {
             if (!(row[TRACE_BODY_FORCE] > 0))
                 continue;
             if (row[TRACE_TIME] - touched > NEW_CONTACT)
-                add_tick(session, row[TRACE_TIME], TIMELINE_CONTACT);
+                add_mark(session, row[TRACE_TIME], TIMELINE_CONTACT);
             touched = row[TRACE_TIME];
         }
         if (person->completed)
-            add_tick(session, person->time, TIMELINE_EXIT);
+            add_mark(session, person->time, TIMELINE_EXIT);
         if (person->reason == REASON_DIVERGED)
-            add_tick(session, person->time, TIMELINE_ERROR);
+            add_mark(session, person->time, TIMELINE_ERROR);
     }
     for (size_t i = 1; i < session->runs[RUN_SHOWN]->wish.epoch_count; i++)
-        add_tick(session, session->runs[RUN_SHOWN]->wish.epochs[i].time, TIMELINE_CHANGE);
-    if (session->texts.tick_count > 1)
-        qsort(session->texts.ticks, session->texts.tick_count, sizeof *session->texts.ticks, compare_ticks);
+        add_mark(session, session->runs[RUN_SHOWN]->wish.epochs[i].time, TIMELINE_CHANGE);
+    if (session->texts.mark_count > 1)
+        qsort(session->texts.marks, session->texts.mark_count, sizeof *session->texts.marks, compare_marks);
 }
 
 /* The answer ------------------------------------------------------------------------------------------------------ */
@@ -300,7 +300,7 @@ static void make_run_texts(HouseSession *session) {
     house_scene_add_answer(&session->texts.run, &session->runs[RUN_SHOWN]->house, session->observation, &census);
     census_clear(&census);
     find_times(session);
-    make_ticks(session);
+    make_marks(session);
     session->texts_are_stale = false;
 }
 
@@ -323,7 +323,7 @@ void house_text_clear(HouseSession *session) {
     scene_clear(&session->texts.run);
     scene_clear(&session->texts.moment);
     memory_free(session->texts.rows);
-    memory_free(session->texts.ticks);
+    memory_free(session->texts.marks);
     session->texts = (HouseTexts){.title = NULL};
 }
 

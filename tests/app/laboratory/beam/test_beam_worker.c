@@ -46,7 +46,7 @@ static void check_sweep(BeamSweepTask task, size_t values, size_t steps, const S
     study_run(&study, &(StudyOptions){.jobs = 2});
     CHECK(beam_sweep_open(&sweep, &task, &fault));
     while (sweep.done < values)
-        CHECK(beam_sweep_go_on(&sweep, 2, NULL, points));
+        CHECK(beam_sweep_advance(&sweep, 2, NULL, points));
     size_t alike = 0, seen = 0;
     for (size_t pass = 0; pass < pass_count; pass++)
         for (size_t i = 0; i < steps; i++) {

@@ -1,8 +1,8 @@
-#include "laboratory/beam/show.h"
+#include "laboratory/beam/picture.h"
 
 #include <math.h>
 
-void beam_show_look(void *context, Camera camera) {
+void beam_picture_set_camera(void *context, Camera camera) {
     BeamSession *session = context;
     session->view.camera = camera;
     beam_view_renew(&session->view);
@@ -10,22 +10,22 @@ void beam_show_look(void *context, Camera camera) {
     session->news |= LABORATORY_VIEW;
 }
 
-void beam_show_reveal(void *context, unsigned layers) {
+void beam_picture_set_layers(void *context, unsigned layers) {
     BeamSession *session = context;
     session->view.parts = layers & BEAM_SCENE_ALL;
     beam_view_show(&session->view, &session->tape, session->shown);
     session->news |= LABORATORY_VIEW;
 }
 
-const Scene *beam_show_still(void *context) {
+const Scene *beam_picture_still(void *context) {
     return &((const BeamSession *)context)->view.still;
 }
 
-const Scene *beam_show_added(const void *context) {
+const Scene *beam_picture_added(const void *context) {
     return &((const BeamSession *)context)->added;
 }
 
-const Scene *beam_show_moving(const void *context) {
+const Scene *beam_picture_moving(const void *context) {
     return &((const BeamSession *)context)->view.moving;
 }
 
@@ -34,7 +34,7 @@ const Scene *beam_show_moving(const void *context) {
 static const char *const plot_names[] = {"phase", "poincare", "force", "spectrum", "orbit"};
 static const char *const plot_titles[] = {"Phase plane", "Poincar\u00E9 map", "Force", "Spectrum", "Orbit diagram"};
 
-size_t beam_show_plot_count(const void *context) {
+size_t beam_picture_plot_count(const void *context) {
     (void)context;
     return BEAM_TRACES + 1;
 }
@@ -52,7 +52,7 @@ static LaboratoryPlot diagram_plot(const BeamSession *session) {
                             .now = ROLE_PAPER};
 }
 
-LaboratoryPlot beam_show_plot(const void *context, size_t index) {
+LaboratoryPlot beam_picture_plot(const void *context, size_t index) {
     const BeamSession *session = context;
     LaboratoryPlot shown = {.cursor = NAN, .now = ROLE_DANGER_MIDDLE};
     if (index == BEAM_TRACES) {
@@ -66,13 +66,13 @@ LaboratoryPlot beam_show_plot(const void *context, size_t index) {
     return shown;
 }
 
-size_t beam_show_until(const void *context, size_t index, size_t series, double time) {
+size_t beam_picture_points_until(const void *context, size_t index, size_t series, double time) {
     const BeamSession *session = context;
     return index == BEAM_TRACES ? session->diagram.series[series].count
                                 : beam_traces_until(&session->traces, index, series, time);
 }
 
-bool beam_show_sound(void *context, double from, double to, float *samples, size_t count) {
+bool beam_picture_sound(void *context, double from, double to, float *samples, size_t count) {
     BeamSession *session = context;
     const BeamTape *tape = &session->tape;
     double loudest = session->traces.seen.speed;
