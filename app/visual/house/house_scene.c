@@ -8,6 +8,7 @@
 #include "visual/house/people_scene.h"
 #include "visual/house/plan_scene.h"
 #include "result/headline.h"
+#include "result/house.h"
 
 /* The word in the note of a plan that was not measured: such a note must be shown wherever the plan is. */
 static const char ASSUMED[] = "assumed";
@@ -38,10 +39,17 @@ static void format_answer(Scene *scene, const House *house, const Observation *o
     scene->title_role = headline.role;
 }
 
+/* Returns a row's value with its unit, as the terminal and the report have it. */
+static const char *value_of(Scene *scene, const ResultTable *table, size_t record, const char *key) {
+    const char *value = result_value_and_unit(result_find(table, record, key), &scene->arena);
+    return value ? arena_text(&scene->arena, value) : "-";
+}
+
 /* Distances mean nothing in a crowd, and the names need the room. */
 static void list_hazards(Scene *scene, const House *house, const Observation *observation, bool crowd) {
     if (!observation->hazard_count)
         return;
+    ResultTable table = result_house_hazards(observation);
     scene_add_row(scene, ROW_HEADING, "Dangerous points");
     for (size_t i = 0; i < observation->hazard_count && i < PEOPLE_SCENE_HAZARDS; i++) {
         const Hazard *hazard = &observation->hazards[i];
@@ -49,8 +57,8 @@ static void list_hazards(Scene *scene, const House *house, const Observation *ob
         const RunSettings *run = &house->plan.run;
         bool pushed = crowd ? hazard->peak_force * run->loss_warning > hazard->lost_time * run->force_warning
                             : hazard->peak_force > 0;
-        const char *cost = pushed ? scene_text(scene, "%.0f N", hazard->peak_force)
-                                  : scene_text(scene, crowd ? "%.0f s lost" : "%.1f s lost", hazard->lost_time);
+        const char *force = value_of(scene, &table, i, "peak_force"), *lost = value_of(scene, &table, i, "lost_time");
+        const char *cost = pushed ? force : scene_text(scene, "%s lost", lost);
         const char *mark = scene_text(scene, "%zu", i + 1);
         SceneRow *row = scene_add_row(scene, ROW_DISC, hazard->what);
         row->role = people_scene_danger(hazard);
@@ -58,14 +66,17 @@ static void list_hazards(Scene *scene, const House *house, const Observation *ob
         row->cells[1] = crowd ? cost : clearance;
         row->cells[2] = crowd ? NULL : cost;
     }
+    result_clear(&table);
 }
 
 static void list_person(Scene *scene, const House *house, const Observation *observation, size_t i) {
     const Inhabitant *person = &house->people[i];
     const PersonObservation *observed = &observation->people[i];
     const char *who = scene_text(scene, "%s %s", person->id, person->profile->name);
-    const char *result =
-        observed->completed ? scene_text(scene, "%.1f s", observed->time) : observation_reason(observed->reason);
+    ResultTable table = {0};
+    result_house_add_person(&table, house, observation, i);
+    const char *result = value_of(scene, &table, 0, observed->completed ? "time" : "completed");
+    result_clear(&table);
     LocusLook look = people_scene_look(house, i);
     SceneRow *row = scene_add_row(scene, ROW_LINE, who);
     row->role = look.role;
