@@ -76,7 +76,8 @@ def check_order(folder):
     last = done.stderr.splitlines()[-1]
     looked = [folder / "build" / "share" / "clearance", f"{folder}/build/../assets", own / "clearance",
               first / "clearance", second / "clearance", installed]
-    check(": " + ", ".join(map(str, looked)) + "; CLEARANCE_ASSETS " in last, "one line names the places, the configured one last", last)
+    check(": " + ", ".join(map(str, looked)) + "; set CLEARANCE_ASSETS to " in last,
+          "one line names the places, the configured one last", last)
     wrong = ask(copy, "check", house("straight-corridor"), CLEARANCE_ASSETS=folder / "wrong").stderr.splitlines()[-1]
     check(f": {folder}/wrong; " in wrong, "a wrong CLEARANCE_ASSETS is the only place", wrong)
     script, states = folder / "script", folder / "states"
@@ -84,7 +85,7 @@ def check_order(folder):
     ask(copy, "open", "--script", script, SDL_VIDEODRIVER="offscreen", SDL_AUDIODRIVER="dummy", LP_NUM_THREADS="1",
         ASAN_OPTIONS="detect_leaks=0", **variables)
     message = json.loads(states.read_text())["message"] if states.exists() else ""
-    check(f", {installed}; CLEARANCE_ASSETS " in message, "the window says so, too", message)
+    check(f", {installed}; set CLEARANCE_ASSETS to " in message, "the window says so, too", message)
 
 
 def check_home(folder):
