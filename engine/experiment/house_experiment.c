@@ -21,8 +21,8 @@ typedef struct HouseGiven {
 } HouseGiven;
 
 static const Observable observables[HOUSE_OBSERVABLES] = {
-    [HOUSE_COMPLETED] = {"completed", "1", "everybody is out"},
-    [HOUSE_TIME] = {"time", "s", "time until everybody is out"},
+    [HOUSE_COMPLETED] = {"completed", "1", "all people are out"},
+    [HOUSE_TIME] = {"time", "s", "time until all people are out"},
     [HOUSE_NARROWEST] = {"narrowest", "m", "least clearance of a body"},
     [HOUSE_PEAK_FORCE] = {"peak_force", "N", "hardest contact of a body"},
     [HOUSE_CONTACTS] = {"contacts", "1", "contacts of bodies"},

@@ -34,7 +34,7 @@ enum { CHAIRS = 1, WALKERS = 2, ALL = CHAIRS | WALKERS };
     ROW(CHAIRS, "drive.side_friction", side_friction, "1", 0, 10, "friction of the wheels sideways")                   \
     ROW(CHAIRS, "drive.reversing_speed", reversing_speed, "m/s", 0.01, 5, "speed backwards")                           \
     ROW(CHAIRS, "drive.reversing_time", reversing_time, "s", 0, 60, "time to change direction")                        \
-    ROW(WALKERS, "drive.time_gap", time_gap, "s", 0.05, 10, "a walker's time gap to whoever is ahead")                 \
+    ROW(WALKERS, "drive.time_gap", time_gap, "s", 0.05, 10, "a walker's time gap to the person ahead")                 \
     ROW(ALL, "space.reach", space_reach, "m", 0, 3, "personal space beyond the body")                                  \
     ROW(ALL, "space.normal_stiffness", space.normal_stiffness, "N/m", 0, 1e7, "k_n' of the personal space")            \
     ROW(ALL, "space.normal_damping", space.normal_damping, "N s/m", 0, 1e6, "c_n' of the personal space")              \

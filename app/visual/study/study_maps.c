@@ -360,7 +360,7 @@ static bool fill_map(Map *map, size_t observable) {
         map->to->plot.title = "Periodic or not, and the period in cycles";
         classify_period(map);
     } else if (observable == experiment->regular) {
-        map->to->plot.title = is_house(map) ? "Does everybody get out?" : "Periodic or not";
+        map->to->plot.title = is_house(map) ? "Are all people out?" : "Periodic or not";
         classify_regular(map);
     } else {
         return fill_quantity(map, observable);

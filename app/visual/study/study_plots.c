@@ -208,7 +208,7 @@ static void add_blocked(Sweep *sweep) {
                               .band = true,
                               .at = sweep->scale.factor * (study_trial(study, 0, 0, 0, from)->at[0] - half),
                               .to = sweep->scale.factor * (study_trial(study, 0, 0, 0, to - 1)->at[0] + half),
-                              .name = named ? NULL : "not everybody out",
+                              .name = named ? NULL : "not all people out",
                               .role = ROLE_FURNITURE});
         named = true;
     }

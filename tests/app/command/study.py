@@ -41,7 +41,7 @@ def check_answers(folder):
     done = expect(0, "study", flat, *DOOR)
     words = done.stdout.splitlines()
     check(words[0] == f"{flat}: door.d1.width from 0.60 to 1.10 m in 11 steps", f"title {words[0]!r}")
-    check(words[1].startswith("not out at 0.60 m, out from 0.65 m on; the time until everybody is out falls from"),
+    check(words[1].startswith("not out at 0.60 m, out from 0.65 m on; the time until all people are out falls from"),
           f"answer {words[1]!r}")
     check(words[3].split()[:3] == ["door.d1.width", "m", "answer"], f"table {words[3]!r}")
     check(len(words) == 4 + 11, f"a row a value: {len(words)}")

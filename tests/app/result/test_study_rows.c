@@ -17,7 +17,7 @@ enum { REGULAR, WAY, MEASURE, EMPTY, OBSERVABLES };
 
 static const Observable observables[] = {[REGULAR] = {"completed", "1", "all people are out"},
                                          [WAY] = {"way", "1", "the way"},
-                                         [MEASURE] = {"time", "s", "time until everybody is out"},
+                                         [MEASURE] = {"time", "s", "time until all people are out"},
                                          [EMPTY] = {"lost", "s", "lost time"}};
 static const Parameter width = {.name = "door.d1.width", .unit = "m"};
 
@@ -67,14 +67,14 @@ TEST(a_study_along_an_axis_says_where_the_answer_changes_and_shows_each_value) {
     Study study = make_study(1, 3, 1);
     check_answer(&study,
                  "flat.json: door.d1.width from 0.8 to 1.0 m in 3 steps\n"
-                 "not out at 0.8 m, out from 0.9 m on; the time until everybody is out falls from 19 to 18 s\n\n"
+                 "not out at 0.8 m, out from 0.9 m on; the time until all people are out falls from 19 to 18 s\n\n"
                  "door.d1.width m  answer   time s\n"
                  "            0.8  not out       -\n"
                  "            0.9  out          19\n"
                  "            1.0  out          18\n");
     study.trials[2].observed[REGULAR] = study.trials[2].observed[MEASURE] = NAN;
     check_answer(&study, "flat.json: door.d1.width from 0.8 to 1.0 m in 3 steps\n"
-                         "not out at 0.8 m, out at 0.9 m, undecided at 1.0 m; the time until everybody is out is 19 s"
+                         "not out at 0.8 m, out at 0.9 m, undecided at 1.0 m; the time until all people are out is 19 s"
                          "\n\ndoor.d1.width m  answer     time s\n"
                          "            0.8  not out         -\n"
                          "            0.9  out            19\n"
