@@ -4,7 +4,7 @@
 #include "document/document.h"
 #include "house/observation.h"
 
-/* A table of everybody who took part or, of many, of the groups they are and of the exits. */
+/* A table of all people who took part or, of many, of their groups and of the exits. */
 void report_people_add(Document *document, const House *house, const Observation *observation);
 
 /* The table of routes: mean (a) and deviation (b) of the measured times, simulation (c), error ((c) - (a)) / (a). */

@@ -5,7 +5,7 @@
 
 #include "base/text.h"
 
-static const double CLOSE = 0.1; /* m: clearances below it are told in millimetres */
+static const double CLOSE = 0.1; /* m: smaller clearances are printed to the millimetre */
 
 const char *headline_clearance(double clearance, Arena *arena) {
     if (clearance <= 0)

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "visual/study/advice.h"
+#include "result/advice.h"
 
 static void add_text(ResultTable *table, const char *key, const char *label, const char *text) {
     result_add(table, (ResultRow){.key = key, .label = label, .text = text});

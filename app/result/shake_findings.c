@@ -137,7 +137,7 @@ ShakeFindings shake_findings_make(const Study *study) {
     Making making = {&findings, house_experiment_shake(study->experiment),
                      memory_zeroed(study->trial_count, sizeof(double))};
     findings.shakes = take(&making, HOUSE_COMPLETED);
-    findings.everybody = share_above(&making, HOUSE_COMPLETED, 0);
+    findings.all_out = share_above(&making, HOUSE_COMPLETED, 0);
     findings.caught = share_above(&making, making.record->caught, 0);
     findings.elsewhere = share_above(&making, making.record->elsewhere, 0);
     findings.time = distribution(&making, HOUSE_TIME);
@@ -164,7 +164,7 @@ void shake_findings_run_calm(ShakeFindings *findings, size_t route, int jobs, co
 }
 
 const char *shake_findings_headline(const ShakeFindings *findings, Arena *arena) {
-    const Share *share = &findings->everybody;
+    const Share *share = &findings->all_out;
     bool single = findings->party_count == 1 && findings->parties[0].people == 1, always = share->good == share->all;
     const char *id = single ? findings->parties[0].id : "";
     if (!findings->shakes)

@@ -29,7 +29,7 @@ typedef struct ShakeFindings {
     const Study *study;
     const House *house;  /* before a shake */
     size_t shakes;       /* made, and possible */
-    Share everybody;     /* shakes in which all people leave */
+    Share all_out;       /* shakes in which all people leave */
     Share caught;        /* in which furniture falls on a person */
     Share elsewhere;     /* in which a wall, a door or other people stop a person */
     Distribution time;   /* s, until all people are out, of the shakes in which all leave */

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "visual/study/advice.h"
+#include "result/advice.h"
 
 static const char *reason_name(TypesReason reason) {
     static const char *const names[] = {

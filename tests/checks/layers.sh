@@ -36,8 +36,8 @@ app/draw            -
 app/paint           draw
 app/plot            draw paint
 app/document        draw paint
+app/result          beam document draw experiment house inquiry study
 app/visual/study    exchange plot study
-app/result          beam document draw experiment house inquiry study visual/study
 app/visual/house    draw experiment house plan plot result route space study visual/study
 app/visual/beam     beam draw exchange mechanics plot visual/house visual/study
 app/laboratory            beam draw exchange house plan plot visual/beam visual/house

@@ -145,7 +145,7 @@ static void list_key(Scene *scene) {
 
 static void format_answer(Scene *scene, const ShakeFindings *findings) {
     const Plan *plan = &findings->house->plan;
-    const Share *share = &findings->everybody;
+    const Share *share = &findings->all_out;
     scene->name = scene_text(scene, "%s, %zu shakes", *plan->name ? plan->name : "house", findings->shakes);
     scene->note = house_scene_is_assumed(plan) ? arena_text(&scene->arena, plan->note) : "";
     scene->title = shake_findings_headline(findings, &scene->arena);

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "visual/study/advice.h"
+#include "result/advice.h"
 
 static const Observable observables[] = {{"regular", "1", ""}, {"outcome", "1", ""}, {"measure", "N", ""}};
 static const Parameter clearance = {.name = "joint.clearance", .unit = "m"}, speed = {.name = "speed", .unit = "1"};

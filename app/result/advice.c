@@ -1,4 +1,4 @@
-#include "visual/study/advice.h"
+#include "result/advice.h"
 
 #include <math.h>
 #include <string.h>
