@@ -63,7 +63,7 @@ ResultTable result_shake_answer(const ShakeFindings *findings) {
     static const ShareKeys keys = SHARE_KEYS("everybody_out");
     ResultTable table = {.numbers = RESULT_SHORTEST};
     bool known = isfinite(findings->calm_time);
-    add_share(&table, &findings->everybody, &keys, "shakes with all people out", "all out");
+    add_share(&table, &findings->all_out, &keys, "shakes with all people out", "all out");
     add_times(&table, &findings->time);
     result_add(&table, (ResultRow){.key = "without_shake.completed",
                                    .label = "all people out without a shake",

@@ -68,8 +68,8 @@ TEST(what_falls_across_the_only_way_is_what_stops_people) {
     CHECK(findings->shakes == 12 && findings->party_count == 1 && findings->piece_count == 2);
     CHECK(shelf->index == 0 && shelf->stops.good == shelf->toppled && shelf->with_loss == shelf->toppled);
     CHECK(shelf->toppled > 0 && shelf->toppled < 12 && stand->toppled > 0 && stand->stops.good == 0);
-    CHECK(findings->everybody.good == 12 - shelf->toppled && findings->time.count == findings->everybody.good);
-    CHECK(findings->parties[0].out.good == findings->everybody.good && findings->elsewhere.good == 0);
+    CHECK(findings->all_out.good == 12 - shelf->toppled && findings->time.count == findings->all_out.good);
+    CHECK(findings->parties[0].out.good == findings->all_out.good && findings->elsewhere.good == 0);
     CHECK(findings->worst && strstr(findings->made_by, "--set furniture.shelf.toppled=true"));
     close_case(&made);
 }
@@ -85,7 +85,7 @@ TEST(the_picture_and_the_plot_say_it) {
     const ShakePiece *shelf = &made.findings.pieces[0];
     snprintf(text, sizeof text, "shelf blocks in %.0f %%", 100 * shelf->stops.value);
     CHECK(has_label(&scene, text));
-    snprintf(text, sizeof text, "p1: out in %zu of 8", made.findings.everybody.good);
+    snprintf(text, sizeof text, "p1: out in %zu of 8", made.findings.all_out.good);
     CHECK(has_label(&scene, text));
     CHECK(scene.title_role == ROLE_ERROR && strstr(scene.title, "of 8 shakes"));
     scene_clear(&scene);
@@ -93,7 +93,7 @@ TEST(the_picture_and_the_plot_say_it) {
     Plot plot;
     CHECK(shake_plots_times(&plot, &made.findings, &arena) && plot.series_count == 1);
     const PlotSeries *series = &plot.series[0];
-    CHECK_NEAR(series->y[series->count - 1], 100 * made.findings.everybody.value, 1e-9);
+    CHECK_NEAR(series->y[series->count - 1], 100 * made.findings.all_out.value, 1e-9);
     CHECK(series->y[0] == 0);
     arena_clear(&arena);
     close_case(&made);
@@ -108,7 +108,7 @@ TEST(each_fact_of_shakes_is_printed_by_all_pens) {
     pens_check(&people, 8);
     pens_check(&pieces, 6);
     pens_check(&answer, 8);
-    CHECK_NEAR(result_find(&people, 0, "out.share")->number, made.findings.everybody.value, 1e-12);
+    CHECK_NEAR(result_find(&people, 0, "out.share")->number, made.findings.all_out.value, 1e-12);
     CHECK(result_find(&pieces, 0, "toppled")->number == (double)made.findings.pieces[0].toppled);
     result_clear(&people);
     result_clear(&pieces);
