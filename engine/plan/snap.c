@@ -11,12 +11,12 @@ enum { LINES_MOST = 24 /* lines near the pointer at once; further ones are ignor
 
 /* A line that can be snapped to. */
 typedef struct Line {
-    Vec2 origin, axis; /* m; unit */
-    double low, high;  /* m, extent along the axis */
-    double cost;       /* 1, in reaches: handicap against another line at the same distance */
-    Vec2 guide;        /* m, where the displayed guide begins; for an existing line: its origin */
-    bool drawn;        /* True if the line exists in the plan */
-    char words[SNAP_WORDS / 2];
+    Vec2 origin, axis;              /* m; unit */
+    double low, high;               /* m, extent along the axis */
+    double cost;                    /* 1, in reaches: handicap against another line at the same distance */
+    Vec2 guide;                     /* m, where the displayed guide begins; for an existing line: its origin */
+    bool drawn;                     /* True if the line exists in the plan */
+    char words[SNAP_WORDS / 2 - 1]; /* two of them and ", " fit into SNAP_WORDS */
 } Line;
 
 typedef struct Search {

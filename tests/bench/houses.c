@@ -15,7 +15,7 @@ static json_t *hall(const char *profile, double side, double density) {
                               {half - 1, a + 0.1, half + 1, a + 0.1},
                               {-0.1, half - 1, -0.1, half + 1}};
     for (int i = 0; i < 4; i++) {
-        char id[8];
+        char id[16];
         snprintf(id, sizeof id, "d%d", i);
         json_array_append_new(json_object_get(plan, "doors"),
                               json_pack("{s:s, s:s, s:i, s:f, s:f, s:s}", "id", id, "wall", "w", "segment", i, "at",

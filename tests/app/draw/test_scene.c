@@ -423,7 +423,7 @@ enum { MEMBERS = 40 };
  * and one whose time ran out. */
 static Scene crowd_scene(Census *census) {
     static TraceColumn columns[TRACE_COLUMNS];
-    static char names[MEMBERS][16];
+    static char names[MEMBERS][24];
     Profile profiles[] = {chair, adult};
     Crowd crowd = {.id = "adults", .profile = "adult", .count = MEMBERS};
     Exit exits[] = {{.id = "e1", .from = {10, 1}, .to = {10, 2}}, {.id = "e2", .from = {0, 1}, .to = {0, 2}}};
