@@ -149,12 +149,12 @@ bool report_files_write_run(const House *house, const Observation *observation, 
     for (int driving = 0; driving < 2 && report_loci_make_sense(house); driving++) {
         Another *another = &others[driving];
         if (drives_only(house, driving)) {
-            report.ways[driving] = report.run;
+            report.by_driving[driving] = report.run;
             continue;
         }
         run_another(another, options, driving, route);
         if (another->run && !progress_interrupted)
-            report.ways[driving] = (Reported){&another->house, &another->observation};
+            report.by_driving[driving] = (Reported){&another->house, &another->observation};
     }
     RaisedPicture raised = {.pixels = NULL};
     if (observation->time > 0 && frames_draw_raised(house, observation, options, &raised))

@@ -9,7 +9,7 @@
 
 typedef struct HouseReport {
     Reported run;
-    Reported ways[2];             /* the same house, by Driving: all people with this driving model; or empty */
+    Reported by_driving[2];       /* the same house, by Driving: all people with this driving model; or empty */
     const ObservedLoci *observed; /* measured loci, or NULL */
     const RaisedPicture *raised;  /* or NULL: could not be drawn */
     const Making *making;

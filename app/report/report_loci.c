@@ -99,20 +99,20 @@ static void add_name(Scene *scene, const House *house, size_t person, Vec2 at) {
 
 /* Makes a scene of loci only, with their starts and causes of their ends: names and bodies would cover the comparison.
  */
-static Scene way_scene(const Reported *way) {
-    const House *house = way->house;
-    const PersonObservation *people = way->observation->people;
+static Scene paths_scene(const Reported *run) {
+    const House *house = run->house;
+    const PersonObservation *people = run->observation->people;
     Scene scene = empty_scene(house);
-    Trail *trails = trail_list(way->observation);
+    Trail *trails = trail_list(run->observation);
     for (size_t i = 0; i < house->person_count; i++) {
         if (!people[i].took_part)
             continue;
-        Locus locus = locus_of(house, way->observation, i);
+        Locus locus = locus_of(house, run->observation, i);
         add_locus(&scene, house, i, &locus);
         people_scene_start(&scene, &house->people[i], ROLE_CHAIR);
         locus_free(&locus);
         if (blockage_scene_has(&people[i]))
-            blockage_scene_add(&scene, house, way->observation, i, &trails[i]);
+            blockage_scene_add(&scene, house, run->observation, i, &trails[i]);
     }
     plan_scene_tags(&scene, house, NULL);
     for (size_t i = 0; i < house->person_count; i++) {
@@ -140,7 +140,8 @@ static void add_pictures(Document *document, const HouseReport *report) {
         "miura: the driving model of the paper, a disc on straight legs and corners.",
         "driver: our driving model, the true rectangle of the chair on a planned path.",
         "observed: the measured loci."};
-    Scene scenes[3] = {way_scene(&report->ways[DRIVING_MIURA]), way_scene(&report->ways[DRIVING_DRIVER])};
+    Scene scenes[3] = {paths_scene(&report->by_driving[DRIVING_MIURA]),
+                       paths_scene(&report->by_driving[DRIVING_DRIVER])};
     Box box = report_pictures_box(scenes[0].box, scenes[1].box);
     if (report->observed) {
         scenes[2] = observed_scene(report->run.house, report->observed);
@@ -153,10 +154,10 @@ static void add_pictures(Document *document, const HouseReport *report) {
 
 static void add_way(Document *document, const HouseReport *report, size_t person, int driving,
                     const LocusDistance *apart) {
-    const Reported *way = &report->ways[driving];
-    const PersonObservation *observed = &way->observation->people[person];
+    const Reported *run = &report->by_driving[driving];
+    const PersonObservation *observed = &run->observation->people[person];
     bool moved = observed->time > 0;
-    const char *cells[] = {way->house->people[person].id,
+    const char *cells[] = {run->house->people[person].id,
                            way_names[driving],
                            observed->completed ? report_people_number(document, observed->time, 2)
                                                : observation_reason(observed->reason),
@@ -169,12 +170,12 @@ static void add_way(Document *document, const HouseReport *report, size_t person
 }
 
 static LocusDistance ways_apart(const HouseReport *report, size_t person) {
-    const Reported *ways = report->ways;
+    const Reported *runs = report->by_driving;
     LocusDistance apart = {.counted = 0};
-    if (!ways[0].observation->people[person].completed || !ways[1].observation->people[person].completed)
+    if (!runs[0].observation->people[person].completed || !runs[1].observation->people[person].completed)
         return apart;
-    Locus driver = locus_of(ways[DRIVING_DRIVER].house, ways[DRIVING_DRIVER].observation, person);
-    Locus miura = locus_of(ways[DRIVING_MIURA].house, ways[DRIVING_MIURA].observation, person);
+    Locus driver = locus_of(runs[DRIVING_DRIVER].house, runs[DRIVING_DRIVER].observation, person);
+    Locus miura = locus_of(runs[DRIVING_MIURA].house, runs[DRIVING_MIURA].observation, person);
     apart = locus_distance(&driver, &miura);
     locus_free(&driver);
     locus_free(&miura);
@@ -204,14 +205,14 @@ static void add_ways(Document *document, const HouseReport *report) {
 }
 
 /* Adds an observed locus and the simulated one of the same name. */
-static void add_agreement(Document *document, const Reported *way, int driving, const ObservedLocus *observed) {
-    size_t person = find_person(way->house, observed->person);
-    const PersonObservation *simulated = &way->observation->people[person];
-    Locus locus = locus_of(way->house, way->observation, person);
+static void add_agreement(Document *document, const Reported *run, int driving, const ObservedLocus *observed) {
+    size_t person = find_person(run->house, observed->person);
+    const PersonObservation *simulated = &run->observation->people[person];
+    Locus locus = locus_of(run->house, run->observation, person);
     LocusDistance apart = locus_distance(&observed->locus, &locus);
     double taken = observed->locus.times[observed->locus.count - 1] - observed->locus.times[0];
     bool both = simulated->completed && taken > 0;
-    const char *cells[] = {way->house->people[person].id,
+    const char *cells[] = {run->house->people[person].id,
                            way_names[driving],
                            report_people_number(document, taken, 2),
                            simulated->completed ? report_people_number(document, simulated->time, 2)
@@ -239,8 +240,8 @@ static void add_agreements(Document *document, const HouseReport *report) {
                       report->observed->path),
         columns, sizeof columns / sizeof *columns);
     for (size_t i = 0; i < report->observed->count; i++) {
-        add_agreement(document, &report->ways[DRIVING_MIURA], DRIVING_MIURA, &report->observed->loci[i]);
-        add_agreement(document, &report->ways[DRIVING_DRIVER], DRIVING_DRIVER, &report->observed->loci[i]);
+        add_agreement(document, &report->by_driving[DRIVING_MIURA], DRIVING_MIURA, &report->observed->loci[i]);
+        add_agreement(document, &report->by_driving[DRIVING_DRIVER], DRIVING_DRIVER, &report->observed->loci[i]);
     }
 }
 
@@ -257,7 +258,7 @@ void report_loci_add(Document *document, const HouseReport *report) {
                 : "Left out: nobody is in a chair, and people on foot have one model only.");
         return;
     }
-    if (!report->ways[0].house || !report->ways[1].house) {
+    if (!report->by_driving[0].house || !report->by_driving[1].house) {
         document_add_paragraph(document, "Left out: the run was interrupted.");
         return;
     }

@@ -12,7 +12,7 @@ static const char *command_of(const Suggestion *suggestion, Arena *arena) {
 
 static void add_change(ResultTable *table, const Suggestion *suggestion, size_t rank) {
     result_add(table, (ResultRow){.label = "rank", .text = text_in_arena(&table->arena, "%zu", rank)});
-    result_add(table, (ResultRow){.key = "words", .label = "change", .text = suggestion->words});
+    result_add(table, (ResultRow){.key = "words", .label = "change", .text = suggestion->text});
     result_add(table, (ResultRow){.key = "settings",
                                   .kind = RESULT_TEXTS,
                                   .texts = suggestion->settings,

@@ -71,7 +71,7 @@ static Elements list_elements(Search *search, Vec2 stuck, SuggestList *list) {
 
 static int compare_suggestions(const void *a, const void *b) {
     const Suggestion *p = a, *q = b;
-    return p->size != q->size ? (p->size < q->size ? -1 : 1) : strcmp(p->words, q->words);
+    return p->size != q->size ? (p->size < q->size ? -1 : 1) : strcmp(p->text, q->text);
 }
 
 /* Adds a suggestion. Of two similar ones, or when the list is full, the smaller one stays. */
@@ -86,11 +86,11 @@ static void add_suggestion(SuggestList *list, const Plan *plan, const Change *ch
         text_add(&words, suggest_change_words(plan, &changes[i], &list->arena));
     }
     words.text[0] = (char)(words.text[0] - 'a' + 'A');
-    one.words = arena_text(&list->arena, words.text);
+    one.text = arena_text(&list->arena, words.text);
     one.settings = settings;
     memory_free(words.text);
     for (size_t i = 0; i < list->count; i++)
-        if (strcmp(list->list[i].words, one.words) == 0)
+        if (strcmp(list->list[i].text, one.text) == 0)
             return;
     if (list->count < SUGGEST_MOST)
         list->list[list->count++] = one;

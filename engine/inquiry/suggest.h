@@ -30,7 +30,7 @@ enum {
 };
 
 typedef struct Suggestion {
-    const char *words;           /* "Widen door d2 from 0.75 m to 0.79 m" */
+    const char *text;            /* "Widen door d2 from 0.75 m to 0.79 m" */
     const char *const *settings; /* (setting_count) NAME=VALUE, the settings of the change */
     size_t setting_count;
     double size; /* m */

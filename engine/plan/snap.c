@@ -11,12 +11,12 @@ enum { LINES_MOST = 24 /* lines near the pointer at once; further ones are ignor
 
 /* A line that can be snapped to. */
 typedef struct Line {
-    Vec2 origin, axis;              /* m; unit */
-    double low, high;               /* m, extent along the axis */
-    double cost;                    /* 1, in reaches: handicap against another line at the same distance */
-    Vec2 guide;                     /* m, where the displayed guide begins; for an existing line: its origin */
-    bool drawn;                     /* True if the line exists in the plan */
-    char words[SNAP_WORDS / 2 - 1]; /* two of them and ", " fit into SNAP_WORDS */
+    Vec2 origin, axis;            /* m; unit */
+    double low, high;             /* m, extent along the axis */
+    double cost;                  /* 1, in reaches: handicap against another line at the same distance */
+    Vec2 guide;                   /* m, where the displayed guide begins; for an existing line: its origin */
+    bool drawn;                   /* True if the line exists in the plan */
+    char text[SNAP_TEXT / 2 - 1]; /* two of them and ", " fit into SNAP_TEXT */
 } Line;
 
 typedef struct Search {
@@ -82,7 +82,7 @@ static void offer_point(Search *search, Vec2 at, const char *what, const char *i
         return;
     search->best = distance;
     search->snap = (Snap){.at = at};
-    snprintf(search->snap.words, sizeof search->snap.words, "%s%.40s", what, id);
+    snprintf(search->snap.text, sizeof search->snap.text, "%s%.40s", what, id);
 }
 
 static void offer_points(Search *search) {
@@ -138,7 +138,7 @@ static void offer_segment(Search *search, Vec2 a, Vec2 b, const char *id) {
                                            .guide = a,
                                            .drawn = true});
     if (line)
-        snprintf(line->words, sizeof line->words, "on %.40s", id);
+        snprintf(line->text, sizeof line->text, "on %.40s", id);
 }
 
 static void offer_wall(Search *search, const Wall *wall) {
@@ -192,7 +192,7 @@ static void offer_axes(Search *search) {
                                                                 .guide = aligned.ends[k]})
                                     : NULL;
         if (line)
-            snprintf(line->words, sizeof line->words, "in line with %.30s", aligned.ids[k]);
+            snprintf(line->text, sizeof line->text, "in line with %.30s", aligned.ids[k]);
     }
 }
 
@@ -203,7 +203,7 @@ static void offer_ray(Search *search, double angle) {
     Line *line = offer_line(
         search, (Line){.origin = from, .axis = snap_heading(angle), .high = HUGE_VAL, .cost = COST_RAY, .guide = from});
     if (line)
-        snprintf(line->words, sizeof line->words, "%g degrees", angle);
+        snprintf(line->text, sizeof line->text, "%g degrees", angle);
 }
 
 static void offer_rays(Search *search) {
@@ -268,7 +268,7 @@ static bool choose_crossing(Search *search) {
                 continue;
             least = cost;
             search->snap = (Snap){.at = tidy(at)};
-            snprintf(search->snap.words, SNAP_WORDS, "%s, %s", b->words, a->words);
+            snprintf(search->snap.text, SNAP_TEXT, "%s, %s", b->text, a->text);
             add_guide(&search->snap, a);
             add_guide(&search->snap, b);
         }
@@ -290,7 +290,7 @@ static bool choose_line(Search *search) {
         return false;
     double along = real_clamp(to_grid(along_of(best, ask->at), SNAP_GRID), best->low, best->high);
     search->snap = (Snap){.at = tidy(vec2_along(best->origin, along, best->axis))};
-    snprintf(search->snap.words, SNAP_WORDS, "%s", best->words);
+    snprintf(search->snap.text, SNAP_TEXT, "%s", best->text);
     add_guide(&search->snap, best);
     return true;
 }
@@ -303,7 +303,7 @@ static Snap snap_straight(Search *search) {
     Snap snap = {.at = *ask->from};
     double *moves = upright ? &snap.at.y : &snap.at.x, wanted = upright ? ask->at.y : ask->at.x;
     *moves = to_grid(wanted, ask->free ? SNAP_FREE_GRID : SNAP_GRID);
-    snprintf(snap.words, sizeof snap.words, upright ? "straight up" : "straight across");
+    snprintf(snap.text, sizeof snap.text, upright ? "straight up" : "straight across");
     if (ask->free)
         return snap;
     double least = ask->reach;
@@ -317,7 +317,7 @@ static Snap snap_straight(Search *search) {
             *moves = end;
             snap.guide_count = 1;
             snap.guides[0][0] = wall->points.at[i];
-            snprintf(snap.words, sizeof snap.words, "in line with %.40s", wall->id);
+            snprintf(snap.text, sizeof snap.text, "in line with %.40s", wall->id);
         }
     snap.guides[0][1] = snap.at;
     return snap;

@@ -12,7 +12,7 @@
 #define SNAP_FREE_GRID 0.001 /* m, of a free pointer, so that files stay short */
 #define SNAP_TURN 15.0       /* degree */
 
-enum { SNAP_WORDS = 96, SNAP_GUIDES = 2 };
+enum { SNAP_TEXT = 96, SNAP_GUIDES = 2 };
 
 /* Arguments of a snap. */
 typedef struct SnapAsk {
@@ -33,8 +33,8 @@ typedef struct SnapAsk {
 
 /* Result of a snap. */
 typedef struct Snap {
-    Vec2 at;                /* m */
-    char words[SNAP_WORDS]; /* "end of w3", "on w2, 90 degrees"; "": no target, or the grid */
+    Vec2 at;              /* m */
+    char text[SNAP_TEXT]; /* "end of w3", "on w2, 90 degrees"; "": no target, or the grid */
     Vec2 guides[SNAP_GUIDES][2];
     size_t guide_count;
 } Snap;

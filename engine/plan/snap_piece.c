@@ -119,7 +119,7 @@ Snap snap_piece_place(const Plan *plan, const Furniture *piece, const SnapAsk *a
     Vec2 at = vec2_turn(own, axis);
     snap.at = vec2(snap_tidy(at.x), snap_tidy(at.y));
     bool both = touching.ids[0] && touching.ids[1] && strcmp(touching.ids[0], touching.ids[1]) != 0;
-    snprintf(snap.words, sizeof snap.words, both ? "against %.30s and %.30s" : "against %.30s",
+    snprintf(snap.text, sizeof snap.text, both ? "against %.30s and %.30s" : "against %.30s",
              touching.ids[0] ? touching.ids[0] : touching.ids[1], both ? touching.ids[1] : "");
     return snap;
 }

@@ -28,7 +28,7 @@ static bool find_wall(Editor *edit, Vec2 at) {
     now->wall = wall.wall;
     now->segment = wall.segment;
     now->along = to_grid(edit, wall.along);
-    snprintf(edit->snap.words, SNAP_WORDS, "on %.40s", edit->plan_before.walls[wall.wall].id);
+    snprintf(edit->snap.text, SNAP_TEXT, "on %.40s", edit->plan_before.walls[wall.wall].id);
     return true;
 }
 
@@ -39,7 +39,7 @@ static void snap_middle(Editor *edit) {
     if (edit->pointer.free || fabs(edit->now.along - middle) > edit->pointer.reach)
         return;
     edit->now.along = snap_tidy(middle);
-    snprintf(edit->snap.words, SNAP_WORDS, "middle of %.40s", edit->plan_before.walls[edit->now.wall].id);
+    snprintf(edit->snap.text, SNAP_TEXT, "middle of %.40s", edit->plan_before.walls[edit->now.wall].id);
 }
 
 static Vec2 place_on_wall(const Editor *edit) {

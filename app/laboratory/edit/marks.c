@@ -110,8 +110,8 @@ void edit_marks_dragged(Editor *edit) {
 static void add_snap(Editor *edit, const Snap *snap) {
     for (size_t i = 0; i < snap->guide_count; i++)
         add_points(edit, MARK_GUIDE, snap->guides[i], 2, NULL);
-    if (*snap->words)
-        add_points(edit, MARK_SNAP, &snap->at, 1, snap->words);
+    if (*snap->text)
+        add_points(edit, MARK_SNAP, &snap->at, 1, snap->text);
 }
 
 static void add_handles(Editor *edit) {

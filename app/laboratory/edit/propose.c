@@ -133,7 +133,7 @@ static void write_texts(EditSearch *search) {
     const SuggestList *list = &search->list;
     bool explained = list->note_count && !list->out_already;
     for (size_t i = 0; i < list->count; i++)
-        search->rows[i] = (Proposal){list->list[i].words, result_suggest_outcome(&list->list[i], &search->arena)};
+        search->rows[i] = (Proposal){list->list[i].text, result_suggest_outcome(&list->list[i], &search->arena)};
     search->none = explained ? list->notes[0] : result_suggest_sentence(list, &search->arena);
 }
 
@@ -181,7 +181,7 @@ bool edit_propose_accept(Editor *edit, size_t proposal, Fault *fault) {
     }
     const Suggestion *chosen = &edit->search->list.list[proposal];
     bool good = true;
-    edit_gesture_begin_step(edit, chosen->words);
+    edit_gesture_begin_step(edit, chosen->text);
     for (size_t i = 0; i < chosen->setting_count && good; i++)
         good = set(edit, chosen->settings[i], fault);
     if (good)

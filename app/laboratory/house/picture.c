@@ -63,7 +63,7 @@ void house_picture_make_film(HouseSession *session, double time) {
         .ahead = session->whole && session->ghost == GHOST_BEFORE && ghost.house, /* both are complete */
         .observed = house == &session->runs[RUN_SHOWN]->house ? NULL : &session->runs[RUN_SHOWN]->house,
         .trails = session->trails.trails,
-        .ways = has_routes ? &session->runs[RUN_ROUTES]->routes : NULL,
+        .routes = has_routes ? &session->runs[RUN_ROUTES]->routes : NULL,
         .falling = session->fall.pieces,
         .falling_count = falling,
         .box = box_of(&session->runs[RUN_SHOWN]->house)};

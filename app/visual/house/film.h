@@ -45,7 +45,7 @@ typedef struct FilmOptions {
     const House *observed; /* the house of the observation, if that is another plan with the same people and exits;
                               NULL: the same house */
     const Trail *trails;   /* (person_count) of the observation, if the caller has them already; otherwise NULL */
-    const Scene *ways;     /* the result of route_scene_add, shown with the plan; or NULL */
+    const Scene *routes;   /* the result of route_scene_add, shown with the plan; or NULL */
     const FurnitureFall
         *falling; /* (falling_count) falling furniture, by id; drawn in its present state in each frame */
     size_t falling_count;

@@ -76,7 +76,7 @@ static void check_all(const Case *made, const SuggestList *list) {
 /* Returns the first suggestion whose text contains this, or NULL. */
 static const Suggestion *with_words(const SuggestList *list, const char *words) {
     for (size_t i = 0; i < list->count; i++)
-        if (strstr(list->list[i].words, words))
+        if (strstr(list->list[i].text, words))
             return &list->list[i];
     return NULL;
 }
@@ -98,7 +98,7 @@ TEST(a_narrow_door_is_widened_to_what_the_chair_needs) {
     find(&list, &made, 1);
     CHECK(!list.out_already && list.count == 1);
     CHECK_TEXT(list.list[0].settings[0], "door.d1.width=0.64"); /* a corridor of 0.63 m has no space for planning */
-    CHECK_TEXT(list.list[0].words, "Widen door d1 from 0.60 m to 0.64 m");
+    CHECK_TEXT(list.list[0].text, "Widen door d1 from 0.60 m to 0.64 m");
     CHECK_NEAR(list.list[0].size, 0.04, 1e-9);
     check_all(&made, &list);
     const char *less = "door.d1.width=0.63";
@@ -141,14 +141,14 @@ TEST(a_wardrobe_in_a_corridor_is_moved_as_far_as_it_must_by_any_number_of_thread
     find(&list, &made, 1);
     CHECK(list.count == 1);
     CHECK_TEXT(list.list[0].settings[0], "furniture.f1.centre.y=1.04");
-    CHECK_TEXT(list.list[0].words, "Move wardrobe (f1) 0.09 m up on the plan");
+    CHECK_TEXT(list.list[0].text, "Move wardrobe (f1) 0.09 m up on the plan");
     check_all(&made, &list);
     const char *less = "furniture.f1.centre.y=1.03";
     double time;
     CHECK(!all_out(&made, &less, 1, &time));
     find(&other, &made, 3);
     CHECK(other.count == 1 && other.tries == list.tries && other.list[0].time == list.list[0].time);
-    CHECK_TEXT(other.list[0].words, list.list[0].words);
+    CHECK_TEXT(other.list[0].text, list.list[0].text);
     suggest_clear(&list);
     suggest_clear(&other);
     unlink(made.path);
@@ -170,7 +170,7 @@ LONG_TEST(what_has_toppled_may_be_stood_up) {
         "'people': [{'id': 'p1', 'profile': 'manual-chair', 'at': [0.8, 0.6]}]}");
     find(&list, &made, 2);
     CHECK(list.count == 1 && list.list[0].size == 1);
-    CHECK_TEXT(list.list[0].words, "Stand wardrobe (f1) up");
+    CHECK_TEXT(list.list[0].text, "Stand wardrobe (f1) up");
     CHECK_TEXT(list.list[0].settings[0], "furniture.f1.toppled=false");
     check_all(&made, &list);
     suggest_clear(&list);

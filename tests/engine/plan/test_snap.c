@@ -25,7 +25,7 @@ static Snap at(double x, double y, SnapAsk ask) {
 static void check_snap(Snap snap, double x, double y, const char *words) {
     CHECK_NEAR(snap.at.x, x, 0);
     CHECK_NEAR(snap.at.y, y, 0);
-    CHECK_TEXT(snap.words, words);
+    CHECK_TEXT(snap.text, words);
 }
 
 TEST(ends_and_corners_come_before_lines_and_lines_before_the_grid) {
@@ -48,14 +48,14 @@ TEST(a_line_from_somewhere_is_snapped_to_angles_and_its_length_to_centimetres) {
     check_snap(snap, 1.5, 1, "0 degrees");
     CHECK(snap.guide_count == 1);
     snap = at(1 + 0.5 * cos(radians(46)), 1 + 0.5 * sin(radians(46)), (SnapAsk){.from = &from});
-    CHECK_TEXT(snap.words, "45 degrees");
+    CHECK_TEXT(snap.text, "45 degrees");
     CHECK_NEAR(vec2_distance(snap.at, from), 0.5, 1e-9);
     check_snap(at(1.94, 1.03, (SnapAsk){.from = &from}), 2, 1, "on w2, 0 degrees");
     Vec2 slope = {6.5, 2.5}; /* square to w3, whose direction is 45 degrees */
-    CHECK_TEXT(at(7.1, 1.95, (SnapAsk){.from = &slope}).words, "-45 degrees");
+    CHECK_TEXT(at(7.1, 1.95, (SnapAsk){.from = &slope}).text, "-45 degrees");
     snap = at(6.5 + 0.6 * cos(radians(20)), 2.5 + 0.6 * sin(radians(20)),
               (SnapAsk){.from = &slope, .along = 5, .reach = 0.05});
-    CHECK_TEXT(snap.words, "20 degrees");
+    CHECK_TEXT(snap.text, "20 degrees");
 }
 
 TEST(the_first_point_closes_what_is_drawn_and_others_are_in_line) {
