@@ -222,7 +222,7 @@ TEST(both_painters_agree) {
     check_sights(WIDTH, HEIGHT);
 }
 
-TEST(both_painters_agree_on_large_pictures) {
+LONG_TEST(both_painters_agree_on_large_pictures) {
     check_sights(WIDTH * 5 / 2, HEIGHT * 5 / 2);
 }
 
@@ -533,6 +533,6 @@ static void check_film(int frames, int first) {
 }
 
 /* The text fills the atlas many times. */
-TEST(a_long_film_takes_no_more_memory_and_its_words_stay_the_same) {
+LONG_TEST(a_long_film_takes_no_more_memory_and_its_words_stay_the_same) {
     check_film(1000, 300);
 }

@@ -60,7 +60,7 @@ static bool has_label(const Scene *scene, const char *text) {
     return false;
 }
 
-TEST(what_falls_across_the_only_way_is_what_stops_people) {
+LONG_TEST(what_falls_across_the_only_way_is_what_stops_people) {
     Case made;
     open_case(&made, CORRIDOR "'people': [{'id': 'p1', 'profile': 'manual-chair', 'at': [1, 0.6]}]}", 12, 2);
     const ShakeFindings *findings = &made.findings;

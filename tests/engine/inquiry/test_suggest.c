@@ -134,7 +134,7 @@ LONG_TEST(two_narrow_doors_in_a_row_are_widened_together) {
     "'exits': [{'id': 'e1', 'from': [7.5, 0], 'to': [7.5, 1.2]}],"                                                     \
     "'people': [{'id': 'p1', 'profile': 'manual-chair', 'at': [0.8, 0.32]}]}"
 
-TEST(a_wardrobe_in_a_corridor_is_moved_as_far_as_it_must_by_any_number_of_threads) {
+LONG_TEST(a_wardrobe_in_a_corridor_is_moved_as_far_as_it_must_by_any_number_of_threads) {
     Case made;
     SuggestList list, other;
     open_case(&made, NICHE);
