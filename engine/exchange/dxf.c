@@ -4,18 +4,21 @@
 #include <stdint.h>
 
 #include "base/real.h"
-#include "exchange/dxf_shapes.h"
 #include "exchange/bounding_rectangle.h"
-#include "exchange/wall_chains.h"
+#include "exchange/dxf_shapes.h"
+#include "exchange/dxf_unit.h"
+#include "exchange/wall_faces.h"
 
-static const double LEAST = 3, MOST = 200;    /* m: range of the longer side of a house */
-static const double USUAL = 12;               /* m: typical longer side of a house */
 static const double THICKEST = 0.6;           /* m: a rectangle at most this wide ... */
 static const double SLENDER = 2;              /* 1: ... and at least this many times longer is a piece of wall */
+static const double SQUARE = 1e-4;            /* 1: largest difference of the area from that of a rectangle */
+static const double PIER = 3e-3;              /* m, or 1: largest difference of a pier from its wall */
+static const double PIER_GAP = 3;             /* m: largest opening next to a pier */
 static const double DOOR_LEAST = 0.4;         /* m, smallest door leaf */
 static const double DOOR_MOST = 2.5;          /* m */
 static const double SWING_LEAST = M_PI / 4;   /* rad, range of the arc that a leaf's free end draws */
 static const double SWING_MOST = 0.75 * M_PI; /* rad */
+static const double QUARTER = 0.1;            /* rad: difference of such an arc from a quarter of a circle */
 static const double JAMB = 0.3;               /* m: largest distance of a shut leaf's free end from the walls */
 static const double AS_NEAR = 0.05;           /* m: both ends of an arc count as equally near to a wall */
 static const double IN_WALL = 0.15;           /* m: largest offset of a shut leaf from the axis of its wall */
@@ -26,88 +29,10 @@ typedef struct Drawing {
     HouseBuilder *builder;
     DxfFile file;
     DxfShapes shapes;
-    double unit;        /* m */
+    double unit; /* m */
+    WallFaces faces;
     size_t leaf_points; /* lines on door layers */
 } Drawing;
-
-/* The unit -------------------------------------------------------------------------------------------------------- */
-
-typedef struct Unit {
-    int code; /* $INSUNITS */
-    const char *name;
-    double metres;
-} Unit;
-
-static const Unit units[] = {
-    {4, "mm", 0.001},  {5, "cm", 0.01}, {6, "m", 1},        {1, "inch", 0.0254},
-    {2, "ft", 0.3048}, {14, "dm", 0.1}, {10, "yd", 0.9144}, {7, "km", 1000},
-};
-enum {
-    UNITS = sizeof units / sizeof *units,
-    LIKELY = 5 /* the first of them: units that plans are usually drawn in */
-};
-
-static const Unit *said_unit(const DxfFile *file) {
-    for (size_t u = 0; u < UNITS; u++)
-        if (units[u].code == file->unit)
-            return &units[u];
-    return NULL;
-}
-
-/* Returns the extent of the walls, in the drawing's unit. */
-static Vec2 size_of(const DxfShapes *shapes) {
-    Box box = box_empty();
-    for (size_t s = 0; s < shapes->count; s++)
-        for (size_t i = 0; i < shapes->list[s].count && shapes->list[s].role == DXF_WALLS; i++)
-            box = box_include(box, shapes->points[shapes->list[s].point + i]);
-    return vec2_sub(box.high, box.low);
-}
-
-static bool is_plausible(double longer) {
-    return longer >= LEAST && longer <= MOST;
-}
-
-/* Returns the most common unit that gives a plausible house size, or NULL. */
-static const Unit *likely_unit(double longer) {
-    const Unit *best = NULL;
-    for (size_t u = 0; u < LIKELY; u++)
-        if (is_plausible(longer * units[u].metres) &&
-            (!best || fabs(real_log(longer * units[u].metres / USUAL)) < fabs(real_log(longer * best->metres / USUAL))))
-            best = &units[u];
-    return best;
-}
-
-/* Chooses the unit: from the options, else from the file unless the size would be implausible for a house, else by
- * size. */
-static void choose_unit(Drawing *drawing) {
-    ImportReport *report = drawing->builder->report;
-    Vec2 size = size_of(&drawing->shapes);
-    double longer = fmax(size.x, size.y);
-    const Unit *said = said_unit(&drawing->file), *likely = likely_unit(longer);
-    drawing->unit = drawing->builder->options->unit;
-    if (drawing->unit > 0 || !(longer > 0))
-        return;
-    if (said && (!likely || is_plausible(longer * said->metres))) {
-        drawing->unit = said->metres;
-        import_report_note(report, "the unit is %s, as the file says: the plan is %.4g m by %.4g m", said->name,
-                           size.x * drawing->unit, size.y * drawing->unit);
-        return;
-    }
-    likely = likely ? likely : &units[0];
-    drawing->unit = likely->metres;
-    if (said)
-        import_report_note(report,
-                           "the file says that its unit is %s, which would make the plan %.4g m by %.4g m: %s is "
-                           "assumed, %.4g m by %.4g m; clearance import --unit overrides",
-                           said->name, size.x * said->metres, size.y * said->metres, likely->name,
-                           size.x * drawing->unit, size.y * drawing->unit);
-    else
-        import_report_note(
-            report,
-            "the file does not say its unit: %s is assumed, the plan is %.4g m by %.4g m; clearance import "
-            "--unit overrides",
-            likely->name, size.x * drawing->unit, size.y * drawing->unit);
-}
 
 static void scale_all(Drawing *drawing) {
     DxfShapes *shapes = &drawing->shapes;
@@ -125,35 +50,79 @@ static const Vec2 *points_of(const Drawing *drawing, const DxfShape *shape) {
     return drawing->shapes.points + shape->point;
 }
 
-/* If the shape is the outline of a piece of wall (a slender rectangle), adds a wall of that thickness and returns
- * true. */
-static bool keep_slender(const Drawing *drawing, const DxfShape *shape, WallLines *lines) {
-    if (!shape->closed || shape->count != 5 || shape->width > 0)
+/* Finds the rectangle of a closed outline of four right corners; false if the shape is another one. */
+static bool find_rectangle(const Drawing *drawing, const DxfShape *shape, Rectangle *box) {
+    if (shape->role != DXF_WALLS || shape->window || !shape->closed || shape->count != 5 || shape->width > 0)
         return false;
     const Vec2 *corners = points_of(drawing, shape);
-    Rectangle box = bounding_rectangle_of(corners, 4);
+    *box = bounding_rectangle_of(corners, 4);
     double area = fabs(vec2_cross(vec2_sub(corners[2], corners[0]), vec2_sub(corners[3], corners[1]))) / 2;
-    bool is_rectangle = fabs(area - box.size.x * box.size.y) < 1e-6 * area;
-    if (!is_rectangle || box.size.y > THICKEST || box.size.x < SLENDER * box.size.y)
+    return fabs(area - box->size.x * box->size.y) < SQUARE * area && box->size.y <= THICKEST;
+}
+
+static WallLine line_through(Vec2 centre, Vec2 along, double length, double thickness) {
+    return (WallLine){vec2_along(centre, -length / 2, along), vec2_along(centre, length / 2, along), thickness, 0};
+}
+
+/* Collects the slender rectangles: each is a piece of wall. */
+static WallLines find_slender(const Drawing *drawing) {
+    WallLines slender = {0};
+    Rectangle box;
+    for (size_t s = 0; s < drawing->shapes.count; s++)
+        if (find_rectangle(drawing, &drawing->shapes.list[s], &box) && box.size.x >= SLENDER * box.size.y)
+            wall_chains_append(&slender,
+                               line_through(box.centre, vec2_heading(radians(box.angle)), box.size.x, box.size.y));
+    return slender;
+}
+
+/* Appends a rectangle that is a pier between openings: in line with a slender one, as thick and near. */
+static bool keep_pier(const Rectangle *box, const WallLines *slender, WallLines *lines) {
+    for (size_t l = 0; l < slender->count && l < HOUSE_BUILDER_FEW; l++) {
+        const WallLine *wall = &slender->list[l];
+        Vec2 along = vec2_unit(vec2_sub(wall->b, wall->a)), own = vec2_heading(radians(box->angle));
+        Vec2 a = vec2_unturn(vec2_sub(wall->a, box->centre), along),
+             b = vec2_unturn(vec2_sub(wall->b, box->centre), along);
+        bool lengthways = fabs(vec2_dot(own, along)) > 0.5;
+        double length = lengthways ? box->size.x : box->size.y, thickness = lengthways ? box->size.y : box->size.x;
+        double skew = fmin(fabs(vec2_cross(own, along)), fabs(vec2_dot(own, along)));
+        double gap = fmax(a.x, -b.x) - length / 2;
+        if (skew > PIER || fabs(a.y) > PIER || fabs(thickness - wall->thickness) > PIER || gap > PIER_GAP)
+            continue;
+        wall_chains_append(lines, line_through(box->centre, along, length, wall->thickness));
+        return true;
+    }
+    return false;
+}
+
+/* If the shape is the outline of a piece of wall, adds a wall of that thickness and returns true. */
+static bool keep_outline(const Drawing *drawing, const DxfShape *shape, const WallLines *slender, WallLines *lines) {
+    Rectangle box;
+    if (!find_rectangle(drawing, shape, &box))
         return false;
-    Vec2 half = vec2_scale(vec2_heading(radians(box.angle)), box.size.x / 2);
-    wall_chains_append(lines, (WallLine){vec2_sub(box.centre, half), vec2_add(box.centre, half), box.size.y, 0});
+    if (box.size.x < SLENDER * box.size.y)
+        return keep_pier(&box, slender, lines);
+    wall_chains_append(lines, line_through(box.centre, vec2_heading(radians(box.angle)), box.size.x, box.size.y));
     return true;
 }
 
+/* Adds the walls. Window lines are walls to people inside. */
 static void add_walls(Drawing *drawing) {
     const DxfShapes *shapes = &drawing->shapes;
-    WallLines lines = {0};
+    WallLines lines = {0}, windows = {0}, slender = find_slender(drawing);
     for (size_t s = 0; s < shapes->count; s++) {
         const DxfShape *shape = &shapes->list[s];
         const Vec2 *points = points_of(drawing, shape);
-        if (shape->role != DXF_WALLS || keep_slender(drawing, shape, &lines))
+        if (shape->role != DXF_WALLS || keep_outline(drawing, shape, &slender, &lines))
             continue;
         for (size_t i = 0; i + 1 < shape->count; i++)
-            wall_chains_append(&lines, (WallLine){points[i], points[i + 1], shape->width, 0});
+            wall_chains_append(shape->window ? &windows : &lines,
+                               (WallLine){points[i], points[i + 1], shape->width, 0});
     }
-    wall_chains_add(drawing->builder, lines.list, lines.count);
+    drawing->faces = wall_faces_join(&lines, &windows);
+    drawing->faces.doubled += wall_chains_add(drawing->builder, lines.list, lines.count);
     memory_free(lines.list);
+    memory_free(windows.list);
+    memory_free(slender.list);
 }
 
 /* Adds exits: a line, or the centre line of an outline along its longer side. */
@@ -252,15 +221,54 @@ static bool shut_end(const Drawing *drawing, Vec2 hinge, Vec2 one, Vec2 other, b
     return true;
 }
 
+/* Adds a piece of wall for a door in a gap: on the axis of the wall that ends there, and as thick. */
+static size_t fill_gap(HouseBuilder *builder, Vec2 hinge, Vec2 shut) {
+    Vec2 gap[2] = {hinge, shut}, along = vec2_unit(vec2_sub(shut, hinge));
+    double thickness = 0;
+    for (int end = 0; end < 2 && thickness == 0; end++) {
+        size_t wall;
+        int segment;
+        if (!house_builder_nearest(builder, gap[end], along, THICKEST / 2, &wall, &segment))
+            continue;
+        const Wall *next = &builder->plan.walls[wall];
+        double aside = vec2_cross(along, vec2_sub(next->points.at[segment], gap[end]));
+        if (fabs(aside) > next->thickness / 2 + AS_NEAR)
+            continue;
+        thickness = next->thickness;
+        for (int i = 0; i < 2 && thickness > 0; i++)
+            gap[i] = vec2_along(gap[i], aside, vec2_left(along));
+    }
+    return house_builder_wall(builder, gap, 2, thickness, 0);
+}
+
+/* Joins a leaf with the leaf of a door that it meets: a door with two leaves becomes an opening. */
+static bool join_leaves(HouseBuilder *builder, const Door *leaf) {
+    for (size_t d = 0; d < builder->plan.door_count; d++) {
+        Door *door = &builder->plan.doors[d];
+        double apart = fabs(door->at - leaf->at) - (door->width + leaf->width) / 2;
+        if (door->wall_index != leaf->wall_index || door->segment != leaf->segment || door->hinge == leaf->hinge ||
+            door->kind != DOOR_HINGED || fabs(apart) > AS_NEAR)
+            continue;
+        double low = fmin(door->at - door->width / 2, leaf->at - leaf->width / 2);
+        double high = fmax(door->at + door->width / 2, leaf->at + leaf->width / 2);
+        door->at = house_builder_rounded(vec2((low + high) / 2, 0)).x;
+        door->width = house_builder_rounded(vec2(high - low, 0)).x;
+        door->kind = DOOR_OPENING;
+        import_report_leave(builder->report, 1, "further leaves of doors: such doors became openings");
+        return true;
+    }
+    return false;
+}
+
 /* Places the door in the wall that continues there, or in a wall piece of its own that fills the gap. */
 static size_t place_door(Drawing *drawing, Vec2 hinge, Vec2 shut, Vec2 open) {
     HouseBuilder *builder = drawing->builder;
     Vec2 way = vec2_sub(shut, hinge);
     Door door = {.width = vec2_length(way), .kind = DOOR_HINGED};
-    if (!house_builder_nearest(builder, vec2_along(hinge, 0.5, way), vec2_unit(way), IN_WALL, &door.wall_index,
+    double reach = fmax(IN_WALL, drawing->faces.thickest / 2 + AS_NEAR);
+    if (!house_builder_nearest(builder, vec2_along(hinge, 0.5, way), vec2_unit(way), reach, &door.wall_index,
                                &door.segment)) {
-        Vec2 gap[2] = {hinge, shut};
-        door.wall_index = house_builder_wall(builder, gap, 2, 0, 0);
+        door.wall_index = fill_gap(builder, hinge, shut);
         if (door.wall_index == SIZE_MAX)
             return SIZE_MAX;
         door.segment = 0;
@@ -271,7 +279,7 @@ static size_t place_door(Drawing *drawing, Vec2 hinge, Vec2 shut, Vec2 open) {
     door.at = (from + to) / 2;
     door.hinge = from < to ? HINGE_START : HINGE_END;
     door.swing = vec2_cross(along, vec2_sub(open, hinge)) > 0 ? SWING_LEFT : SWING_RIGHT;
-    return house_builder_door(builder, &door);
+    return join_leaves(builder, &door) ? door.wall_index : house_builder_door(builder, &door);
 }
 
 static void add_door(Drawing *drawing, const DxfShape *shape) {
@@ -311,6 +319,107 @@ static void add_doors(Drawing *drawing) {
         import_report_leave(drawing->builder->report, lines, "lines on door layers without a swing arc");
 }
 
+/* Hangs an opening where both lines of a wall are interrupted and no door has been found. */
+static void add_openings(Drawing *drawing) {
+    HouseBuilder *builder = drawing->builder;
+    size_t before = builder->plan.door_count;
+    for (size_t o = 0; o < drawing->faces.opening_count && !builder->failed; o++) {
+        const WallOpening *opening = &drawing->faces.openings[o];
+        Vec2 middle = vec2_scale(vec2_add(opening->a, opening->b), 0.5);
+        Vec2 way = vec2_unit(vec2_sub(opening->b, opening->a));
+        Door door = {.width = vec2_distance(opening->a, opening->b), .kind = DOOR_OPENING};
+        if (!house_builder_nearest(builder, middle, way, opening->thickness / 2, &door.wall_index, &door.segment))
+            continue;
+        const Vec2 *ends = builder->plan.walls[door.wall_index].points.at + door.segment;
+        door.at = vec2_dot(vec2_sub(middle, ends[0]), vec2_unit(vec2_sub(ends[1], ends[0])));
+        house_builder_door(builder, &door);
+    }
+    if (builder->plan.door_count > before)
+        import_report_note(builder->report, "gaps in both lines of a wall became openings (%zu)",
+                           builder->plan.door_count - before);
+}
+
+static bool has_thickness(const Plan *plan) {
+    bool found = false;
+    for (size_t w = 0; w < plan->wall_count && !found; w++)
+        found = plan->walls[w].thickness > 0;
+    return found;
+}
+
+static void note_walls(const Drawing *drawing) {
+    ImportReport *report = drawing->builder->report;
+    const WallFaces *faces = &drawing->faces;
+    if (faces->walls)
+        import_report_note(report,
+                           "walls drawn as two lines became walls of %.4g m to %.4g m thickness (%zu); heights are "
+                           "assumed",
+                           faces->thinnest, faces->thickest, faces->walls);
+    else if (has_thickness(&drawing->builder->plan))
+        import_report_note(report, "walls are the lines and rectangles that are drawn; heights are assumed");
+    else
+        import_report_note(report, "walls are the lines that are drawn, of no thickness; heights are assumed");
+    if (faces->apart > 0)
+        import_report_note(
+            report,
+            "most lines of walls run in pairs, up to %.4g m apart, which is unusual for the two lines of "
+            "a wall: each line became a wall, and the space between them is free. Use --unit if the "
+            "unit is wrong",
+            faces->apart);
+    if (faces->too_many)
+        import_report_note(report, "walls drawn as two lines were not looked for: the layers of walls have too many "
+                                   "lines; choose fewer with --layers");
+    if (faces->windows)
+        import_report_note(report, "windows became wall (%zu)", faces->windows);
+    if (faces->doubled)
+        import_report_note(report, "lines of walls drawn more than once count once (%zu)", faces->doubled);
+}
+
+/* Doors among the walls ------------------------------------------------------------------------------------------- */
+
+static bool ends_at(const Drawing *drawing, const DxfShape *line, Vec2 one, Vec2 other, double near) {
+    const Vec2 *points = points_of(drawing, line);
+    return line->count == 2 && ((vec2_distance(points[0], one) < near && vec2_distance(points[1], other) < near) ||
+                                (vec2_distance(points[1], one) < near && vec2_distance(points[0], other) < near));
+}
+
+/* Moves a quarter of a circle and the leaf that ends at it from the walls to the doors. */
+static bool move_door(Drawing *drawing, DxfShape *arc) {
+    DxfShapes *shapes = &drawing->shapes;
+    const Vec2 *ends = points_of(drawing, arc);
+    double near = 0.02 * vec2_distance(ends[0], arc->centre);
+    bool found = false;
+    for (size_t s = 0; s < shapes->count; s++) {
+        DxfShape *line = &shapes->list[s];
+        if (line->role != DXF_WALLS || line->arc || line->window ||
+            (!ends_at(drawing, line, arc->centre, ends[0], near) &&
+             !ends_at(drawing, line, arc->centre, ends[arc->count - 1], near)))
+            continue;
+        line->role = DXF_DOORS;
+        found = true;
+    }
+    arc->role = found ? DXF_DOORS : arc->role;
+    return found;
+}
+
+/* Finds doors in a drawing without layers of doors: quarters of circles with a leaf from the centre to one end. */
+static void find_doors(Drawing *drawing) {
+    DxfShapes *shapes = &drawing->shapes;
+    size_t arcs = 0, moved = 0;
+    for (size_t s = 0; s < shapes->count; s++) {
+        if (shapes->list[s].role == DXF_DOORS)
+            return;
+        arcs += shapes->list[s].arc;
+    }
+    for (size_t s = 0; s < shapes->count && arcs <= HOUSE_BUILDER_FEW && shapes->count <= LEAF_POINTS; s++) {
+        DxfShape *shape = &shapes->list[s];
+        if (shape->role == DXF_WALLS && shape->arc && !shape->window && fabs(shape->sweep - M_PI / 2) < QUARTER)
+            moved += move_door(drawing, shape);
+    }
+    if (moved)
+        import_report_note(drawing->builder->report,
+                           "quarters of circles with a leaf, on layers of walls, became doors (%zu)", moved);
+}
+
 /* The whole ------------------------------------------------------------------------------------------------------- */
 
 static bool are_good(const Drawing *drawing) {
@@ -324,7 +433,9 @@ static bool convert(Drawing *drawing) {
     HouseBuilder *builder = drawing->builder;
     if (!dxf_layers_choose(&drawing->file, builder) || !dxf_shapes_find(&drawing->shapes, &drawing->file, builder))
         return false;
-    choose_unit(drawing);
+    find_doors(drawing);
+    if (!dxf_unit_choose(&drawing->file, &drawing->shapes, builder, &drawing->unit))
+        return false;
     scale_all(drawing);
     if (!are_good(drawing))
         return false;
@@ -332,16 +443,17 @@ static bool convert(Drawing *drawing) {
     if (!builder->failed && !builder->plan.wall_count)
         return house_builder_fail(builder, "no layer has walls: name their layer with --layers walls=NAME");
     add_doors(drawing);
+    add_openings(drawing);
     add_furniture(drawing);
     add_exits(drawing);
-    import_report_note(builder->report, "walls are the lines that are drawn: those drawn double stay so, of no "
-                                        "thickness; heights are assumed");
+    note_walls(drawing);
     return !builder->failed;
 }
 
 bool dxf_read(HouseBuilder *builder) {
     Drawing drawing = {.builder = builder};
     bool good = dxf_file_read(&drawing.file, builder) && convert(&drawing);
+    wall_faces_clear(&drawing.faces);
     dxf_shapes_clear(&drawing.shapes);
     dxf_file_clear(&drawing.file);
     return good;

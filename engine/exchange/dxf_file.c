@@ -255,6 +255,29 @@ static void take_insert(Reader *reader, DxfEntity *entity) {
         entity->rows = whole(reader);
 }
 
+static void take_dimension(Reader *reader, DxfEntity *entity) {
+    static const Place places[] = {{13, offsetof(DxfEntity, from.x)},   {23, offsetof(DxfEntity, from.y)},
+                                   {14, offsetof(DxfEntity, to.x)},     {24, offsetof(DxfEntity, to.y)},
+                                   {42, offsetof(DxfEntity, measured)}, {50, offsetof(DxfEntity, turned)}};
+    take_numbers(reader, entity, places, sizeof places / sizeof *places);
+    if (reader->group.code == 1)
+        entity->text = name(reader);
+    else if (reader->group.code == 2)
+        entity->block = name(reader);
+    else if (reader->group.code == 70)
+        entity->flags = whole(reader);
+}
+
+static void take_text(Reader *reader, DxfEntity *entity) {
+    static const Place places[] = {{10, offsetof(DxfEntity, at.x)},
+                                   {20, offsetof(DxfEntity, at.y)},
+                                   {40, offsetof(DxfEntity, radius)},
+                                   {50, offsetof(DxfEntity, turned)}};
+    take_numbers(reader, entity, places, sizeof places / sizeof *places);
+    if (reader->group.code == 1)
+        entity->text = name(reader);
+}
+
 typedef void Take(Reader *reader, DxfEntity *entity);
 
 static const struct {
@@ -262,9 +285,15 @@ static const struct {
     DxfKind kind;
     Take *take;
 } types[] = {
-    {"LINE", DXF_LINES, take_line},         {"LWPOLYLINE", DXF_LINES, take_lwpolyline},
-    {"POLYLINE", DXF_LINES, take_polyline}, {"ARC", DXF_ARC, take_arc},
-    {"CIRCLE", DXF_ARC, take_arc},          {"INSERT", DXF_INSERT, take_insert},
+    {"LINE", DXF_LINES, take_line},
+    {"LWPOLYLINE", DXF_LINES, take_lwpolyline},
+    {"POLYLINE", DXF_LINES, take_polyline},
+    {"ARC", DXF_ARC, take_arc},
+    {"CIRCLE", DXF_ARC, take_arc},
+    {"INSERT", DXF_INSERT, take_insert},
+    {"TEXT", DXF_TEXT, take_text},
+    {"MTEXT", DXF_TEXT, take_text},
+    {"DIMENSION", DXF_DIMENSION, take_dimension},
 };
 enum { TYPES = sizeof types / sizeof *types };
 
@@ -301,6 +330,7 @@ static bool read_entity(Reader *reader) {
     *entity = (DxfEntity){.kind = type < TYPES ? types[type].kind : DXF_OTHER,
                           .type = name(reader),
                           .block = "",
+                          .text = "",
                           .scale = {1, 1},
                           .end = 360,
                           .columns = 1,
@@ -357,12 +387,14 @@ static void read_blocks(Reader *reader) {
 }
 
 static void read_header(Reader *reader) {
-    bool unit = false;
+    int *number = NULL;
     while (next_group(reader) && !group_is(reader, 0, "ENDSEC")) {
-        if (unit && reader->group.code == 70)
-            reader->file->unit = whole(reader);
+        if (number && reader->group.code == 70)
+            *number = whole(reader);
         if (reader->group.code == 9)
-            unit = strcmp(reader->group.value, "$INSUNITS") == 0;
+            number = strcmp(reader->group.value, "$INSUNITS") == 0 ? &reader->file->unit
+                     : strcmp(reader->group.value, "$LUNITS") == 0 ? &reader->file->notation
+                                                                   : NULL;
     }
 }
 
@@ -424,7 +456,7 @@ bool dxf_file_read(DxfFile *file, HouseBuilder *builder) {
     size_t size;
     file->text = text_read_file(builder->path, LARGEST_FILE, &size);
     if (!file->text)
-        return house_builder_fail(builder, "cannot be read: %s", strerror(errno));
+        return house_builder_fail(builder, "cannot be read: %s", text_read_reason(errno));
     Reader reader = {.file = file, .builder = builder, .line = 1, .next_line = 1};
     if (strncmp(file->text, "AutoCAD Binary DXF", strlen("AutoCAD Binary DXF")) == 0)
         return fail(&reader, "a binary DXF drawing: save it as a text (ASCII) DXF", "");

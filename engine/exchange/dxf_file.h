@@ -8,7 +8,9 @@ typedef enum DxfKind {
     DXF_LINES, /* LINE, LWPOLYLINE, POLYLINE */
     DXF_ARC,   /* ARC, CIRCLE */
     DXF_INSERT,
-    DXF_OTHER,
+    DXF_OTHER, /* this kind and the following ones are not part of the plan */
+    DXF_DIMENSION,
+    DXF_TEXT, /* TEXT, MTEXT */
 } DxfKind;
 
 /* A corner of a polyline; bulge is the tangent of a quarter of the arc's angle to the next corner, 0 for a straight
@@ -21,7 +23,8 @@ typedef struct DxfVertex {
 typedef struct DxfEntity {
     DxfKind kind;
     const char *type;  /* "LWPOLYLINE" */
-    const char *block; /* block name of an INSERT */
+    const char *block; /* block name of an INSERT; of a DIMENSION, the block that shows it */
+    const char *text;  /* of a TEXT; of a DIMENSION, the text instead of the measured length */
     size_t layer;      /* index into the file's layers */
     size_t vertex, vertex_count;
     bool closed;
@@ -32,7 +35,10 @@ typedef struct DxfEntity {
     double radius;
     double start, end;   /* degree, of an arc */
     Vec2 scale, spacing; /* of an INSERT */
-    double turned;       /* degree */
+    double turned;       /* degree; of a DIMENSION, the direction that it measures */
+    Vec2 from, to;       /* points that a DIMENSION measures */
+    double measured;     /* length stored in a DIMENSION */
+    int flags;           /* of a DIMENSION */
     int columns, rows;   /* grid of an INSERT */
     int line;            /* line in the file */
 } DxfEntity;
@@ -48,6 +54,7 @@ typedef struct DxfLayer {
     const char *name;
     unsigned hash;
     bool hidden; /* off or frozen */
+    bool window; /* for dxf_layers.c: a layer of walls that holds windows */
     int role;    /* DxfRole, for dxf_layers.c */
 } DxfLayer;
 
@@ -61,6 +68,7 @@ typedef struct DxfFile {
     size_t entity_capacity, vertex_capacity, block_capacity, layer_capacity;
     size_t model, model_count; /* entities outside blocks */
     int unit;                  /* $INSUNITS; 0: none */
+    int notation;              /* $LUNITS, how lengths are written; 0: none */
 } DxfFile;
 
 /* Reads the builder's file. Returns false after an error, which the builder holds. dxf_file_clear releases the

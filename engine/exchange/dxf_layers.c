@@ -132,6 +132,15 @@ static void choose_by_name(DxfFile *file) {
             file->layers[l].role = DXF_WALLS;
 }
 
+/* Marks the layers of windows. */
+static void find_windows(DxfFile *file) {
+    static const char *const words[] = {"window",  "glaz",    "fenster",  "fen\u00eatre",
+                                        "fenetre", "ventana", "finestra", "\u7a93"};
+    for (size_t l = 0; l < file->layer_count; l++)
+        for (size_t w = 0; w < sizeof words / sizeof *words; w++)
+            file->layers[l].window |= strcasestr(bare_name(file->layers[l].name), words[w]) != NULL;
+}
+
 static void note_choice(const DxfFile *file, HouseBuilder *builder) {
     Text note = {0};
     for (int role = 0; role < DXF_ROLES; role++) {
@@ -159,6 +168,7 @@ bool dxf_layers_choose(DxfFile *file, HouseBuilder *builder) {
     else if (!choose_as_said(file, builder, builder->options->layers))
         return false;
     name_blocks(file);
+    find_windows(file);
     note_choice(file, builder);
     return true;
 }

@@ -51,6 +51,12 @@ static Affine of_entity(const Place *place, const DxfEntity *entity) {
     return entity->mirrored ? compose(&place->affine, &mirror) : place->affine;
 }
 
+/* Returns the layer of an entity; layer 0 in a block stands for the layer of the block's INSERT. */
+static size_t layer_of(const Walker *walker, const DxfEntity *entity, const Place *place) {
+    bool of_block = place->layer != SIZE_MAX && strcmp(walker->file->layers[entity->layer].name, "0") == 0;
+    return of_block ? place->layer : entity->layer;
+}
+
 /* Shapes ---------------------------------------------------------------------------------------------------------- */
 
 static bool add_point(Walker *walker, Vec2 at) {
@@ -66,11 +72,13 @@ static bool add_point(Walker *walker, Vec2 at) {
 
 static DxfShape *add_shape(Walker *walker, const DxfEntity *entity, const Place *place, DxfRole role) {
     DxfShapes *shapes = walker->shapes;
+    size_t layer = layer_of(walker, entity, place);
     shapes->list = memory_reserve(shapes->list, &shapes->capacity, shapes->count + 1, sizeof *shapes->list);
     DxfShape *shape = &shapes->list[shapes->count++];
     *shape = (DxfShape){.role = role,
                         .point = shapes->point_count,
                         .closed = entity->closed,
+                        .window = walker->file->layers[layer].window,
                         .instance = place->instance,
                         .line = entity->line};
     return shape;
@@ -193,10 +201,8 @@ static bool insert_block(Walker *walker, const DxfEntity *insert, const Place *p
 
 static bool visit(Walker *walker, const DxfEntity *entity, const Place *place) {
     ImportReport *report = walker->builder->report;
-    const DxfLayer *own = &walker->file->layers[entity->layer];
-    bool of_block = place->layer != SIZE_MAX && strcmp(own->name, "0") == 0;
-    size_t layer = of_block ? place->layer : entity->layer;
-    own = &walker->file->layers[layer];
+    size_t layer = layer_of(walker, entity, place);
+    const DxfLayer *own = &walker->file->layers[layer];
     DxfRole role = place->role != DXF_UNKNOWN ? place->role : (DxfRole)own->role;
     if (entity->on_paper || own->hidden) {
         import_report_leave(report, 1, "things on %s", own->hidden ? "layers that are off or frozen" : "paper");
@@ -204,7 +210,9 @@ static bool visit(Walker *walker, const DxfEntity *entity, const Place *place) {
     }
     if (entity->kind == DXF_INSERT)
         return insert_block(walker, entity, place, layer);
-    if (entity->kind == DXF_OTHER) {
+    if (strcmp(entity->type, "SEQEND") == 0) /* the end of an entity of several parts */
+        return true;
+    if (entity->kind >= DXF_OTHER) {
         import_report_leave(report, 1, "%.30s", *entity->type ? entity->type : "entities without a name");
         return true;
     }

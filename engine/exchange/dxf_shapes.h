@@ -8,7 +8,8 @@ typedef struct DxfShape {
     DxfRole role;
     size_t point, count; /* index of the first point in the list of all points, number of points */
     bool closed;
-    bool arc; /* part of a circle about `centre`, from its first to its last point */
+    bool window; /* on a layer of windows */
+    bool arc;    /* part of a circle about `centre`, from its first to its last point */
     Vec2 centre;
     double sweep;    /* rad, of an arc */
     double width;    /* width of the line */

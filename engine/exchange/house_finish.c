@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "exchange/repeated.h"
 
 enum { NOTE_KINDS = 4 /* kinds of omitted elements that the note names */ };
 
@@ -149,10 +150,13 @@ bool house_finish_plan(HouseBuilder *builder, Plan *plan) {
     if (builder->failed || !bring_near(builder))
         return false;
     drop_walled_in(builder);
+    repeated_drop(builder);
     note_what_lacks(builder);
     builder->plan.note = house_note(builder);
     char *text = plan_text(&builder->plan);
     bool good = plan_read_text(plan, builder->path, text, NULL, 0, builder->fault);
     memory_free(text);
+    if (good)
+        repeated_compare_rooms(plan, builder->report);
     return good;
 }

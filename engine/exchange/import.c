@@ -3,7 +3,6 @@
 #include <string.h>
 #include <strings.h>
 
-#include "base/text.h"
 #include "exchange/dxf.h"
 #include "exchange/house_finish.h"
 #include "exchange/sh3d.h"
@@ -31,7 +30,7 @@ double import_unit(const char *name) {
     static const struct {
         const char *name;
         double metres;
-    } units[] = {{"mm", 0.001}, {"cm", 0.01}, {"m", 1}, {"inch", 0.0254}, {"ft", 0.3048}};
+    } units[] = {{"mm", 0.001}, {"cm", 0.01}, {"m", 1}, {"inch", 0.0254}, {"in", 0.0254}, {"ft", 0.3048}};
     for (size_t u = 0; u < sizeof units / sizeof *units; u++)
         if (strcmp(name, units[u].name) == 0)
             return units[u].metres;

@@ -6,8 +6,8 @@
 #include <sqlite3.h>
 #include <stdint.h>
 #include <stdio.h>
-#include <unistd.h>
 
+#include "base/file_write.h"
 #include "base/memory.h"
 #include "base/text.h"
 
@@ -178,13 +178,14 @@ static bool write_geometry(sqlite3 *database, const House *house, int64_t last_f
 }
 
 int jupedsim_write(const House *house, const Observation *observation, const char *path) {
-    char *beside = text_beside(path);
-    unlink(beside);
     sqlite3 *database = NULL;
     int64_t last_frame = 0;
-    int error = 0;
+    int error;
+    FileWrite *file = file_write_begin_named(path, "", &error);
+    if (!file)
+        return error;
     bool good =
-        sqlite3_open(beside, &database) == SQLITE_OK &&
+        sqlite3_open(file_write_part(file), &database) == SQLITE_OK &&
         sqlite3_exec(database, "PRAGMA journal_mode = OFF; BEGIN", NULL, NULL, NULL) == SQLITE_OK &&
         sqlite3_exec(database, tables, NULL, NULL, NULL) == SQLITE_OK && write_metadata(database, house, observation) &&
         write_trajectories(database, house, observation, &last_frame) && write_geometry(database, house, last_frame) &&
@@ -193,5 +194,5 @@ int jupedsim_write(const House *house, const Observation *observation, const cha
         error = database && sqlite3_system_errno(database) ? sqlite3_system_errno(database) : EIO;
     if (sqlite3_close(database) != SQLITE_OK && !error)
         error = EIO;
-    return text_beside_end(beside, path, error);
+    return file_write_end(file, error);
 }

@@ -13,8 +13,11 @@
 /* All assumed: */
 static const double SILL = 0.3;        /* m: an opening with a higher sill is a window */
 static const double DOOR_LOWEST = 1.5; /* m: an opening lower than this is a window */
+static const double PASSABLE = 1.8;    /* m: a window of this height at the floor is a door */
+static const double THRESHOLD = 0.05;  /* m: such a window begins at most this high above the floor */
 static const double OVERHEAD = 1.8;    /* m: a piece that hangs above this height does not obstruct */
 static const double FLAT = 0.03;       /* m: nor does a piece on the floor that is at most this high */
+static const double SAME = 2e-3;       /* m: doors closer than this are one */
 static const double OFF_WALL = 0.15;   /* m: largest distance of a door from the faces of its wall */
 static const double TURNS = 0.2;       /* rad: a leaf that turns by less slides */
 
@@ -126,7 +129,9 @@ static size_t add_walls(const Converter *converter) {
             break;
         }
     }
-    wall_chains_add(converter->builder, lines.list, lines.count);
+    size_t doubled = wall_chains_add(converter->builder, lines.list, lines.count);
+    if (doubled)
+        import_report_note(converter->builder->report, "walls drawn more than once count once (%zu)", doubled);
     memory_free(lines.list);
     return elsewhere;
 }
@@ -143,12 +148,15 @@ static bool is_called(const HomePiece *piece, const char *const words[WORDS]) {
     return false;
 }
 
-/* True for a window. A French window counts as a door. */
+/* True for a window. A French window counts as a door, and so does any window with sashes that begins at the floor and
+ * is as high as a door. */
 static bool is_window(const Converter *converter, const HomePiece *piece) {
     static const char *const windows[WORDS] = {"window", "fenster", "fen\u00eatre", "ventana", "finestra", "\u7a93"};
     static const char *const doors[WORDS] = {"french", "door", "t\u00fcr", "porte", "puerta", "porta"};
-    return piece->elevation * converter->unit > SILL || piece->height * converter->unit < DOOR_LOWEST ||
-           (is_called(piece, windows) && !is_called(piece, doors));
+    double height = piece->height * converter->unit;
+    bool like_a_door = piece->sash_count && height >= PASSABLE && piece->elevation * converter->unit <= THRESHOLD;
+    return piece->elevation * converter->unit > SILL || height < DOOR_LOWEST ||
+           (is_called(piece, windows) && !is_called(piece, doors) && !like_a_door);
 }
 
 /* Returns a point of a piece, given in fractions of its width and depth from its back left corner, moved by `reach`
@@ -161,10 +169,17 @@ static Vec2 piece_point(const Converter *converter, const HomePiece *piece, doub
     return plan_point(converter, vec2_add(piece->centre, vec2_turn(own, vec2_heading(piece->angle))));
 }
 
+/* A part of a wall's segment, m from its start. */
+typedef struct Stretch {
+    double low, high;
+} Stretch;
+
 /* The opening that a door's sashes give, along the wall from the start of its segment. */
 typedef struct Opening {
     double low, high; /* m, clear width */
     double width;     /* m, sum of the sashes' widths */
+    Stretch widest;   /* the widest sash */
+    size_t hinged;    /* number of sashes that do not slide */
     Door door;
 } Opening;
 
@@ -180,7 +195,10 @@ static void add_sash(const Converter *converter, const HomePiece *piece, const H
     opening->low = fmin(opening->low, fmin(from, to));
     opening->high = fmax(opening->high, fmax(from, to));
     opening->width += fabs(sash->width) * piece->width * converter->unit;
+    if (fabs(to - from) > opening->widest.high - opening->widest.low)
+        opening->widest = (Stretch){fmin(from, to), fmax(from, to)};
     bool slides = fabs(sash->end - sash->start) < TURNS;
+    opening->hinged += !slides;
     opening->door.kind = slides ? DOOR_SLIDING : DOOR_HINGED;
     opening->door.hinge = from < to ? HINGE_START : HINGE_END;
     opening->door.swing = vec2_cross(along, vec2_sub(open, hinge)) > 0 ? SWING_LEFT : SWING_RIGHT;
@@ -195,11 +213,27 @@ static Opening opening_of(const Converter *converter, const HomePiece *piece, Ve
         opening.low = opening.high = middle;
         opening.width = piece->width * converter->unit;
     }
-    if (piece->sash_count != 1)
-        opening.door.kind = piece->sash_count && opening.door.kind == DOOR_SLIDING ? DOOR_SLIDING : DOOR_OPENING;
+    if (piece->sash_count > 1 && !opening.hinged) { /* one leaf slides in front of another */
+        opening.low = opening.widest.low;
+        opening.high = opening.widest.high;
+        opening.width = opening.high - opening.low;
+    } else if (piece->sash_count != 1) {
+        opening.door.kind = DOOR_OPENING;
+    }
     opening.door.width = opening.width;
     opening.door.at = (opening.low + opening.high) / 2;
     return opening;
+}
+
+/* True if an earlier door has this place. */
+static bool repeats(const HouseBuilder *builder, const Door *door) {
+    bool found = false;
+    for (size_t d = 0; d < builder->plan.door_count && !found; d++) {
+        const Door *other = &builder->plan.doors[d];
+        found = other->wall_index == door->wall_index && other->segment == door->segment &&
+                fabs(other->at - door->at) < SAME && fabs(other->width - door->width) < SAME;
+    }
+    return found;
 }
 
 static void add_door(const Converter *converter, const HomePiece *piece) {
@@ -210,16 +244,22 @@ static void add_door(const Converter *converter, const HomePiece *piece) {
     int segment;
     bool found = house_builder_nearest(builder, centre, along, reach, &wall, &segment);
     size_t door = SIZE_MAX;
+    bool repeated = false;
     if (found) {
         const Vec2 *ends = builder->plan.walls[wall].points.at + segment;
         Opening opening = opening_of(converter, piece, ends[0], vec2_unit(vec2_sub(ends[1], ends[0])));
         opening.door.wall_index = wall;
         opening.door.segment = segment;
-        door = house_builder_door(builder, &opening.door);
+        repeated = repeats(builder, &opening.door);
+        door = repeated ? SIZE_MAX : house_builder_door(builder, &opening.door);
     }
-    if (door == SIZE_MAX)
+    if (repeated)
+        import_report_leave(builder->report, 1, "doors that stand in the place of an earlier door");
+    else if (door == SIZE_MAX)
         import_report_leave(builder->report, 1, "%s",
                             found ? "doors that do not fit into their wall" : "doors that are not in a wall");
+    else if (piece->sash_count > 1 && builder->plan.doors[door].kind == DOOR_SLIDING)
+        import_report_leave(builder->report, 1, "further leaves of sliding doors: the widest leaf opens");
     else if (piece->sash_count > 1)
         import_report_leave(builder->report, 1, "further leaves of doors: such doors became openings");
 }

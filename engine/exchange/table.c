@@ -117,7 +117,7 @@ TablePlace table_read(const TableReader *reader, size_t largest) {
     size_t size = 0;
     char *text = text_read_file(reader->path, largest, &size);
     if (!text) {
-        fault_add(reader->fault, "%s:1:1: cannot be read: %s", reader->path, strerror(errno));
+        fault_add(reader->fault, "%s:1:1: cannot be read: %s", reader->path, text_read_reason(errno));
         return reading.at;
     }
     size_t skip = strncmp(text, mark, strlen(mark)) == 0 ? strlen(mark) : 0;

@@ -6,11 +6,13 @@
 #include "plan/plan_geometry.h"
 #include "space/solids.h"
 
-static const double MARGIN = 1; /* m, around the plan: allows paths past an open door */
+static const double MARGIN = 1;   /* m, around the plan: allows paths past an open door */
+static const double SPECK = 1e-4; /* m2: a smaller part of the area is a rounding error */
 static const double HALF_LEAST =
     5e-4; /* m: half the thickness given to a wall of zero thickness that ends within the area */
 
 enum {
+    MOST_MET = 8000,  /* points of walls of zero thickness: each is compared with all of them */
     MOST_CELLS = 5000 /* cells into which walls of zero thickness cut the area; each is compared with all others */
 };
 
@@ -47,6 +49,13 @@ static Box box_of_plan(const Plan *plan, GEOSContextHandle_t geos, const GEOSGeo
     return box_expand(box, MARGIN);
 }
 
+/* Returns the lines with a common point where they nearly meet: in a turned plan the end of a wall lies a rounding
+ * error off the wall that it meets, and the area would leak there. */
+static GEOSGeometry *meet_exactly(GEOSContextHandle_t geos, const GEOSGeometry *lines) {
+    return GEOSGetNumCoordinates_r(geos, lines) <= MOST_MET ? GEOSSnap_r(geos, lines, lines, SOLIDS_GRID)
+                                                            : GEOSGeom_clone_r(geos, lines);
+}
+
 /* Collects walls of zero thickness; NULL if there are none. */
 static GEOSGeometry *find_lines(Area *area) {
     GEOSGeometry **list = memory_zeroed(area->plan->wall_count, sizeof *list);
@@ -58,7 +67,9 @@ static GEOSGeometry *find_lines(Area *area) {
             list[count++] = line;
     }
     GEOSGeometry *all = GEOSGeom_createCollection_r(area->geos, GEOS_GEOMETRYCOLLECTION, list, count);
-    GEOSGeometry *united = count && all ? GEOSUnaryUnion_r(area->geos, all) : NULL;
+    GEOSGeometry *met = all ? meet_exactly(area->geos, all) : NULL;
+    GEOSGeometry *united = count && met ? GEOSUnaryUnion_r(area->geos, met) : NULL;
+    GEOSGeom_destroy_r(area->geos, met);
     GEOSGeom_destroy_r(area->geos, all);
     memory_free(list);
     return united;
@@ -195,9 +206,11 @@ static void find_depths(const Area *area, Cells *cells) {
 }
 
 /* Inside the outermost walls is walkable, inside an obstacle there is not, and so on alternately; a cell with a
- * person in it is always walkable. */
-static bool is_walkable(const Cell *cell, bool outside_too) {
-    return cell->inhabited || (outside_too ? cell->depth % 2 == 0 : cell->depth % 2 == 1);
+ * person in it is always walkable. A speck between a line and a wall that it meets is not. */
+static bool is_walkable(const Area *area, const Cell *cell, bool outside_too) {
+    double size = 0;
+    GEOSArea_r(area->geos, cell->shape, &size);
+    return cell->inhabited || (size >= SPECK && cell->depth % 2 == (outside_too ? 0 : 1));
 }
 
 static GEOSGeometry *choose_cells(const Area *area, Cells *cells) {
@@ -211,7 +224,7 @@ static GEOSGeometry *choose_cells(const Area *area, Cells *cells) {
     unsigned count = 0;
     for (size_t i = 0; i < cells->count; i++) {
         Cell *cell = &cells->list[i];
-        if (!is_walkable(cell, outside_too || !inner))
+        if (!is_walkable(area, cell, outside_too || !inner))
             continue;
         kept[count++] = cell->shape;
         cell->shape = NULL;

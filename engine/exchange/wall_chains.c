@@ -169,17 +169,21 @@ static void add_chain(HouseBuilder *builder, Ends *ends, size_t line, Chain *cha
     house_builder_wall(builder, chain->points, chain->count, kind->thickness, kind->height);
 }
 
-void wall_chains_add(HouseBuilder *builder, const WallLine *lines, size_t count) {
+size_t wall_chains_add(HouseBuilder *builder, const WallLine *lines, size_t count) {
     for (size_t l = 0; l < count; l++)
         if (!house_builder_good(builder, lines[l].a) || !house_builder_good(builder, lines[l].b))
-            return;
+            return 0;
     Ends ends = ends_find(lines, count);
+    size_t doubled = 0;
     Chain chain = {0};
+    for (size_t l = 0; l < count; l++)
+        doubled += ends.used[l] && ends.place_of[2 * l] != ends.place_of[2 * l + 1];
     for (size_t l = 0; l < count && !builder->failed; l++)
         if (!ends.used[l])
             add_chain(builder, &ends, l, &chain);
     memory_free(chain.points);
     ends_free(&ends);
+    return doubled;
 }
 
 void wall_chains_append(WallLines *lines, WallLine line) {

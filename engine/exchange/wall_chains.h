@@ -11,8 +11,8 @@ typedef struct WallLine {
 
 #define WALL_CHAINS_TOLERANCE 1e-3 /* m: ends closer than this meet */
 
-/* Adds the walls of `count` lines; a duplicate counts once. */
-void wall_chains_add(HouseBuilder *builder, const WallLine *lines, size_t count);
+/* Adds the walls of `count` lines; a duplicate counts once. Returns the number of duplicates. */
+size_t wall_chains_add(HouseBuilder *builder, const WallLine *lines, size_t count);
 
 /* A growing list of lines. A zeroed list is empty; memory_free(lines.list) releases it. */
 typedef struct WallLines {

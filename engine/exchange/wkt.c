@@ -4,18 +4,27 @@
 #include <errno.h>
 #define GEOS_USE_ONLY_R_API
 #include <geos_c.h>
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
+#include "exchange/plan_size.h"
 #include "mechanics/broadphase.h"
 
 enum {
     LARGEST_FILE = 16 * 1024 * 1024, /* bytes: four times the largest number of wall points */
     DEEPEST = 32,                    /* nested brackets; GEOS would recurse until the stack overflows */
+    MOST_MET = 8000,                 /* points of areas that are brought together: each is compared with all */
     MOST_UNITED = 50000,             /* points of areas that are united */
     MOST_MEETINGS = 400000,          /* pairs of sides whose boxes overlap: each may be a crossing */
 };
+
+static const double ADJOINING = 1e-6; /* m: two areas at most this far apart adjoin */
+static const double DEGREES = 0.01;   /* degree: a house is smaller, and no house has so few metres */
+static const double FARTHEST = 1e8;   /* m */
+static const double REPEATED = 0.01;  /* 1: overlap of areas as a share of their union */
 
 typedef struct Reader {
     HouseBuilder *builder;
@@ -149,6 +158,15 @@ static bool few_meet(const Reader *reader) {
     return sides.met <= MOST_MEETINGS;
 }
 
+/* Notes when areas lie on top of each other, as in a file that holds its plan twice. */
+static void note_overlap(const Reader *reader, const GEOSGeometry *all, const GEOSGeometry *united) {
+    double sum = 0, area = 0, square = reader->unit * reader->unit;
+    if (GEOSArea_r(reader->geos, all, &sum) && GEOSArea_r(reader->geos, united, &area) && sum > (1 + REPEATED) * area)
+        import_report_note(reader->builder->report,
+                           "the areas overlap: they have %.4g m2 together and cover %.4g m2, which counts once",
+                           sum * square, area * square);
+}
+
 /* Unites areas that overlap or adjoin, so that no wall stands where they meet. */
 static bool add_united(Reader *reader) {
     if (reader->points > MOST_UNITED || !few_meet(reader))
@@ -156,8 +174,14 @@ static bool add_united(Reader *reader) {
     GEOSGeometry *all =
         GEOSGeom_createCollection_r(reader->geos, GEOS_GEOMETRYCOLLECTION, reader->areas, (unsigned)reader->count);
     reader->count = 0; /* the collection owns them now */
-    GEOSGeometry *united = all ? GEOSUnaryUnion_r(reader->geos, all) : NULL;
+    /* turned areas that adjoin lie a rounding error apart */
+    GEOSGeometry *met =
+        all && reader->points <= MOST_MET ? GEOSSnap_r(reader->geos, all, all, ADJOINING / reader->unit) : NULL;
+    GEOSGeometry *united = all ? GEOSUnaryUnion_r(reader->geos, met ? met : all) : NULL;
+    GEOSGeom_destroy_r(reader->geos, met);
     bool good = united || fail(reader, "the areas cannot be united");
+    if (good)
+        note_overlap(reader, all, united);
     for (int i = 0; good && i < GEOSGetNumGeometries_r(reader->geos, united); i++)
         good = add_area(reader, GEOSGetGeometryN_r(reader->geos, united, i));
     GEOSGeom_destroy_r(reader->geos, united);
@@ -197,7 +221,7 @@ static char *skip_space(HouseBuilder *builder, char *at) {
 static bool read_one(Reader *reader, char *at, char *end) {
     char after = *end;
     *end = 0;
-    if (strncasecmp(at, "SRID=", 5) == 0 && strchr(at, ';')) /* the reference system is ignored */
+    if (strncasecmp(at, "SRID=", 5) == 0 && strchr(at, ';')) /* the reference system is that of metres */
         at = strchr(at, ';') + 1;
     reader->message[0] = 0;
     GEOSGeometry *geometry = GEOSWKTReader_read_r(reader->geos, reader->wkt, at);
@@ -225,11 +249,67 @@ static bool read_text(Reader *reader, char *text) {
     return reader->count > 1 ? add_united(reader) : reader->count == 0 || add_area(reader, reader->areas[0]);
 }
 
+/* Size ------------------------------------------------------------------------------------------------------------ */
+
+static bool begins(const char *text, const char *word) {
+    return strncasecmp(text, word, strlen(word)) == 0;
+}
+
+/* Returns the extent of the first two numbers of each corner; single points are not part of the plan. */
+static Box box_of_text(const char *text) {
+    Box box = box_empty();
+    bool points = false;
+    for (const char *c = text; *c; c++) {
+        if (begins(c, "POINT") || begins(c, "MULTIPOINT"))
+            points = true;
+        else if (begins(c, "POLYGON") || begins(c, "LINESTRING") || begins(c, "LINEARRING"))
+            points = false;
+        if (points || (*c != '(' && *c != ','))
+            continue;
+        char *next, *end;
+        double x = strtod(c + 1, &next), y = strtod(next, &end);
+        if (next > c + 1 && end > next && isfinite(x) && isfinite(y))
+            box = box_include(box, vec2(x, y));
+    }
+    return box;
+}
+
+/* Refuses the reference system of degrees. */
+static bool check_reference(HouseBuilder *builder, const char *text) {
+    return !strcasestr(text, "SRID=4326;") ||
+           house_builder_fail(builder, "the coordinates are degrees (SRID 4326): project them to metres");
+}
+
+/* Refuses coordinates that are degrees, and sizes in which metres are implausible. */
+static bool check_size(HouseBuilder *builder, const char *text) {
+    Box box = box_of_text(text);
+    Vec2 size = vec2_sub(box.high, box.low);
+    double longer = fmax(size.x, size.y);
+    bool on_globe =
+        fabs(box.low.x) <= 180 && fabs(box.high.x) <= 180 && fabs(box.low.y) <= 90 && fabs(box.high.y) <= 90;
+    if (!(longer > 0))
+        return true;
+    if (on_globe && longer < DEGREES)
+        return house_builder_fail(builder,
+                                  "the coordinates look like degrees, %.6g of longitude by %.6g of latitude: project "
+                                  "them to metres",
+                                  size.x, size.y);
+    if (plan_size_is_plausible(longer) || longer > FARTHEST) /* a point that is too far away is an error of its own */
+        return true;
+    bool possible[PLAN_SIZE_UNITS];
+    for (size_t u = 0; u < PLAN_SIZE_UNITS; u++)
+        possible[u] = plan_size_units[u].metres == 1 || plan_size_is_plausible(longer * plan_size_units[u].metres);
+    return plan_size_refuse(builder,
+                            on_globe && longer < 1 ? "the coordinates are implausible as metres and may be degrees"
+                                                   : "the coordinates are implausible as metres",
+                            size, possible);
+}
+
 bool wkt_read(HouseBuilder *builder) {
     size_t size;
     char *text = text_read_file(builder->path, LARGEST_FILE, &size);
     if (!text)
-        return house_builder_fail(builder, "cannot be read: %s", strerror(errno));
+        return house_builder_fail(builder, "cannot be read: %s", text_read_reason(errno));
     if (memchr(text, 0, size)) {
         memory_free(text);
         return house_builder_fail(builder, "the file contains a zero byte, must be text");
@@ -239,7 +319,9 @@ bool wkt_read(HouseBuilder *builder) {
         reader.unit = builder->options->unit;
     GEOSContext_setErrorMessageHandler_r(reader.geos, remember_message, &reader);
     reader.wkt = GEOSWKTReader_create_r(reader.geos);
-    bool good = read_text(&reader, text);
+    char *begin = text + (strncmp(text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0); /* a byte order mark */
+    bool good = check_reference(builder, begin) && (builder->options->unit > 0 || check_size(builder, begin)) &&
+                read_text(&reader, begin);
     for (size_t a = 0; a < reader.count; a++)
         GEOSGeom_destroy_r(reader.geos, reader.areas[a]);
     memory_free(reader.areas);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "exchange/length_text.h"
 #include "imported.h"
 
 /* Turns groups of a drawing, "0 LINE 8 WALL 10 0 ...", into lines. */
@@ -40,7 +41,7 @@ TEST(lines_of_a_drawing_are_joined_into_walls) {
                                        "    {'id': 'w2', 'points': [[0, 2], [2, 2]], 'thickness': 0.1}\n"
                                        "  ]\n}\n");
     CHECK(imported_noted(&import, "the unit is mm, as the file says: the plan is 6 m by 4 m"));
-    CHECK(imported_left_out(&import, "SEQEND", 1));
+    CHECK(!imported_left_out(&import, "SEQEND", 1));
     imported_end(&import, true);
 }
 
@@ -56,6 +57,7 @@ TEST(a_slender_rectangle_is_a_wall_as_thick_as_it_is_and_a_stout_one_is_its_side
                          "    {'id': 'w2', 'points': [[0, 1], [0.4, 1], [0.4, 1.3], [0, 1.3], [0, 1]], 'thickness': "
                          "0}\n"
                          "  ]\n}\n");
+    CHECK(imported_noted(&import, "walls are the lines and rectangles that are drawn; heights are assumed"));
     imported_end(&import, true);
 }
 
@@ -117,20 +119,97 @@ TEST(blocks_in_blocks_are_scaled_turned_and_moved_and_furniture_is_their_box) {
     memory_free(entities.text);
 }
 
-TEST(a_unit_that_makes_no_house_is_told_and_not_believed) {
-    Imported import = import_drawing("9 $INSUNITS 70 6", "", room, (ImportOptions){0});
+TEST(a_unit_that_makes_no_house_is_noted_and_the_doors_decide) {
+    static const char door[] = "0 ARC 8 A-DOOR 10 1900 20 0 40 900 50 90 51 180 ";
+    Text entities = {0};
+    text_format(&entities, "%s%s", room, door);
+    Imported import = import_drawing("9 $INSUNITS 70 6", "", entities.text, (ImportOptions){0});
     CHECK(import.good && import.plan.walls[0].points.at[1].x == 6);
-    CHECK(imported_noted(&import,
-                         "its unit is m, which would make the plan 6000 m by 4000 m: mm is assumed, 6 m by 4 m; "
-                         "clearance import --unit overrides"));
+    CHECK(imported_noted(&import, "the unit is mm, as the doors say: the median leaf is 0.9 m wide, the plan is 6 m"));
+    CHECK(imported_noted(&import, "its unit is m, which would make the plan 6000 m by 4000 m. Use --unit to "
+                                  "override"));
     imported_end(&import, true);
-    import = import_drawing("", "", room, (ImportOptions){0});
-    CHECK(import.good && import.plan.walls[0].points.at[1].x == 6);
-    CHECK(imported_noted(&import, "does not say its unit: mm is assumed"));
-    imported_end(&import, true);
-    import = import_drawing("9 $INSUNITS 70 6", "", room, (ImportOptions){.unit = import_unit("cm")});
+    memory_free(entities.text);
+}
+
+static void check_refused(const char *header, const char *entities, const char *says) {
+    Imported import = import_drawing(header, "", entities, (ImportOptions){0});
+    CHECK(import.fault.count == 1 && strstr(import.fault.lines[0], says));
+    imported_end(&import, false);
+}
+
+TEST(a_doubtful_unit_is_refused_with_the_sizes_that_each_unit_gives) {
+    check_refused("", room,
+                  "the file does not say its unit, and nothing else does: the plan would be 6 m by 4 m in mm, 60 m by "
+                  "40 m in cm, 152.4 m by 101.6 m in inch, say --unit mm|cm|m|inch|ft");
+    check_refused("9 $INSUNITS 70 6", room,
+                  "the file says that its unit is m, which would make the plan 6000 m by 4000 m, and nothing else "
+                  "confirms it: the plan would be 6 m by 4 m in mm, ");
+    Imported import = import_drawing("9 $INSUNITS 70 6", "", room, (ImportOptions){.unit = import_unit("cm")});
     CHECK(import.good && import.plan.walls[0].points.at[1].x == 60);
     imported_end(&import, true);
+}
+
+/* A room of 192 by 240 with a dimension of 192. */
+static const char inches[] = "0 LWPOLYLINE 8 WALL 90 4 70 1 10 0 20 0 10 192 20 0 10 192 20 240 10 0 20 240 ";
+
+static void check_dimension(const char *header, const char *blocks, const char *dimension, const char *says) {
+    Text entities = {0};
+    text_format(&entities, "%s%s", inches, dimension);
+    Imported import = import_drawing(header, blocks, entities.text, (ImportOptions){0});
+    CHECK(import.good);
+    if (import.good)
+        CHECK_NEAR(import.plan.walls[0].points.at[1].x, 192 * 0.0254, 1e-9);
+    CHECK(imported_noted(&import, says));
+    imported_end(&import, true);
+    memory_free(entities.text);
+}
+
+TEST(dimensions_say_the_unit_whatever_the_header_says) {
+    static const char feet[] = "the unit is inch, as the dimensions say: 16'-0\" measures 192; the plan is 4.877 m by ";
+    check_dimension("9 $INSUNITS 70 5", "", "0 DIMENSION 8 DIM 1 16'-0\" 70 1 13 0 23 9 14 192 24 9", feet);
+    check_dimension("9 $INSUNITS 70 5", "", "0 DIMENSION 8 DIM 1 16'-0\" 70 32 42 192.0", feet);
+    check_dimension("", "0 BLOCK 2 *D1 10 0 20 0 0 MTEXT 8 DIM 10 0 20 0 1 \\A1;16'-0\" 0 ENDBLK",
+                    "0 DIMENSION 8 DIM 2 *D1 70 33 13 0 23 9 14 192 24 9", feet);
+    check_dimension("", "", "0 DIMENSION 8 DIM 1 4877 70 0 13 0 23 9 14 192 24 30", "4877 measures 192");
+    check_dimension("", "", "0 DIMENSION 8 DIM 1 4,88 70 1 13 0 23 9 14 192 24 9", "4,88 measures 192");
+    check_dimension("", "",
+                    "0 TEXT 8 DIM 10 90 20 13 40 6 1 16'-0\" 0 LINE 8 DIM 10 0 20 10 11 192 21 10 "
+                    "0 TEXT 8 DIM 10 -3 20 100 40 6 50 90 1 20' 0 LINE 8 DIM 10 0 20 0 11 0 21 240",
+                    feet);
+    check_dimension("9 $LUNITS 70 4", "", "", "the unit is inch, as the file says");
+}
+
+TEST(dimensions_that_show_what_they_measure_say_nothing) {
+    Text entities = {0};
+    text_format(&entities, "%s%s", room, "0 DIMENSION 8 DIM 1 6000 70 1 13 0 23 9 14 6000 24 9");
+    check_refused("", entities.text, "the file does not say its unit");
+    memory_free(entities.text);
+}
+
+static void check_length(const char *text, double metres, bool has_unit) {
+    LengthText length;
+    CHECK(length_text_read(text, 1.5, &length));
+    CHECK_NEAR(length.value, metres, 1e-12);
+    CHECK(length.has_unit == has_unit);
+}
+
+TEST(lengths_are_read_as_drawings_write_them) {
+    check_length("16'-0\"", 4.8768, true);
+    check_length("{\\fArial|b0|i0;\\A1;4'-10\\S1/2;\"}", 4 * 0.3048 + 10.5 * 0.0254, true);
+    check_length("4' 10-1/2\"", 4 * 0.3048 + 10.5 * 0.0254, true);
+    check_length("10 1/2''", 10.5 * 0.0254, true);
+    check_length("3/4\"", 0.75 * 0.0254, true);
+    check_length("16\u2032", 16 * 0.3048, true);
+    check_length("4.88 m", 4.88, true);
+    check_length("4,88m", 4.88, true);
+    check_length("488 CM", 4.88, true);
+    check_length("<> mm", 0.0015, true);
+    check_length("4877", 4877, false);
+    LengthText length;
+    static const char *const others[] = {"", "BEDROOM", "12' x 14'", "%%c20", "1/0\"", "-3 m", "5 %", "\\S"};
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        CHECK(!length_text_read(others[i], 1, &length));
 }
 
 TEST(layers_are_chosen_by_their_names_or_as_said) {

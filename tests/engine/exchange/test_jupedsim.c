@@ -21,7 +21,8 @@ static double number(sqlite3 *database, const char *query) {
 }
 
 TEST(the_record_is_jupedsims_version_2_with_heading) {
-    char path[] = "/tmp/clearance-record-XXXXXX";
+    char path[CHECK_PATH];
+    check_temporary(path, "record-XXXXXX");
     close(mkstemp(path));
     House house;
     case_house(&house, "two-chairs-corridor", -1, NULL);
@@ -49,7 +50,8 @@ TEST(the_record_is_jupedsims_version_2_with_heading) {
 
 /* All people walk in the walkable area, which excludes the walls. */
 TEST(the_geometry_is_where_people_are) {
-    char path[] = "/tmp/clearance-record-XXXXXX";
+    char path[CHECK_PATH];
+    check_temporary(path, "record-XXXXXX");
     close(mkstemp(path));
     House house;
     case_house(&house, "ube-techno-house", -1, NULL);

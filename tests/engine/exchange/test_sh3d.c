@@ -81,6 +81,71 @@ TEST(a_door_is_as_wide_as_its_sashes_and_hangs_and_swings_as_drawn) {
     imported_end(&import, true);
 }
 
+static const char slider[] =
+    "<doorOrWindow catalogId='eTeks#sliderWindow126x200' name='Sliding window' x='200' y='400' width='126' depth='12' "
+    "elevation='5' height='200'><sash xAxis='0.05' yAxis='0.4' width='0.45' startAngle='0' endAngle='0'/><sash "
+    "xAxis='0.5' yAxis='0.6' width='0.45' startAngle='0' endAngle='0'/></doorOrWindow>";
+
+TEST(a_sliding_window_at_the_floor_is_a_door_as_wide_as_the_leaf_that_opens) {
+    Imported import = import_box(slider, (ImportOptions){0});
+    CHECK(import.plan.door_count == 1 &&
+          imported_left_out(&import, "further leaves of sliding doors: the widest leaf opens", 1));
+    if (import.plan.door_count == 1) {
+        CHECK(import.plan.doors[0].kind == DOOR_SLIDING);
+        CHECK_NEAR(import.plan.doors[0].width, 0.45 * 1.26, 1e-9);
+    }
+    imported_end(&import, true);
+    import = import_box("<doorOrWindow catalogId='eTeks#fixedWindow85x123' name='Fixed window' x='200' y='400' "
+                        "width='126' depth='12' elevation='0' height='220'/>"
+                        "<doorOrWindow name='Sliding window' x='200' y='0' width='126' depth='12' elevation='29' "
+                        "height='200'><sash width='0.5'/></doorOrWindow>",
+                        (ImportOptions){0});
+    CHECK(import.plan.door_count == 0 && imported_left_out(&import, "windows", 2));
+    imported_end(&import, true);
+}
+
+TEST(a_door_that_repeats_another_one_is_left_out_for_that_reason) {
+    Text all = {0};
+    text_format(&all, "%s%s", slider, slider);
+    Imported import = import_box(all.text, (ImportOptions){0});
+    CHECK(import.plan.door_count == 1);
+    CHECK(imported_left_out(&import, "doors that stand in the place of an earlier door", 1));
+    imported_end(&import, true);
+    memory_free(all.text);
+}
+
+TEST(a_home_that_holds_its_plan_twice_says_so_and_counts_once) {
+    static const char room[] =
+        "<room name='Hall'><point x='5' y='5'/><point x='395' y='5'/><point x='395' y='395'/><point "
+        "x='5' y='395'/></room>";
+    static const char bed[] = "<pieceOfFurniture name='Bed' x='100' y='100' width='90' depth='200' height='50'/>";
+    Text all = {0};
+    text_format(&all, "%s%s%s%s%s", box_walls, room, bed, room, bed);
+    Imported import = import_box(all.text, (ImportOptions){0});
+    CHECK(import.plan.room_count == 1 && import.plan.furniture_count == 1 && import.plan.wall_count == 2);
+    CHECK(imported_noted(&import, "walls drawn more than once count once (5)"));
+    CHECK(imported_noted(&import, "furniture that stands more than once in the same place counts once (1)"));
+    CHECK(imported_noted(&import, "rooms with the same outline count once (1)"));
+    imported_end(&import, true);
+    memory_free(all.text);
+}
+
+TEST(rooms_that_overlap_and_walls_that_cover_them_are_noted) {
+    Imported import = import_box("<room><point x='5' y='5'/><point x='395' y='5'/><point x='395' y='395'/><point x='5' "
+                                 "y='395'/></room><room><point x='8' y='9'/><point x='398' y='9'/><point x='398' "
+                                 "y='399'/><point x='8' y='399'/></room>",
+                                 (ImportOptions){0});
+    CHECK(imported_noted(&import,
+                         "the rooms overlap: they have 30.42 m2 together and cover 15.48 m2; the file may hold "
+                         "its plan more than once"));
+    imported_end(&import, true);
+    import = import_box("<room><point x='390' y='5'/><point x='410' y='5'/><point x='410' y='395'/><point x='390' "
+                        "y='395'/></room>",
+                        (ImportOptions){0});
+    CHECK(imported_noted(&import, "walls cover 0.2925 m2 of the rooms' 0.78 m2"));
+    imported_end(&import, true);
+}
+
 TEST(windows_lamps_hidden_things_and_rugs_stand_in_nobody_s_way) {
     Imported import = import_box(
         "<doorOrWindow catalogId='eTeks#window' name='Fenster' elevation='80' x='100' y='0' width='91' depth='12' "

@@ -25,6 +25,50 @@ TEST(areas_side_by_side_are_one_and_holes_are_obstacles) {
     imported_end(&import, true);
 }
 
+TEST(a_byte_order_mark_is_skipped) {
+    Imported import = imported_text(".wkt", "\xef\xbb\xbfPOLYGON ((0 0, 4 0, 4 3, 0 3, 0 0))", (ImportOptions){0});
+    CHECK(import.plan.wall_count == 1);
+    imported_end(&import, true);
+}
+
+TEST(a_unit_that_is_given_makes_millimetres_a_house) {
+    Imported import = imported_text(".wkt", "POLYGON ((0 0, 8000 0, 8000 6000, 0 6000, 0 0))",
+                                    (ImportOptions){.unit = import_unit("mm")});
+    CHECK(import.good && import.plan.walls[0].points.at[2].y == 6);
+    imported_end(&import, true);
+}
+
+static void check_refused(const char *text, const char *says) {
+    Imported import = imported_text(".wkt", text, (ImportOptions){0});
+    CHECK(import.fault.count == 1 && strstr(import.fault.lines[0], says));
+    imported_end(&import, false);
+}
+
+TEST(degrees_and_areas_too_small_for_a_plan_are_refused) {
+    check_refused("SRID=4326;POLYGON ((13.1 52.1, 13.4 52.1, 13.4 52.4, 13.1 52.1))",
+                  "the coordinates are degrees (SRID 4326): project them to metres");
+    check_refused("POLYGON ((13.37 52.51, 13.385 52.51, 13.385 52.52, 13.37 52.51))",
+                  "implausible as metres and may be degrees");
+    check_refused("POLYGON ((0 0, 1.2 0, 1.2 0.6, 0 0.6, 0 0))",
+                  "the coordinates are implausible as metres: the plan would be 1.2 m by 0.6 m in m");
+    Imported import =
+        imported_text(".wkt", "SRID=25833;POLYGON ((0 0, 8 0, 8 6, 0 6, 0 0)) POINT (9000 0)", (ImportOptions){0});
+    CHECK(import.plan.wall_count == 1 && imported_left_out(&import, "points", 1));
+    imported_end(&import, true);
+}
+
+TEST(areas_on_top_of_each_other_count_once_and_are_noted) {
+    Imported import = imported_text(".wkt", "POLYGON ((0 0, 8 0, 8 6, 0 6, 0 0))\nPOLYGON ((0 0, 8 0, 8 6, 0 6, 0 0))",
+                                    (ImportOptions){0});
+    CHECK(import.plan.wall_count == 1);
+    CHECK(imported_noted(&import, "the areas overlap: they have 96 m2 together and cover 48 m2, which counts once"));
+    imported_end(&import, true);
+    import = imported_text(".wkt", "POLYGON ((0 0, 8 0, 8 6, 0 6, 0 0))\nPOLYGON ((8 0, 9 0, 9 6, 8 6, 8 0))",
+                           (ImportOptions){0});
+    CHECK(!imported_noted(&import, "the areas overlap"));
+    imported_end(&import, true);
+}
+
 /* Returns twice the area of the rings of a POLYGON, outer minus inner ones. */
 static double area_of(const char *wkt) {
     double area = 0, ring = 0, x, y, last_x = 0, last_y = 0;

@@ -1,0 +1,22 @@
+/* Units in which plans are drawn, and the sizes that plans have. Private to the importers. */
+#pragma once
+
+#include "exchange/house_builder.h"
+
+typedef struct PlanUnit {
+    const char *name;
+    double metres;
+} PlanUnit;
+
+enum { PLAN_SIZE_UNITS = 5 };
+extern const PlanUnit plan_size_units[PLAN_SIZE_UNITS];
+
+/* Returns the unit in which the length `length` equals `metres`, within 1.5 %, or NULL. */
+const PlanUnit *plan_size_unit_of(double length, double metres);
+
+/* True if a plan may have this longer side (m). */
+bool plan_size_is_plausible(double longer);
+
+/* Adds the error that the unit is doubtful: `size` is in the file's unit, `possible` are candidates, or all if none
+ * is. `why` begins the sentence. Returns false. */
+bool plan_size_refuse(HouseBuilder *builder, const char *why, Vec2 size, const bool possible[PLAN_SIZE_UNITS]);
