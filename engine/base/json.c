@@ -62,11 +62,19 @@ static bool read_values(JsonFile *file, const char *path, char *text, size_t siz
     return true;
 }
 
+static void *take(size_t size) {
+    return memory_zeroed(1, size);
+}
+
+void json_use_memory(void) {
+    json_set_alloc_funcs(take, memory_free);
+}
+
 bool json_read(JsonFile *file, const char *path, Fault *fault) {
     size_t size = 0;
     char *text = text_read_file(path, JSON_LARGEST_FILE, &size);
     if (!text) {
-        fault_add(fault, "%s:1:1: cannot be read: %s", path, strerror(errno));
+        fault_add(fault, "%s:1:1: cannot be read: %s", path, text_read_reason(errno));
         return false;
     }
     return read_values(file, path, text, size, fault);

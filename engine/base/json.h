@@ -29,6 +29,10 @@ typedef struct JsonNode {
 
 enum { JSON_LARGEST_FILE = 64 * 1024 * 1024 /* bytes: a house of a hundred thousand walls takes a sixth of this */ };
 
+/* Lets jansson take its memory here, so that a value never lacks a part for want of memory. To be called before any
+ * other function of jansson. */
+void json_use_memory(void);
+
 bool json_read(JsonFile *file, const char *path, Fault *fault);
 
 /* Does the same with `text`, ended by 0, which need not be on disk: errors begin with `path` and point into the text.

@@ -1,5 +1,6 @@
 #include "base/memory.h"
 
+#include <malloc.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,10 +14,15 @@ typedef struct ArenaBlock {
     max_align_t bytes[];
 } ArenaBlock;
 
-static void memory_end(void) {
+void memory_end(void) {
     static const char message[] = "clearance: out of memory\n";
     (void)!write(STDERR_FILENO, message, sizeof message - 1);
     _exit(3);
+}
+
+void memory_return_freed(void) {
+    mallopt(M_MMAP_THRESHOLD, 1 << 20); /* bytes; otherwise it grows with the blocks that are freed */
+    mallopt(M_ARENA_MAX, 2);            /* instead of eight per processor */
 }
 
 void *memory_zeroed(size_t count, size_t size) {

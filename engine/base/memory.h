@@ -4,6 +4,13 @@
 
 #include <stddef.h>
 
+/* Reports that memory is exhausted and ends the program with exit code 3. */
+__attribute__((noreturn)) void memory_end(void);
+
+/* Has freed memory returned to the system early, for a program that works for hours: large blocks at once, and small
+ * ones of all threads from few places. Call it before threads begin. */
+void memory_return_freed(void);
+
 /* Returns `count` zeroed elements of `size` bytes; memory_free releases them. */
 void *memory_zeroed(size_t count, size_t size);
 

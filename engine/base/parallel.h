@@ -1,18 +1,8 @@
 /* Runs independent pieces of work on several threads. */
 #pragma once
 
-#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-/* True if the flag that ends work early is set, by a signal handler or by another thread. NULL: never set. */
-static inline bool parallel_stopped(const volatile sig_atomic_t *stop) {
-    return stop && __atomic_load_n(stop, __ATOMIC_RELAXED);
-}
-
-static inline void parallel_stop(volatile sig_atomic_t *stop) {
-    __atomic_store_n(stop, 1, __ATOMIC_RELAXED);
-}
 
 /* Calls `work(context, i)` once for every i below `count`, on up to `jobs` threads (1: on the calling thread). The
  * assignment of pieces to threads is not determined, so a piece may write only its own data. */

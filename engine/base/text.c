@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -74,12 +75,54 @@ void text_make_plain(char *line) {
     }
 }
 
+static bool regular_only;
+
+void text_read_regular_only(void) {
+    regular_only = true;
+}
+
+/* Returns 0, or errno for a kind of file that is not read: EMEDIUMTYPE if it is a pipe, a device or a socket. */
+static int refusal_of(const struct stat *status) {
+    return S_ISDIR(status->st_mode) ? EISDIR : regular_only && !S_ISREG(status->st_mode) ? EMEDIUMTYPE : 0;
+}
+
+int text_read_refusal(const char *path) {
+    struct stat status;
+    return stat(path, &status) ? errno : refusal_of(&status);
+}
+
+const char *text_read_reason(int error) {
+    return error == EINTR ? "interrupted" : error == EMEDIUMTYPE ? "it is not a regular file" : strerror(error);
+}
+
+/* True once a signal has ended the wait for a pipe: the next reader must not wait for the same pipe again. */
+static atomic_bool interrupted;
+
+static void note_interruption(int error) {
+    if (error == EINTR)
+        atomic_store(&interrupted, true);
+}
+
+/* Opens a file to read it. Returns -1 with errno set if that is not possible. */
+static int open_to_read(const char *path, struct stat *status) {
+    int error = regular_only ? text_read_refusal(path) : 0;
+    if (atomic_load(&interrupted) && stat(path, status) == 0 && !S_ISREG(status->st_mode))
+        error = EINTR;
+    int file = error ? -1 : open(path, O_RDONLY | O_CLOEXEC | (regular_only ? O_NONBLOCK : 0));
+    if (!error)
+        error = file < 0 || fstat(file, status) ? errno : refusal_of(status);
+    note_interruption(error);
+    if (error && file >= 0)
+        close(file);
+    errno = error;
+    return error ? -1 : file;
+}
+
 char *text_read_file(const char *path, size_t largest, size_t *size) {
-    int file = open(path, O_RDONLY | O_CLOEXEC);
+    struct stat status;
+    int file = open_to_read(path, &status), error = 0;
     if (file < 0)
         return NULL;
-    struct stat status;
-    int error = fstat(file, &status) ? errno : S_ISDIR(status.st_mode) ? EISDIR : 0;
     char *text = NULL;
     size_t capacity = 0, used = 0;
     while (!error) {
@@ -88,13 +131,14 @@ char *text_read_file(const char *path, size_t largest, size_t *size) {
         if (got == 0)
             break;
         if (got < 0)
-            error = errno == EINTR ? 0 : errno;
+            error = errno == EINTR && S_ISREG(status.st_mode) ? 0 : errno;
         else
             used += (size_t)got;
         if (used > largest)
             error = EFBIG;
     }
     close(file);
+    note_interruption(error);
     if (error) {
         memory_free(text);
         errno = error;
@@ -173,43 +217,6 @@ const char *text_in_arena(Arena *arena, const char *format, ...) {
     const char *kept = text_vin_arena(arena, format, arguments);
     va_end(arguments);
     return kept;
-}
-
-char *text_beside(const char *path) {
-    size_t room = strlen(path) + 32;
-    char *beside = memory_zeroed(room, 1);
-    snprintf(beside, room, "%s.%ld.part", path, (long)getpid());
-    return beside;
-}
-
-int text_beside_end(char *beside, const char *path, int error) {
-    if (!error && rename(beside, path))
-        error = errno;
-    if (error)
-        unlink(beside);
-    memory_free(beside);
-    return error;
-}
-
-static int write_beside(const char *path, const char *text, size_t size, bool to_disk) {
-    char *beside = text_beside(path);
-    FILE *file = fopen(beside, "wb");
-    int error = file ? 0 : errno;
-    if (file) {
-        if (fwrite(text, 1, size, file) != size || fflush(file) || (to_disk && fsync(fileno(file))))
-            error = errno ? errno : EIO;
-        if (fclose(file) && !error)
-            error = errno;
-    }
-    return text_beside_end(beside, path, error);
-}
-
-int text_write_file(const char *path, const char *text, size_t size) {
-    return write_beside(path, text, size, true);
-}
-
-int text_write_quickly(const char *path, const char *text, size_t size) {
-    return write_beside(path, text, size, false);
 }
 
 int text_make_folder(const char *path) {

@@ -16,9 +16,18 @@ const char *text_nearest(const char *word, const char *const *words, size_t coun
  * character. */
 void text_make_plain(char *line);
 
-/* Returns the whole file, ended by 0, or NULL with errno set; memory_free it. `*size` counts its bytes without the 0.
- */
+/* Returns the whole file, ended by 0, or NULL with errno set; memory_free it. `*size` counts its bytes without the 0. A
+ * signal ends the wait for a pipe. */
 char *text_read_file(const char *path, size_t largest, size_t *size);
+
+/* Makes text_read_file refuse all but regular files from here on, for a window, which must not wait for a pipe. */
+void text_read_regular_only(void);
+
+/* Returns 0 if text_read_file may open the file, or errno; for files that libraries read. */
+int text_read_refusal(const char *path);
+
+/* Returns the words for an error (errno) of a file that cannot be read, without a full stop. */
+const char *text_read_reason(int error);
 
 /* Returns a copy; memory_free it. */
 char *text_copy(const char *text);
@@ -49,19 +58,6 @@ char *text_printed_line(const char *format, va_list arguments) __attribute__((fo
 /* Returns text formatted as by printf or vprintf; it lives as long as the arena. */
 const char *text_in_arena(Arena *arena, const char *format, ...) __attribute__((format(printf, 2, 3)));
 const char *text_vin_arena(Arena *arena, const char *format, va_list arguments) __attribute__((format(printf, 2, 0)));
-
-/* Returns the name of a temporary file of this process next to `path`, to be renamed when complete; memory_free it. */
-char *text_beside(const char *path);
-
-/* Renames the temporary file to `path`, or removes it if `error` (errno) is not 0, and releases the name. Returns 0 or
- * errno. */
-int text_beside_end(char *beside, const char *path, int error);
-
-/* Writes a temporary file and renames it, so that a failed write leaves the old file. Returns 0 or errno. */
-int text_write_file(const char *path, const char *text, size_t size);
-
-/* Does the same without waiting for the disk, for many files that can be created again. */
-int text_write_quickly(const char *path, const char *text, size_t size);
 
 /* Creates a folder and its parents where they are missing. Returns 0 or errno, also if the folder is not writable. */
 int text_make_folder(const char *path);
