@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/file_write.h"
 #include "base/parameters_number.h"
 #include "base/parameters_schema.h"
 #include "base/provenance.h"
@@ -262,7 +263,7 @@ int beam_write(const Beam *beam, const char *path) {
     for (size_t g = 0; g < GROUPS; g++)
         add_group(&lines, beam, groups[g]);
     text_add(&lines, "\n}\n");
-    int error = text_write_file(path, lines.text, lines.used);
+    int error = file_write_bytes(path, lines.text, lines.used);
     memory_free(lines.text);
     return error;
 }

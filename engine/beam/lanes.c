@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "base/parallel.h"
+#include "base/stop.h"
 
 /* Each lane is one motion; the lanes' blocks are interleaved. While a lane is open or in contact and no event can
  * occur within a cell, it advances together with the others by vector instructions; otherwise motion_step advances
@@ -341,7 +341,7 @@ static LaneVector take(double **at, size_t blocks) {
     return taken;
 }
 
-void lanes_run(const Rig *rig, LanesRun *runs, size_t count, const volatile sig_atomic_t *stop) {
+void lanes_run(const Rig *rig, LanesRun *runs, size_t count, const Stop *stop) {
     size_t blocks = rig->free.blocks > rig->contact.blocks ? rig->free.blocks : rig->contact.blocks;
     Lanes lanes = {.rig = rig, .blocks = blocks, .memory = memory_zeroed(10 * blocks * LANES, sizeof(double))};
     double *at = lanes.memory;
@@ -363,7 +363,7 @@ void lanes_run(const Rig *rig, LanesRun *runs, size_t count, const volatile sig_
         lanes.next = lanes.now;
         lanes.now = next;
         hop_lanes(&lanes);
-    } while (any_runs(&lanes) && !parallel_stopped(stop));
+    } while (any_runs(&lanes) && !stop_requested(stop));
     for (size_t l = 0; l < LANES; l++)
         if (lanes.lane[l].run)
             end_run(&lanes, l);

@@ -4,8 +4,7 @@
  * The results of a motion depend neither on the other motions nor on the vector width of the processor. */
 #pragma once
 
-#include <signal.h>
-
+#include "base/stop.h"
 #include "beam/motion.h"
 
 typedef struct LanesRun {
@@ -25,6 +24,6 @@ typedef struct LanesRun {
     double *end;        /* (states) the last state */
 } LanesRun;
 
-/* Simulates `count` runs of the rig's beam; the rig's own drive and clearance are ignored. `stop` other than 0
- * interrupts. */
-void lanes_run(const Rig *rig, LanesRun *runs, size_t count, const volatile sig_atomic_t *stop);
+/* Simulates `count` runs of the rig's beam; the rig's own drive and clearance are ignored. When
+ * `stop` is requested, runs that are not complete are MOTION_GOOD with fewer recorded cycles. */
+void lanes_run(const Rig *rig, LanesRun *runs, size_t count, const Stop *stop);

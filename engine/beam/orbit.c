@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "base/parallel.h"
+#include "base/stop.h"
 #include "base/real.h"
 
 /* Fraction of the state at which Newton's iteration ends: rounding leaves about 1e-13. */
@@ -26,19 +26,19 @@ static double share(double apart, double size, double rest) {
     return apart > 0 ? apart / fmax(size, rest) : 0;
 }
 
-bool orbit_map(const Rig *rig, double *state, size_t cycles, double *derivative, const volatile sig_atomic_t *stop) {
-    size_t states = rig->free.states;
+OrbitAnswer orbit_map(const Rig *rig, double *state, size_t cycles, double *derivative, const Stop *stop) {
+    size_t states = rig->free.states, done = 0;
     Motion motion = motion_create(rig, derivative ? states : 0);
     motion_set_state(&motion, state);
     motion_unit_tangents(&motion);
-    for (size_t i = 0; i < cycles && motion.status == MOTION_GOOD && !parallel_stopped(stop); i++)
+    for (; done < cycles && motion.status == MOTION_GOOD && !stop_requested(stop); done++)
         motion_cycle(&motion);
-    bool good = motion.status == MOTION_GOOD && !parallel_stopped(stop);
+    OrbitAnswer answer = motion.status != MOTION_GOOD ? ORBIT_NONE : done < cycles ? ORBIT_INTERRUPTED : ORBIT_GOOD;
     motion_state(&motion, state);
     for (size_t t = 0; t < motion.tangents; t++)
         motion_tangent(&motion, t, derivative + t * states);
     motion_destroy(&motion);
-    return good;
+    return answer;
 }
 
 /* Computes x -= (derivative - 1)^-1 gap; destroys the derivative and the gap. */
@@ -75,7 +75,7 @@ static bool find_multipliers(Orbit *orbit, double *derivative) {
     return good;
 }
 
-bool orbit_find(Orbit *orbit, const Rig *rig, const double *start, size_t period, const volatile sig_atomic_t *stop) {
+OrbitAnswer orbit_find(Orbit *orbit, const Rig *rig, const double *start, size_t period, const Stop *stop) {
     size_t states = rig->free.states;
     *orbit = (Orbit){.period = period, .states = states, .point = memory_zeroed(3 * states, sizeof(double))};
     orbit->multiplier_re = orbit->point + states;
@@ -84,23 +84,25 @@ bool orbit_find(Orbit *orbit, const Rig *rig, const double *start, size_t period
     double *derivative = memory_zeroed(states * states, sizeof *derivative);
     double *gap = memory_zeroed(states, sizeof *gap);
     double rest = rig_rest_state(rig);
-    bool good = true, found = false;
-    for (int i = 0; i < ITERATIONS_MOST && good && !found; i++) {
+    bool found = false;
+    OrbitAnswer answer = ORBIT_GOOD;
+    for (int i = 0; i < ITERATIONS_MOST && answer == ORBIT_GOOD && !found; i++) {
         memcpy(gap, orbit->point, states * sizeof *gap);
-        good = orbit_map(rig, gap, period, derivative, stop);
+        answer = orbit_map(rig, gap, period, derivative, stop);
         for (size_t k = 0; k < states; k++)
             gap[k] -= orbit->point[k];
         orbit->error = share(length_of(gap, states), length_of(orbit->point, states), rest);
-        found = good && orbit->error < CONVERGED;
-        if (!found)
-            good = good && orbit->error < FAR && newton_step(orbit->point, derivative, gap, states);
+        found = answer == ORBIT_GOOD && orbit->error < CONVERGED;
+        if (answer == ORBIT_GOOD && !found &&
+            !(orbit->error < FAR && newton_step(orbit->point, derivative, gap, states)))
+            answer = ORBIT_NONE;
     }
     found = found && find_multipliers(orbit, derivative);
     memory_free(derivative);
     memory_free(gap);
     if (!found)
         orbit_clear(orbit);
-    return found;
+    return found ? ORBIT_GOOD : answer == ORBIT_INTERRUPTED ? ORBIT_INTERRUPTED : ORBIT_NONE;
 }
 
 bool orbit_is_stable(const Orbit *orbit) {

@@ -5,10 +5,10 @@
  * orbits; an orbit is stable if the eigenvalues of the derivative, its multipliers, lie inside the unit circle. */
 #pragma once
 
-#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/stop.h"
 #include "beam/motion.h"
 
 enum { ORBIT_PERIOD_MOST = 16 /* cycles */ };
@@ -20,6 +20,12 @@ typedef enum OrbitLeaving {
     ORBIT_NEIMARK, /* as a complex pair: a torus */
 } OrbitLeaving;
 
+typedef enum OrbitAnswer {
+    ORBIT_GOOD,
+    ORBIT_NONE, /* the iteration does not converge, or the motion chatters or diverges */
+    ORBIT_INTERRUPTED,
+} OrbitAnswer;
+
 typedef struct Orbit {
     size_t period; /* cycles */
     size_t states;
@@ -30,10 +36,10 @@ typedef struct Orbit {
     double error;                          /* remaining |P^p(x) - x| / |x| */
 } Orbit;
 
-/* Runs Newton's iteration from `start` (states) for an orbit of `period` cycles or of a divisor of it. Returns
- * false, with nothing to clear, if the iteration does not converge or is interrupted (`stop` other than 0; NULL:
- * never). */
-bool orbit_find(Orbit *orbit, const Rig *rig, const double *start, size_t period, const volatile sig_atomic_t *stop);
+/* Runs Newton's iteration from `start` (states) for an orbit of `period` cycles or of a divisor of it. There is
+ * an orbit, which orbit_clear releases, only with ORBIT_GOOD. `stop` NULL: never. */
+__attribute__((warn_unused_result)) OrbitAnswer orbit_find(Orbit *orbit, const Rig *rig, const double *start,
+                                                           size_t period, const Stop *stop);
 
 /* True if all multipliers lie inside the unit circle. */
 bool orbit_is_stable(const Orbit *orbit);
@@ -44,6 +50,5 @@ double orbit_distance(const Orbit *orbit, const Rig *rig, const double *state);
 
 void orbit_clear(Orbit *orbit);
 
-/* Computes P^cycles(x) into `state` and, unless NULL, its derivative (states x states, column by column). Returns
- * false after chatter, divergence or interruption. */
-bool orbit_map(const Rig *rig, double *state, size_t cycles, double *derivative, const volatile sig_atomic_t *stop);
+/* Computes P^cycles(x) into `state` and, unless NULL, its derivative (states x states, column by column). */
+OrbitAnswer orbit_map(const Rig *rig, double *state, size_t cycles, double *derivative, const Stop *stop);

@@ -4,7 +4,7 @@
 
 #include "base/digest.h"
 #include "base/memory.h"
-#include "base/parallel.h"
+#include "base/stop.h"
 #include "base/real.h"
 
 /* Fraction of the state's length: a return this close starts Newton's iteration, and the orbit must then be as
@@ -27,21 +27,21 @@ static const TraceColumn columns[] = {[RESPONSE_TIME] = {"time", "s"},
                                       [RESPONSE_FORCE] = {"force", "N"}};
 
 const char *response_verdict_name(ResponseVerdict verdict) {
-    static const char *const names[] = {"periodic", "chaotic", "unresolved", "chatters", "diverged"};
+    static const char *const names[] = {"periodic", "chaotic", "unresolved", "chatters", "diverged", "interrupted"};
     return names[verdict];
 }
 
 /* A motion and the data for its verdict. */
 typedef struct Watch {
     Motion motion;
-    const volatile sig_atomic_t *stop;
+    const Stop *stop;
     double *growth; /* (analysed.count) logarithm of the tangent's growth in each cycle */
     size_t growth_capacity;
     Section analysed; /* since the transient */
 } Watch;
 
 static bool goes_on(const Watch *watch) {
-    return watch->motion.status == MOTION_GOOD && !parallel_stopped(watch->stop);
+    return watch->motion.status == MOTION_GOOD && !stop_requested(watch->stop);
 }
 
 static void pass_transient(Watch *watch, int cycles) {
@@ -108,19 +108,25 @@ static void record(Response *response, Watch *watch, int cycles) {
     response->grazes = motion->grazes - grazes;
 }
 
-/* Replaces an orbit found with a multiple of its period by the orbit with its own period. */
-static void reduce_period(Orbit *orbit, const Rig *rig, const volatile sig_atomic_t *stop) {
+/* Replaces an orbit found with a multiple of its period by the orbit with its own period. Returns false if
+ * interrupted. */
+static bool reduce_period(Orbit *orbit, const Rig *rig, const Stop *stop) {
     for (size_t period = 1; period < orbit->period; period++) {
         Orbit shorter;
-        if (orbit->period % period || !orbit_find(&shorter, rig, orbit->point, period, stop))
+        OrbitAnswer answer =
+            orbit->period % period ? ORBIT_NONE : orbit_find(&shorter, rig, orbit->point, period, stop);
+        if (answer == ORBIT_INTERRUPTED)
+            return false;
+        if (answer == ORBIT_NONE)
             continue;
         if (orbit_distance(&shorter, rig, orbit->point) < SETTLED) {
             orbit_clear(orbit);
             *orbit = shorter;
-            return;
+            return true;
         }
         orbit_clear(&shorter);
     }
+    return true;
 }
 
 /* True if the tangent grew in the last quarter of the record. */
@@ -133,62 +139,87 @@ static bool tangent_grows(const Watch *watch) {
 }
 
 /* Finds the stable orbit near the motion. */
-static bool find_orbit(Response *response, const Watch *watch) {
+static OrbitAnswer find_orbit(Response *response, const Watch *watch) {
     const Section *seen = &watch->analysed;
     const Rig *rig = watch->motion.rig;
     double rest = rig_rest_state(rig);
     if (tangent_grows(watch))
-        return false;
+        return ORBIT_NONE;
     for (size_t period = 1; period <= ORBIT_PERIOD_MOST && period < seen->count; period++) {
         Orbit orbit;
-        if (section_return(seen, period, rest) > NEAR_RETURN ||
-            !orbit_find(&orbit, rig, section_last(seen), period, watch->stop))
+        OrbitAnswer answer = section_return(seen, period, rest) > NEAR_RETURN
+                                 ? ORBIT_NONE
+                                 : orbit_find(&orbit, rig, section_last(seen), period, watch->stop);
+        if (answer == ORBIT_INTERRUPTED)
+            return ORBIT_INTERRUPTED;
+        if (answer == ORBIT_NONE)
             continue;
         if (orbit_is_stable(&orbit) && orbit_distance(&orbit, rig, section_last(seen)) < NEAR_RETURN) {
-            reduce_period(&orbit, rig, watch->stop);
-            response->orbit = orbit;
-            return true;
+            bool whole = reduce_period(&orbit, rig, watch->stop);
+            if (whole)
+                response->orbit = orbit;
+            else
+                orbit_clear(&orbit);
+            return whole ? ORBIT_GOOD : ORBIT_INTERRUPTED;
         }
         orbit_clear(&orbit);
     }
-    return false;
+    return ORBIT_NONE;
+}
+
+static ResponseVerdict bad_verdict(const Motion *motion) {
+    return motion->status == MOTION_CHATTERS ? RESPONSE_CHATTERS : RESPONSE_DIVERGED;
 }
 
 static bool is_chaotic(const Response *response) {
     return response->exponent.value - 3 * response->exponent.error > 0 && response->zero_one > RESPONSE_ZERO_ONE_LEAST;
 }
 
+static void note_orbit(Response *response, const Rig *rig) {
+    response->settled = orbit_distance(&response->orbit, rig, response->section.state) < SETTLED;
+    response->exponent = (ChaosExponent){real_log(response->orbit.largest) / (double)response->orbit.period, 0};
+    response->zero_one = NAN;
+}
+
+/* Forgets the exponent and the 0-1 test of fewer cycles than the verdict needs. */
+static ResponseVerdict interrupt(Response *response) {
+    response->exponent = (ChaosExponent){NAN, NAN};
+    response->zero_one = NAN;
+    return RESPONSE_INTERRUPTED;
+}
+
 /* Continues, doubling the number of cycles each time, until a verdict is reached. */
-static void tell(Response *response, Watch *watch) {
+static ResponseVerdict decide(Response *response, Watch *watch) {
     for (size_t cycles = RESPONSE_CYCLES_LEAST;; cycles *= 2) {
-        if (watch->analysed.count > 1 && find_orbit(response, watch)) {
-            response->verdict = RESPONSE_PERIODIC;
-            response->settled = orbit_distance(&response->orbit, watch->motion.rig, response->section.state) < SETTLED;
-            response->exponent = (ChaosExponent){real_log(response->orbit.largest) / (double)response->orbit.period, 0};
-            response->zero_one = NAN;
-            return;
+        switch (watch->analysed.count > 1 ? find_orbit(response, watch) : ORBIT_NONE) {
+        case ORBIT_GOOD:
+            note_orbit(response, watch->motion.rig);
+            return RESPONSE_PERIODIC;
+        case ORBIT_INTERRUPTED:
+            return interrupt(response);
+        case ORBIT_NONE:
+            break;
         }
-        if (is_chaotic(response)) {
-            response->verdict = RESPONSE_CHAOTIC;
-            return;
-        }
+        if (is_chaotic(response))
+            return RESPONSE_CHAOTIC;
         if (cycles > RESPONSE_CYCLES_MOST)
-            return;
+            return RESPONSE_UNRESOLVED;
         while (watch->analysed.count < cycles && goes_on(watch)) {
             motion_cycle(&watch->motion);
             note_cycle(watch);
         }
-        if (!goes_on(watch))
-            return;
+        if (watch->motion.status != MOTION_GOOD)
+            return bad_verdict(&watch->motion);
+        if (watch->analysed.count < cycles)
+            return interrupt(response);
         response->exponent = chaos_exponent(watch->growth, watch->analysed.count);
         size_t last = watch->analysed.count < ZERO_ONE_CYCLES ? watch->analysed.count : ZERO_ONE_CYCLES;
         response->zero_one = chaos_zero_one(watch->analysed.deflection + watch->analysed.count - last, last);
     }
 }
 
-void response_run(Response *response, const Rig *rig, const Beam *beam, const double *start,
-                  const volatile sig_atomic_t *stop) {
-    *response = (Response){.verdict = RESPONSE_UNRESOLVED, .exponent = {NAN, NAN}, .zero_one = NAN};
+void response_run(Response *response, const Rig *rig, const Beam *beam, const double *start, const Stop *stop) {
+    *response = (Response){.verdict = RESPONSE_INTERRUPTED, .exponent = {NAN, NAN}, .zero_one = NAN};
     trace_init(&response->trace, columns, sizeof columns / sizeof *columns);
     Watch watch = {.motion = motion_create(rig, 1), .stop = stop};
     motion_unit_tangents(&watch.motion);
@@ -196,11 +227,11 @@ void response_run(Response *response, const Rig *rig, const Beam *beam, const do
         motion_set_state(&watch.motion, start);
     pass_transient(&watch, beam->transient_cycles);
     record(response, &watch, beam->cycles);
-    if (goes_on(&watch))
-        tell(response, &watch);
-    response->cycles = watch.analysed.count;
     if (watch.motion.status != MOTION_GOOD)
-        response->verdict = watch.motion.status == MOTION_CHATTERS ? RESPONSE_CHATTERS : RESPONSE_DIVERGED;
+        response->verdict = bad_verdict(&watch.motion);
+    else if (response->section.count == (size_t)beam->cycles)
+        response->verdict = decide(response, &watch);
+    response->cycles = watch.analysed.count;
     motion_destroy(&watch.motion);
     response->analysed = watch.analysed;
     memory_free(watch.growth);

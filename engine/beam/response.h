@@ -2,9 +2,9 @@
  * periodic or chaotic, or as unresolved where neither can be shown. */
 #pragma once
 
-#include <signal.h>
 #include <stdint.h>
 
+#include "base/stop.h"
 #include "beam/chaos.h"
 #include "beam/orbit.h"
 #include "beam/section.h"
@@ -13,9 +13,10 @@
 typedef enum ResponseVerdict {
     RESPONSE_PERIODIC,   /* near a stable, certified orbit */
     RESPONSE_CHAOTIC,    /* the largest exponent exceeds 0 by three standard errors, and the 0-1 test agrees */
-    RESPONSE_UNRESOLVED, /* neither within RESPONSE_CYCLES_MOST cycles, or interrupted */
+    RESPONSE_UNRESOLVED, /* neither within RESPONSE_CYCLES_MOST cycles */
     RESPONSE_CHATTERS,   /* too many switches in a cycle to follow */
     RESPONSE_DIVERGED,   /* a number became infinite or NaN */
+    RESPONSE_INTERRUPTED,
 } ResponseVerdict;
 
 /* "periodic", "chaotic", ... */
@@ -58,9 +59,8 @@ typedef struct Response {
     uint64_t digest;        /* of the recorded states */
 } Response;
 
-/* Runs the beam of the rig from `start` (a state, or NULL: at rest). `stop` other than 0 interrupts; NULL: never.
- * response_clear releases the result. */
-void response_run(Response *response, const Rig *rig, const Beam *beam, const double *start,
-                  const volatile sig_atomic_t *stop);
+/* Runs the beam of the rig from `start` (a state, or NULL: at rest), until `stop` is requested (NULL: never). An
+ * interrupted response holds the cycles that were recorded until then. response_clear releases the result. */
+void response_run(Response *response, const Rig *rig, const Beam *beam, const double *start, const Stop *stop);
 
 void response_clear(Response *response);

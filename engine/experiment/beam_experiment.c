@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/digest.h"
-#include "base/parallel.h"
+#include "base/stop.h"
 #include "base/parameters_number.h"
 #include "base/random.h"
 #include "base/text.h"
@@ -240,7 +240,7 @@ static void tell_lane(const Case *one, const LanesRun *lane) {
 }
 
 /* Runs `count` quick trials of one rig from `states` (count x states), which receive their last states. */
-static void run_quickly(Case **cases, size_t count, const Rig *rig, double *states, const volatile sig_atomic_t *stop) {
+static void run_quickly(Case **cases, size_t count, const Rig *rig, double *states, const Stop *stop) {
     size_t size = 2 * rig->modes.count, each = lane_room(cases[0], size);
     LanesRun *lanes = memory_zeroed(count, sizeof *lanes);
     double *room = memory_zeroed(count * each, sizeof *room);
@@ -268,12 +268,12 @@ static void tell_response(Trial *trial, const Response *response) {
 }
 
 /* Runs one trial with full analysis from `state`, which receives its last recorded state. */
-static void run_thoroughly(const Case *one, const Rig *rig, double *state, const volatile sig_atomic_t *stop) {
+static void run_thoroughly(const Case *one, const Rig *rig, double *state, const Stop *stop) {
     Rig own = rig_share(rig, one->beam.frequency, one->beam.force, one->beam.clearance);
     Response response;
     response_run(&response, &own, &one->beam, state, stop);
     tell_response(one->trial, &response);
-    one->trial->done = !parallel_stopped(stop);
+    one->trial->done = response.verdict != RESPONSE_INTERRUPTED;
     if (response.section.count)
         memcpy(state, section_last(&response.section), response.section.states * sizeof *state);
     response_clear(&response);
@@ -281,14 +281,14 @@ static void run_thoroughly(const Case *one, const Rig *rig, double *state, const
 }
 
 static void run_cases(const Given *given, Case **cases, size_t count, const Rig *rig, double *states,
-                      const volatile sig_atomic_t *stop) {
+                      const Stop *stop) {
     for (size_t i = 0; i < count; i++) {
         begin_observed(cases[i], rig);
         cases[i]->made = true;
     }
     if (!given->thorough)
         run_quickly(cases, count, rig, states, stop);
-    for (size_t i = 0; i < count && given->thorough && !parallel_stopped(stop); i++)
+    for (size_t i = 0; i < count && given->thorough && !stop_requested(stop); i++)
         run_thoroughly(cases[i], rig, states + i * 2 * rig->modes.count, stop);
 }
 
@@ -305,9 +305,9 @@ static const Rig *find_rig(const Given *given, Case *one, Rig *own) {
 }
 
 /* Runs the trials that share a rig together. */
-static void run_apart(const Given *given, Case *cases, size_t count, const volatile sig_atomic_t *stop) {
+static void run_apart(const Given *given, Case *cases, size_t count, const Stop *stop) {
     Case **group = memory_zeroed(count, sizeof *group);
-    for (size_t i = 0; i < count && !parallel_stopped(stop); i++) {
+    for (size_t i = 0; i < count && !stop_requested(stop); i++) {
         Rig own = {0};
         const Rig *rig = cases[i].made ? NULL : find_rig(given, &cases[i], &own);
         if (!rig)
@@ -330,9 +330,8 @@ static void run_apart(const Given *given, Case *cases, size_t count, const volat
 
 /* Carried runs ---------------------------------------------------------------------------------------------------- */
 
-static void run_carried(const Given *given, Case *cases, size_t count, BeamCarry *carry,
-                        const volatile sig_atomic_t *stop) {
-    for (size_t i = 0; i < count && !parallel_stopped(stop); i++) {
+static void run_carried(const Given *given, Case *cases, size_t count, BeamCarry *carry, const Stop *stop) {
+    for (size_t i = 0; i < count && !stop_requested(stop); i++) {
         Rig own = {0};
         const Rig *rig = cases[i].made ? NULL : find_rig(given, &cases[i], &own);
         if (!rig)
@@ -350,7 +349,7 @@ static void run_carried(const Given *given, Case *cases, size_t count, BeamCarry
 
 /* `carry`: one after another, continuing from its state; NULL: each from its own initial state. */
 static void run_trials(const Given *given, const char *const *names, size_t name_count, Trial *trials, size_t count,
-                       BeamCarry *carry, const volatile sig_atomic_t *stop) {
+                       BeamCarry *carry, const Stop *stop) {
     Case *cases = memory_zeroed(count, sizeof *cases);
     for (size_t i = 0; i < count; i++) {
         for (size_t k = 0; k < BEAM_OBSERVABLES; k++)
@@ -365,14 +364,14 @@ static void run_trials(const Given *given, const char *const *names, size_t name
 }
 
 static void run(const void *context, const char *const *names, size_t name_count, Trial *trials, size_t count,
-                bool carry, const volatile sig_atomic_t *stop) {
+                bool carry, const Stop *stop) {
     BeamCarry from_start = {0};
     run_trials(context, names, name_count, trials, count, carry ? &from_start : NULL, stop);
     beam_carry_clear(&from_start);
 }
 
 void beam_experiment_run_on(const Experiment *experiment, const char *name, Trial *trials, size_t count,
-                            BeamCarry *carry, const volatile sig_atomic_t *stop) {
+                            BeamCarry *carry, const Stop *stop) {
     run_trials(experiment->given, &name, 1, trials, count, carry, stop);
 }
 

@@ -21,6 +21,7 @@
 #include <stddef.h>
 
 #include "base/fault.h"
+#include "base/stop.h"
 #include "beam/beam.h"
 #include "experiment/beam_carry.h"
 #include "study/experiment.h"
@@ -58,6 +59,6 @@ void beam_experiment_be_thorough(Experiment *experiment);
 /* Runs `count` trials of one parameter one after another, the first continuing from `carry`: a carried pass in
  * pieces. */
 void beam_experiment_run_on(const Experiment *experiment, const char *name, Trial *trials, size_t count,
-                            BeamCarry *carry, const volatile sig_atomic_t *stop);
+                            BeamCarry *carry, const Stop *stop);
 
 void beam_experiment_close(Experiment *experiment);

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/digest.h"
-#include "base/parallel.h"
+#include "base/stop.h"
 #include "base/parameters_number.h"
 #include "base/text.h"
 #include "house/run.h"
@@ -126,7 +126,7 @@ static char *join_settings(const HouseOptions *options, const char **settings, c
 }
 
 static void run_one(const HouseGiven *given, const char *const *names, size_t name_count, Trial *trial,
-                    const volatile sig_atomic_t *stop) {
+                    const Stop *stop) {
     const char **settings = memory_zeroed(given->options.setting_count + name_count, sizeof *settings);
     char *texts = join_settings(&given->options, settings, names, name_count, trial->at);
     HouseOptions options = given->options;
@@ -139,7 +139,7 @@ static void run_one(const HouseGiven *given, const char *const *names, size_t na
         size_t route = given->route ? plan_find_route(&house.plan, given->route) : SIZE_MAX;
         Observation observation;
         run_house(&observation, &house, &(RunOptions){.route = route, .brief = true, .jobs = 1, .stop = stop});
-        trial->done = !parallel_stopped(stop);
+        trial->done = !observation.interrupted;
         if (trial->done)
             observe(trial, given, &house, &observation);
         observation_free(&observation);
@@ -154,9 +154,9 @@ static void run_one(const HouseGiven *given, const char *const *names, size_t na
 }
 
 static void run(const void *given, const char *const *names, size_t name_count, Trial *trials, size_t count, bool carry,
-                const volatile sig_atomic_t *stop) {
+                const Stop *stop) {
     (void)carry; /* all people begin at their start */
-    for (size_t i = 0; i < count && !parallel_stopped(stop); i++)
+    for (size_t i = 0; i < count && !stop_requested(stop); i++)
         run_one(given, names, name_count, &trials[i], stop);
 }
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/parallel.h"
+#include "base/stop.h"
 #include "base/text.h"
 #include "experiment/beam_experiment.h"
 
@@ -46,7 +47,7 @@ static void tell(const PaperOptions *options, const char *what) {
 }
 
 static bool stopped(const PaperOptions *options) {
-    return parallel_stopped(options->stop);
+    return stop_requested(options->stop);
 }
 
 typedef struct RunTask {
@@ -167,14 +168,15 @@ static bool check_beam(const Paper *paper, Fault *fault) {
     return paper->beam.clearance > 0;
 }
 
-bool paper_make(Paper *paper, const PaperOptions *options, Fault *fault) {
+PaperAnswer paper_make(Paper *paper, const PaperOptions *options, Fault *fault) {
     *paper = (Paper){.path = options->path};
     bool good = beam_read(&paper->beam, options->path, options->settings, options->setting_count, fault) &&
                 check_beam(paper, fault) && make_runs(paper, options, fault) && make_studies(paper, options, fault) &&
-                make_types(paper, options, fault) && !stopped(options);
-    if (!good)
+                make_types(paper, options, fault);
+    bool whole = good && !stopped(options);
+    if (!whole)
         paper_clear(paper);
-    return good;
+    return whole ? PAPER_MADE : good ? PAPER_INTERRUPTED : PAPER_FAULTY;
 }
 
 void paper_clear(Paper *paper) {

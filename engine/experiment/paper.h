@@ -5,6 +5,7 @@
  * legible or reconstructed (assets/beams/ibs.json says how). Disagreements are listed, too. */
 #pragma once
 
+#include "base/stop.h"
 #include "beam/response.h"
 #include "study/study.h"
 #include "study/types.h"
@@ -46,13 +47,19 @@ typedef struct PaperOptions {
     const char *const *settings; /* (setting_count) from the command line */
     size_t setting_count;
     int jobs;
-    const volatile sig_atomic_t *stop;
+    const Stop *stop;
     void (*progress)(void *context, const char *what); /* reports the next step; NULL: none */
     void *context;
 } PaperOptions;
 
-/* Runs all simulations. Returns false after errors or an interruption, with nothing to clear. */
-bool paper_make(Paper *paper, const PaperOptions *options, Fault *fault);
+typedef enum PaperAnswer {
+    PAPER_MADE, /* paper_clear releases it; otherwise there is nothing to clear */
+    PAPER_FAULTY,
+    PAPER_INTERRUPTED,
+} PaperAnswer;
+
+/* Runs all simulations. */
+PaperAnswer paper_make(Paper *paper, const PaperOptions *options, Fault *fault);
 void paper_clear(Paper *paper);
 
 typedef enum PaperMet { PAPER_MET, PAPER_NOT_MET, PAPER_NOT_TOLD } PaperMet;

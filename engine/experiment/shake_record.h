@@ -1,4 +1,4 @@
-/* What a study of earthquakes keeps of each shake, as observables behind those that every run of a house has:
+/* The record of each shake in a study of earthquakes: observables behind those that every run of a house has.
  *
  *     out.ID      1: the person is out, or the share of the crowd's members who are
  *     time.ID     s, until all of them are out

@@ -5,10 +5,11 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/stop.h"
 #include "house/observation.h"
 #include "house/replan.h"
 
-/* Who is who ------------------------------------------------------------------------------------------------------ */
+/* The same people -------------------------------------------------------------------------------------------------- */
 
 void change_init(Change *change, const House *from, const House *to) {
     *change = (Change){.from = from,
@@ -35,7 +36,7 @@ void change_clear(Change *change) {
     *change = (Change){0};
 }
 
-/* Into the new house ---------------------------------------------------------------------------------------------- */
+/* Into the new house ----------------------------------------------------------------------------------------------- */
 
 static double ahead_of(const Profile *profile) {
     return profile->driving == DRIVING_DRIVER ? profile->mass_centre : 0;
@@ -118,7 +119,7 @@ static World go_over(const World *old, const Change *change, const bool *part) {
     return world;
 }
 
-/* Ways ------------------------------------------------------------------------------------------------------------ */
+/* Ways ------------------------------------------------------------------------------------------------------------- */
 
 /* Returns the index of the next of the route's points if the person is still on the route of that name. */
 static size_t via_of(const World *world, const World *old, size_t i, const Change *change) {
@@ -146,7 +147,7 @@ static void tell_held(const World *world, size_t i, Journey *journey) {
 }
 
 void change_world(World *world, Journeys *journeys, const Change *change, const bool *part, int jobs,
-                  const volatile sig_atomic_t *stop) {
+                  const Stop *stop) {
     World next = go_over(world, change, part);
     Whereabouts *places = memory_zeroed(next.present_count, sizeof *places);
     size_t count = 0;

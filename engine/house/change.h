@@ -2,10 +2,10 @@
  * new house from the current positions, and paths are planned again from there. */
 #pragma once
 
-#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/stop.h"
 #include "house/journey.h"
 #include "house/world.h"
 
@@ -24,7 +24,6 @@ void change_init(Change *change, const House *from, const House *to);
 void change_clear(Change *change);
 
 /* Moves a world between two of its steps into the changed house. Person i of that house takes part when part[i]. The
- * journeys of the world are released and planned again. Once `stop` is set no path is found, and the world must not
- * move any more. run.h says what each person keeps. */
-void change_world(World *world, Journeys *journeys, const Change *change, const bool *part, int jobs,
-                  const volatile sig_atomic_t *stop);
+ * journeys of the world are released and planned again. Once `stop` is requested, no path is found, and the world must
+ * not move any more. run.h says what each person keeps. */
+void change_world(World *world, Journeys *journeys, const Change *change, const bool *part, int jobs, const Stop *stop);

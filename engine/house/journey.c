@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "base/stop.h"
 #include "house/shake.h"
 
 /* m: radius of a route's point for walkers, so that a crowd can pass it side by side. Assumed. */
@@ -77,11 +78,12 @@ typedef struct Planning {
     const House *house;
     const Whereabouts *places; /* (count) */
     double time;               /* s, now */
-    const volatile sig_atomic_t *stop;
+    const Stop *stop;
     Journeys *journeys;
     bool again;             /* True if people are moving already */
     bool all_or_none;       /* True to stop at the first person without a path; on one thread */
     bool failed;            /* True if a person has no path */
+    bool interrupted;       /* True if the path of a person is not known; both are set only with all_or_none */
     size_t first_itinerary; /* index of the first itinerary without fields */
 } Planning;
 
@@ -96,7 +98,7 @@ static void make_fields(void *context, size_t index) {
     Planning *planning = context;
     const House *house = planning->house;
     Itinerary *itinerary = planning->journeys->itineraries[planning->first_itinerary + index];
-    if (parallel_stopped(planning->stop))
+    if (stop_requested(planning->stop))
         return; /* they are not part of the question */
     for (size_t leg = 0; leg < itinerary->leg_count; leg++) {
         Goal goal = itinerary->fields[leg].goal;
@@ -115,7 +117,7 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place) {
                         .profile = person->profile,
                         .at = place->at,
                         .heading = place->heading,
-                        .via = route ? route->via.at + place->via : NULL,
+                        .via = route && route->via.count ? route->via.at + place->via : NULL,
                         .via_count = route ? route->via.count - place->via : 0,
                         .exit = exit_of(house, route, since),
                         .time = since,
@@ -158,6 +160,21 @@ static void plan_ride(const Planning *planning, const Whereabouts *place, Journe
         track_build_driver(&journey->track, house, person, &journey->route);
 }
 
+/* Notes whether all have a path. A person without one decides; the others are then not asked. */
+static void note_answer(Planning *planning, RouteAnswer answer) {
+    switch (answer) {
+    case ROUTE_FOUND:
+        break;
+    case ROUTE_CANNOT_PASS:
+    case ROUTE_NO_EXIT:
+        planning->failed = true;
+        break;
+    case ROUTE_INTERRUPTED:
+        planning->interrupted = !planning->failed;
+        break;
+    }
+}
+
 static void plan_journey(void *context, size_t k) {
     Planning *planning = context;
     const Whereabouts *place = &planning->places[k];
@@ -166,8 +183,8 @@ static void plan_journey(void *context, size_t k) {
     route_free(&journey->route);
     track_free(&journey->track);
     *journey = (Journey){.via = place->via};
-    if (parallel_stopped(planning->stop) || (planning->all_or_none && planning->failed))
-        journey->route = (Route){.answer = ROUTE_CANNOT_PASS, .exit = SIZE_MAX};
+    if (stop_requested(planning->stop) || planning->failed)
+        journey->route = (Route){.answer = ROUTE_INTERRUPTED, .exit = SIZE_MAX};
     else if (person->under)
         journey->route = shake_route(&planning->house->plan, person);
     else if (person->profile->driving == DRIVING_WALKER)
@@ -175,7 +192,20 @@ static void plan_journey(void *context, size_t k) {
     else
         plan_ride(planning, place, journey);
     if (planning->all_or_none)
-        planning->failed |= journey->route.answer != ROUTE_FOUND;
+        note_answer(planning, journey->route.answer);
+}
+
+static bool is_without_path(const Journey *journey) {
+    return journey->legs && (journey->route.answer == ROUTE_CANNOT_PASS || journey->route.answer == ROUTE_NO_EXIT);
+}
+
+/* Takes back the answers of walkers that are not explained yet, after an interruption. */
+static void leave_unexplained(const Planning *planning, const bool *explained, size_t count) {
+    for (size_t k = 0; k < count; k++) {
+        Journey *journey = &planning->journeys->of[planning->places[k].person];
+        if (!explained[k] && is_without_path(journey))
+            journey->route = (Route){.answer = ROUTE_INTERRUPTED, .exit = journey->route.exit};
+    }
 }
 
 /* Explains walkers without a path out. Walkers in the same part of the house are blocked at the same place, so that
@@ -187,14 +217,18 @@ static void explain_walkers(const Planning *planning, size_t count) {
         const Whereabouts *place = &planning->places[k];
         Journey *journey = &planning->journeys->of[place->person];
         const Profile *profile = house->people[place->person].profile;
-        if (explained[k] || !journey->legs ||
-            (journey->route.answer != ROUTE_CANNOT_PASS && journey->route.answer != ROUTE_NO_EXIT))
+        if (explained[k] || !is_without_path(journey))
             continue;
         RouteQuery query = ask(planning, place);
         Route route = route_round(&query);
+        if (route.answer == ROUTE_INTERRUPTED) {
+            leave_unexplained(planning, explained, count);
+            break;
+        }
         if (route.answer == ROUTE_FOUND) { /* there is a path, but only on the finer grid */
-            route.blockage.at = place->at;
-            snprintf(route.blockage.what, sizeof route.blockage.what, "start");
+            route.blockage.at = route.narrowest_at;
+            outline_place_name(&house->outline, &house->plan, route.blockage.at, route.blockage.what,
+                               sizeof route.blockage.what);
         }
         Goal here = {.at = place->at, .radius = profile->width};
         FloorField part;
@@ -228,7 +262,7 @@ static void plan_all(Planning *planning, size_t count, int jobs) {
     }
     parallel_for(jobs, journeys->itinerary_count - planning->first_itinerary, make_fields, planning);
     parallel_for(jobs, count, plan_journey, planning);
-    if (!parallel_stopped(planning->stop) && !planning->all_or_none)
+    if (!planning->all_or_none)
         explain_walkers(planning, count);
 }
 
@@ -257,29 +291,29 @@ static Journeys plan_from_start(Planning *planning, const bool *part, bool brief
 }
 
 void journey_plan_again(Journeys *journeys, const House *house, const Whereabouts *places, size_t count, double time,
-                        int jobs, const volatile sig_atomic_t *stop) {
+                        int jobs, const Stop *stop) {
     Planning planning = {
         .house = house, .places = places, .time = time, .stop = stop, .journeys = journeys, .again = true};
     plan_all(&planning, count, jobs);
 }
 
-Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
+Journeys journey_plan_all(const House *house, const bool *part, int jobs, const Stop *stop) {
     return plan_from_start(&(Planning){.house = house, .stop = stop}, part, false, jobs);
 }
 
-Journeys journey_plan_briefly(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
+Journeys journey_plan_briefly(const House *house, const bool *part, int jobs, const Stop *stop) {
     return plan_from_start(&(Planning){.house = house, .stop = stop}, part, true, jobs);
 }
 
-bool journey_possible(const House *house, const bool *part, const volatile sig_atomic_t *stop) {
+JourneyAnswer journey_possible(const House *house, const bool *part, const Stop *stop) {
     Planning planning = {.house = house, .stop = stop, .all_or_none = true};
     Journeys journeys = plan_from_start(&planning, part, true, 1);
     journey_free_all(&journeys);
-    return !planning.failed && !parallel_stopped(stop);
+    return planning.failed ? JOURNEY_IMPOSSIBLE : planning.interrupted ? JOURNEY_INTERRUPTED : JOURNEY_POSSIBLE;
 }
 
 Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t count, double time, bool brief,
-                           int jobs, const volatile sig_atomic_t *stop) {
+                           int jobs, const Stop *stop) {
     Journeys journeys = plan_nothing(house, brief);
     journey_plan_again(&journeys, house, places, count, time, jobs, stop);
     return journeys;

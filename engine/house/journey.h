@@ -2,10 +2,10 @@
  * its track, for a walker the floor fields that lead from each point of the route to the next. */
 #pragma once
 
-#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/stop.h"
 #include "route/fields.h"
 #include "house/house.h"
 #include "route/floor_field.h"
@@ -51,20 +51,23 @@ typedef struct Whereabouts {
     double start;   /* s, end of the delay */
 } Whereabouts;
 
-/* Plans the journeys of all people, on up to `jobs` threads, until `stop` (may be NULL) is set; person i takes part
- * when `part` is NULL or part[i]. journey_free_all releases the journeys. */
-Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop);
-Journeys journey_plan_briefly(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop);
+/* Plans the journeys of all people, on up to `jobs` threads; person i takes part when `part` is NULL or part[i]. Once
+ * `stop` (may be NULL) is requested, the journeys not yet planned are ROUTE_INTERRUPTED. journey_free_all releases the
+ * journeys. */
+Journeys journey_plan_all(const House *house, const bool *part, int jobs, const Stop *stop);
+Journeys journey_plan_briefly(const House *house, const bool *part, int jobs, const Stop *stop);
 void journey_free_all(Journeys *journeys);
 
-/* True if every person who takes part has a path out. */
-bool journey_possible(const House *house, const bool *part, const volatile sig_atomic_t *stop);
+typedef enum JourneyAnswer { JOURNEY_POSSIBLE, JOURNEY_IMPOSSIBLE, JOURNEY_INTERRUPTED } JourneyAnswer;
+
+/* Tells whether every person who takes part has a path out. */
+JourneyAnswer journey_possible(const House *house, const bool *part, const Stop *stop);
 
 /* Does the same for `count` people in the middle of a run, at `time`; other people have no journey. */
 Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t count, double time, bool brief,
-                           int jobs, const volatile sig_atomic_t *stop);
+                           int jobs, const Stop *stop);
 
 /* Plans again from `time` on for `count` moving people: to the exit of their route while that is usable, otherwise to
  * the quickest. Their former journeys are released. */
 void journey_plan_again(Journeys *journeys, const House *house, const Whereabouts *places, size_t count, double time,
-                        int jobs, const volatile sig_atomic_t *stop);
+                        int jobs, const Stop *stop);

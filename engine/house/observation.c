@@ -11,9 +11,23 @@ const TraceColumn observation_columns[TRACE_COLUMNS] = {
 };
 
 const char *observation_reason(Reason reason) {
-    static const char *const texts[] = {"",           "cannot pass", "no exit",    "blocked",
-                                        "time limit", "diverged",    "interrupted"};
+    static const char *const texts[] = {"",           "cannot pass", "no exit",     "blocked",
+                                        "time limit", "diverged",    "interrupted", "another person diverged"};
     return texts[reason];
+}
+
+Reason observation_reason_of(RouteAnswer answer) {
+    switch (answer) {
+    case ROUTE_FOUND:
+        return REASON_NONE;
+    case ROUTE_CANNOT_PASS:
+        return REASON_CANNOT_PASS;
+    case ROUTE_NO_EXIT:
+        return REASON_NO_EXIT;
+    case ROUTE_INTERRUPTED:
+        return REASON_INTERRUPTED;
+    }
+    return REASON_INTERRUPTED;
 }
 
 void observation_free(Observation *observation) {

@@ -19,10 +19,15 @@ typedef enum Reason {
     REASON_TIME_LIMIT,
     REASON_DIVERGED,
     REASON_INTERRUPTED,
+    REASON_OTHER_DIVERGED, /* the run ended because another person diverged */
 } Reason;
 
-/* Returns "cannot pass", "no exit", "blocked", "time limit", "diverged", "interrupted"; "" for none. */
+/* Returns "cannot pass", "no exit", "blocked", "time limit", "diverged", "interrupted", "another person diverged"; ""
+ * for none. */
 const char *observation_reason(Reason reason);
+
+/* Returns the reason of a person with this answer: none with a path. */
+Reason observation_reason_of(RouteAnswer answer);
 
 typedef struct PersonObservation {
     bool took_part;     /* True if the person is in this run: a run of one route excludes the others */
@@ -77,6 +82,8 @@ typedef struct Observation {
     size_t hazard_count;
     double *door_opened; /* (doors of the plan) s, when each door was first opened; infinite: never */
     bool completed;      /* True if every person who took part is out */
+    bool interrupted;    /* True if the run was interrupted: for a person who is still inside the answer is neither a
+                            yes nor a no */
     double time;         /* s, when the last person left, or the run ended */
     uint64_t steps;
     int wall_crossings; /* number of times that a body's middle entered a wall, at any step: more than 0 is an error of

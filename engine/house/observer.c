@@ -368,27 +368,38 @@ void observer_resume(Observer *observer) {
 
 /* The end --------------------------------------------------------------------------------------------------------- */
 
-/* Fills in the blockage of a stalled person: the cause, and the width there. */
+/* Fills in the blockage of a stalled person: the cause, and the width there where that is too small. */
 static void fill_blockage(const World *world, size_t i, Blockage *blockage) {
     const House *house = world->house;
     const Sense *sense = &world->sense[i];
     double width = house->people[i].profile->width;
     *blockage = (Blockage){.at = sense->clearance < world->body[i].sight ? sense->nearest_at : world->centre[i]};
-    blockage->has = passage_width(passage_at(&house->outline, world->centre[i], world->axis[i]));
-    blockage->needs = width;
     if (sense->other >= 0) {
         snprintf(blockage->what, sizeof blockage->what, "person %s", house->people[sense->other].id);
-        blockage->needs += house->people[sense->other].profile->width;
+        width += house->people[sense->other].profile->width;
     } else {
         outline_place_name(&house->outline, &house->plan, blockage->at, blockage->what, sizeof blockage->what);
     }
+    double has = passage_width(passage_at(&house->outline, world->centre[i], world->axis[i]));
+    if (has < width) {
+        blockage->has = has;
+        blockage->needs = width;
+    }
 }
 
-/* Adds the last good state of a person after an interrupted run. */
+/* Adds the last good state of a person when the run ends early. */
 static void add_last_row(Observer *observer, size_t i) {
     const World *world = observer->world;
     if (world->phase[i] != PHASE_OUT && world->clock.step % observer->sample_steps != 0)
         add_row(observer, i, 0);
+}
+
+/* Returns why a person has not left when the run ends. A blocked person tries again later, so that an interrupted run
+ * leaves open whether that person can leave. */
+static Reason end_reason(const World *world, size_t i, Reason reason) {
+    bool stuck = world->phase[i] == PHASE_STUCK;
+    return stuck && !(world->reason[i] == REASON_BLOCKED && reason == REASON_INTERRUPTED) ? (Reason)world->reason[i]
+                                                                                          : reason;
 }
 
 void observer_end(Observer *observer, Reason reason) {
@@ -397,7 +408,7 @@ void observer_end(Observer *observer, Reason reason) {
         if (!is_watched(world, i))
             continue;
         catch_up(observer, i);
-        if (reason == REASON_INTERRUPTED)
+        if (reason == REASON_INTERRUPTED || reason == REASON_OTHER_DIVERGED)
             add_last_row(observer, i);
         PersonObservation *person = &observer->people[i];
         const Route *route = &world->journeys[i].route;
@@ -405,7 +416,7 @@ void observer_end(Observer *observer, Reason reason) {
             note_out(observer, i);
             continue;
         }
-        person->reason = world->phase[i] == PHASE_STUCK ? (Reason)world->reason[i] : reason;
+        person->reason = end_reason(world, i, reason);
         person->time = ended(world, i) ? world->ended[i] : clock_time(&world->clock);
         if (person->reason == REASON_CANNOT_PASS)
             person->blockage = route->blockage;

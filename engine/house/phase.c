@@ -53,7 +53,7 @@ static void start_people(World *world, double time) {
         }
         world->phase[i] = PHASE_MOVING;
         if (answer != ROUTE_FOUND)
-            phase_give_up(world, i, answer == ROUTE_NO_EXIT ? REASON_NO_EXIT : REASON_CANNOT_PASS);
+            phase_give_up(world, i, observation_reason_of(answer));
     }
 }
 

@@ -3,7 +3,7 @@
 #include <stdint.h>
 
 #include "base/memory.h"
-#include "base/parallel.h"
+#include "base/stop.h"
 #include "house/observation.h"
 #include "house/phase.h"
 
@@ -55,11 +55,11 @@ void replan_set_out(World *world, size_t i, bool strayed) {
     if (answer == ROUTE_FOUND && world->phase[i] == PHASE_STUCK) {
         world->phase[i] = PHASE_MOVING;
         world->reason[i] = REASON_NONE;
-    } else if (answer != ROUTE_FOUND && strayed) {
+    } else if (answer != ROUTE_FOUND && answer != ROUTE_INTERRUPTED && strayed) {
         world->drive[i].offset = HUGE_VAL;
         phase_give_up(world, i, REASON_BLOCKED);
     } else if (answer != ROUTE_FOUND && world->phase[i] != PHASE_WAITING) {
-        phase_give_up(world, i, answer == ROUTE_NO_EXIT ? REASON_NO_EXIT : REASON_CANNOT_PASS);
+        phase_give_up(world, i, observation_reason_of(answer));
     }
 }
 
@@ -78,7 +78,7 @@ static bool has_strayed(const World *world, size_t i) {
            (world->sense[i].body_force > 0 && (stuck || drive->stalled > WEDGED_AFTER));
 }
 
-static void plan_again(World *world, Journeys *journeys, bool strays, int jobs, const volatile sig_atomic_t *stop) {
+static void plan_again(World *world, Journeys *journeys, bool strays, int jobs, const Stop *stop) {
     Whereabouts *places = memory_zeroed(world->present_count, sizeof *places);
     size_t count = 0;
     for (size_t p = 0; p < world->present_count; p++) {
@@ -89,15 +89,15 @@ static void plan_again(World *world, Journeys *journeys, bool strays, int jobs, 
     }
     if (count)
         journey_plan_again(journeys, world->house, places, count, clock_time(&world->clock), jobs, stop);
-    for (size_t k = 0; k < count && !parallel_stopped(stop); k++)
+    for (size_t k = 0; k < count && !stop_requested(stop); k++)
         replan_set_out(world, places[k].person, strays);
     memory_free(places);
 }
 
-void replan_strays(World *world, Journeys *journeys, int jobs, const volatile sig_atomic_t *stop) {
+void replan_strays(World *world, Journeys *journeys, int jobs, const Stop *stop) {
     plan_again(world, journeys, true, jobs, stop);
 }
 
-void replan_journeys(World *world, Journeys *journeys, int jobs, const volatile sig_atomic_t *stop) {
+void replan_journeys(World *world, Journeys *journeys, int jobs, const Stop *stop) {
     plan_again(world, journeys, false, jobs, stop);
 }

@@ -3,8 +3,7 @@
  * is found or taken, and the world must not move any more. */
 #pragma once
 
-#include <signal.h>
-
+#include "base/stop.h"
 #include "house/journey.h"
 #include "house/world.h"
 
@@ -14,7 +13,7 @@ double replan_next(const World *world, double time);
 #define REPLAN_PERIOD 1.0 /* s, period of the search for chairs that have been pushed off their path */
 
 /* Plans again for stalled chairs that are more than a body's width off their path. */
-void replan_strays(World *world, Journeys *journeys, int jobs, const volatile sig_atomic_t *stop);
+void replan_strays(World *world, Journeys *journeys, int jobs, const Stop *stop);
 
 /* Returns the index of the next of the route's points of person i. */
 size_t replan_next_point(const World *world, size_t i);
@@ -25,4 +24,4 @@ void replan_set_out(World *world, size_t i, bool strayed);
 
 /* Plans again for all people, moving or not started, whose exit has closed by now. `journeys` are those of the world.
  */
-void replan_journeys(World *world, Journeys *journeys, int jobs, const volatile sig_atomic_t *stop);
+void replan_journeys(World *world, Journeys *journeys, int jobs, const Stop *stop);

@@ -6,6 +6,7 @@
 #include "base/digest.h"
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "base/stop.h"
 #include "house/observer.h"
 #include "house/replan.h"
 #include "house/shake.h"
@@ -45,10 +46,11 @@ typedef struct Group {
     size_t told; /* rows of the trace handed over */
     uint64_t digest, steps;
     int wall_crossings;
+    bool interrupted;
     double *changed; /* (change_count) s, time of each change */
 } Group;
 
-/* Who is together with whom ----------------------------------------------------------------------------------------*/
+/* Groups of people that run together ------------------------------------------------------------------------------- */
 
 static size_t group_of_route(Roster *roster, const char *id) {
     for (size_t r = 0; r < roster->route_count; r++)
@@ -153,7 +155,7 @@ static size_t make_groups(Group *groups, const Roster *roster, const RunOptions 
     return count;
 }
 
-/* A group's run ----------------------------------------------------------------------------------------------------*/
+/* A group's run ---------------------------------------------------------------------------------------------------- */
 
 /* True while people move. When all have stopped, chairs that were pushed off their path plan once more. */
 static bool goes_on(World *world, Journeys *journeys, const Group *group) {
@@ -238,7 +240,7 @@ static Reason run_world(World *world, Journeys *journeys, Observer *observer, Gr
             replan_strays(world, journeys, group->jobs, options->stop);
             next_stray += REPLAN_PERIOD;
         }
-        if (parallel_stopped(options->stop))
+        if (stop_requested(options->stop))
             return REASON_INTERRUPTED;
         if (time >= next_look) {
             next_look += LOOK_UP;
@@ -247,7 +249,7 @@ static Reason run_world(World *world, Journeys *journeys, Observer *observer, Gr
         StepStatus status = step_world(world, NULL);
         observer_watch(observer);
         if (status == STEP_DIVERGED)
-            return REASON_INTERRUPTED; /* for other people; the diverged one has its own reason */
+            return REASON_OTHER_DIVERGED; /* the diverged person has a reason already */
     }
     return REASON_NONE;
 }
@@ -261,7 +263,8 @@ static void run_group(void *context, size_t index) {
     world.team = parallel_team_create(world.present_count > TEAM_WORTH ? group->jobs : 1);
     observer_init(&group->observer, &world, group->people);
     Reason reason = run_world(&world, &journeys, &group->observer, group);
-    observer_end(&group->observer, reason);
+    group->interrupted = stop_requested(options->stop);
+    observer_end(&group->observer, group->interrupted ? REASON_INTERRUPTED : reason);
     if (options->record)
         tell_piece(group, &world, true);
     group->digest = world.digest;
@@ -273,7 +276,7 @@ static void run_group(void *context, size_t index) {
     journey_free_all(&journeys);
 }
 
-/* The whole --------------------------------------------------------------------------------------------------------*/
+/* The whole -------------------------------------------------------------------------------------------------------- */
 
 /* Adds a group to the observation: rows, stretches, sums. */
 static void merge_group(Observation *observation, Group *group, Stretch **stretches, size_t *count, size_t *capacity) {
@@ -286,6 +289,7 @@ static void merge_group(Observation *observation, Group *group, Stretch **stretc
     *count += observer->stretch_count;
     observation->steps = group->steps > observation->steps ? group->steps : observation->steps;
     observation->wall_crossings += group->wall_crossings;
+    observation->interrupted |= group->interrupted;
     for (size_t i = 0; i < group->house->person_count; i++)
         if (group->part[i])
             observation->people[i] = group->people[i];

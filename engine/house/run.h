@@ -2,9 +2,9 @@
 #pragma once
 
 #include <stdbool.h>
-#include <signal.h>
 #include <stddef.h>
 
+#include "base/stop.h"
 #include "house/house.h"
 #include "house/observation.h"
 
@@ -28,9 +28,9 @@ typedef struct RunPiece {
 } RunPiece;
 
 typedef struct RunOptions {
-    size_t route;                      /* only this route's people take part; SIZE_MAX: all people */
-    int jobs;                          /* threads */
-    const volatile sig_atomic_t *stop; /* set: end as soon as possible; NULL: never */
+    size_t route;     /* only this route's people take part; SIZE_MAX: all people */
+    int jobs;         /* threads */
+    const Stop *stop; /* requested: end as soon as possible, as an interrupted observation; NULL: never */
     void (*progress)(void *context,
                      double time); /* called sometimes, from one thread, with the simulated time, s; NULL: none */
     void (*record)(void *context, const RunPiece *piece); /* called with new records, for all groups concurrently, each

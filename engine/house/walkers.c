@@ -250,6 +250,8 @@ static void take_over_slips(Walkers *walkers, uint32_t s) {
 static void fill_chunk(void *context, size_t chunk) {
     World *world = context;
     Walkers *walkers = &world->walkers;
+    if (!walkers->other)
+        return; /* no person is near another one */
     for (uint32_t s = (uint32_t)(chunk * CHUNK), end = chunk_end(walkers, chunk); s < end; s++) {
         list_near(world, s, walkers->other + walkers->first[s]);
         take_over_slips(walkers, s);

@@ -6,6 +6,7 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "base/stop.h"
 #include "house/run.h"
 
 /* One variant of one case with one seed, and the answers to the questions of that case's checks. */
@@ -44,7 +45,7 @@ static bool concerns(const VerificationCheck *check, int side, const CaseRun *ru
 }
 
 static bool stopped(const CaseRunOptions *options) {
-    return parallel_stopped(options->stop);
+    return stop_requested(options->stop);
 }
 
 static void make_run(CaseRun *run, const CaseRunOptions *options) {
@@ -59,7 +60,7 @@ static void make_run(CaseRun *run, const CaseRunOptions *options) {
     Observation observation;
     RunOptions run_options = {.route = SIZE_MAX, .jobs = 1, .stop = options->stop};
     run_house(&observation, &house, &run_options);
-    run->done = !stopped(options);
+    run->done = !observation.interrupted;
     const Verification *verification = run->verification;
     for (size_t c = 0; c < verification->check_count && run->done; c++) {
         const VerificationCheck *check = &verification->checks[c];
@@ -140,8 +141,10 @@ static void judge(VerificationCheck *check, size_t c, const Verification *verifi
     check->verdict = VERDICT_NOT_RUN;
     *check->note = 0;
     if (!mean_of(&value, check, c, 0, verification, runs) ||
-        (check->is_ratio && !mean_of(&other, check, c, 1, verification, runs)))
+        (check->is_ratio && !mean_of(&other, check, c, 1, verification, runs))) {
+        *check->note = 0;
         return;
+    }
     check->value = value / other;
     check->verdict = check->value >= check->low && check->value <= check->high ? VERDICT_PASSED : VERDICT_FAILED;
 }

@@ -1,18 +1,18 @@
 /* Runs the variants of houses that the checks of verification cases need, each once per seed, and judges the checks. */
 #pragma once
 
-#include <signal.h>
 #include <stddef.h>
 #include <stdint.h>
 
 #include "base/fault.h"
+#include "base/stop.h"
 #include "inquiry/verification.h"
 
 typedef struct CaseRunOptions {
     const char *profiles; /* directory of the shipped profiles */
     uint64_t seed;        /* first seed */
     int jobs;             /* number of threads */
-    const volatile sig_atomic_t *stop;
+    const Stop *stop;
     void (*progress)(void *context, size_t done,
                      size_t all); /* number of runs; called from one thread at a time; NULL: none */
     void *context;

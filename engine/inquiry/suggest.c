@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/parallel.h"
+#include "base/stop.h"
 #include "base/text.h"
 #include "house/run.h"
 #include "inquiry/suggest_change.h"
@@ -123,7 +123,7 @@ static void sift(Search *search, const Elements *elements, size_t first, size_t 
 /* Notes an element that is sufficient, but for which no smaller change was found. */
 static void note_unfound(SuggestList *list, Search *search, const Change *element) {
     const char *words = suggest_change_words(&search->base->plan, element, &list->arena);
-    bool cut_short = search->exhausted || parallel_stopped(search->task->stop);
+    bool cut_short = search->exhausted || stop_requested(search->task->stop);
     add_note(list, text_in_arena(&list->arena,
                                  cut_short ? "it would help to %s; the smallest sufficient change is not known yet"
                                            : "it would help to %s; no smaller change was found",
@@ -189,8 +189,8 @@ static bool shrink(Search *search, Change *needed, size_t count, double *time) {
         memmove(needed, needed + 1, (count - 1) * sizeof *needed);
         Variant variants[VARIANTS_MOST];
         size_t found = suggest_search_variants(search, needed, count - 1, &element, variants), best = 0;
-        if (!found)
-            return false;
+        if (!found || stop_requested(search->task->stop))
+            return false; /* a smaller change may not have been tried */
         for (size_t w = 1; w < found; w++)
             if (suggest_change_size(plan, &variants[w].change) < suggest_change_size(plan, &variants[best].change))
                 best = w;
@@ -243,7 +243,7 @@ static void explain_nothing(SuggestList *list, Search *search, const Elements *e
     Observation observation;
     run_house(&observation, &house,
               &(RunOptions){.route = SIZE_MAX, .jobs = search->task->jobs, .stop = search->task->stop});
-    if (!observation.completed && !parallel_stopped(search->task->stop))
+    if (!observation.completed && !observation.interrupted)
         add_note(list, text_in_arena(&list->arena, "%s: %s. Walls are not moved",
                                      elements->count ? "even with every door as wide as its wall allows and without "
                                                        "furniture"
@@ -289,13 +289,13 @@ bool suggest_find(SuggestList *list, const SuggestTask *task, Fault *fault) {
     Observation observation;
     run_house(&observation, &house,
               &(RunOptions){.route = SIZE_MAX, .brief = true, .jobs = task->jobs, .stop = task->stop});
-    list->out_already = observation.completed && !parallel_stopped(task->stop);
+    list->out_already = observation.completed && !observation.interrupted;
     list->time = observation.time;
-    if (!observation.completed && !parallel_stopped(task->stop))
+    if (!observation.completed && !observation.interrupted)
         suggest_all(list, &search, note_stuck(&search, &observation));
     list->tries = search.tries;
     list->exhausted = search.exhausted;
-    list->stopped = parallel_stopped(task->stop);
+    list->stopped = observation.interrupted || stop_requested(task->stop);
     observation_free(&observation);
     house_free(&house);
     pthread_mutex_destroy(&search.lock);

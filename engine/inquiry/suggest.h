@@ -16,12 +16,12 @@
  * bisection, to 1 cm, and every suggestion has been run to the end with all people out. */
 #pragma once
 
-#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 
 #include "base/fault.h"
 #include "base/memory.h"
+#include "base/stop.h"
 #include "house/house.h"
 
 enum {
@@ -47,7 +47,7 @@ typedef struct SuggestList {
     size_t note_count, note_capacity;
     size_t tries;   /* number of houses tried */
     bool exhausted; /* True if the tries were used up: there may be other suggestions */
-    bool stopped;   /* True if stopped before completion */
+    bool stopped;   /* True if interrupted: there may be other suggestions, and out_already is not known */
     Arena arena;
 } SuggestList;
 
@@ -57,7 +57,7 @@ typedef struct SuggestTask {
     const HouseOptions *options;
     size_t most_tries; /* 0: SUGGEST_TRIES */
     int jobs;          /* number of threads */
-    const volatile sig_atomic_t *stop;
+    const Stop *stop;
     void (*progress)(void *context,
                      size_t tries); /* number of tries so far; called from one thread at a time; NULL: none */
     void *context;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/parallel.h"
+#include "base/stop.h"
 #include "house/journey.h"
 #include "house/run.h"
 
@@ -63,13 +64,13 @@ static void tell_progress(Search *search) {
 static void try_one(void *context, size_t index) {
     Batch *batch = context;
     Search *search = batch->search;
-    const volatile sig_atomic_t *stop = search->task->stop;
+    const Stop *stop = search->task->stop;
     Attempt *attempt = &batch->attempts[index];
     House house = {0};
     attempt->good = false;
-    if (parallel_stopped(stop) || !suggest_search_read(search, attempt, &house))
+    if (stop_requested(stop) || !suggest_search_read(search, attempt, &house))
         return;
-    attempt->good = journey_possible(&house, search->stuck, stop);
+    attempt->good = journey_possible(&house, search->stuck, stop) == JOURNEY_POSSIBLE;
     if (attempt->good && !(attempt->planned_only && search->by_plan)) {
         Observation observation;
         run_house(&observation, &house, &(RunOptions){.route = SIZE_MAX, .jobs = 1, .stop = stop});
@@ -84,12 +85,12 @@ static void try_one(void *context, size_t index) {
 bool suggest_search_try(Search *search, Attempt *attempts, size_t count) {
     if (search->tries + count > search->most)
         search->exhausted = true;
-    if (search->exhausted || parallel_stopped(search->task->stop))
+    if (search->exhausted || stop_requested(search->task->stop))
         return false;
     search->tries += count;
     Batch batch = {search, attempts};
     parallel_for(search->task->jobs, count, try_one, &batch);
-    return !parallel_stopped(search->task->stop);
+    return !stop_requested(search->task->stop);
 }
 
 /* Returns the changes (count) and one more, in the search's arena. */

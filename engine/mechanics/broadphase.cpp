@@ -3,6 +3,11 @@
 #include <algorithm>
 #include <box2d/b2_dynamic_tree.h>
 #include <cstdint>
+#include <new>
+
+extern "C" {
+#include "base/memory.h"
+}
 
 struct Broadphase {
     b2DynamicTree tree;
@@ -55,6 +60,19 @@ struct Caster {
 };
 
 } // namespace
+
+/* These two replace Box2D's functions of the same names, which do not check for exhausted memory. */
+void *b2Alloc_Default(int32 size) {
+    return memory_zeroed(static_cast<size_t>(size), 1);
+}
+
+void b2Free_Default(void *block) {
+    memory_free(block);
+}
+
+void broadphase_use_memory(void) {
+    std::set_new_handler(memory_end);
+}
 
 Broadphase *broadphase_create(void) {
     return new Broadphase;

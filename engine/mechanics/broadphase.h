@@ -14,6 +14,10 @@
 extern "C" {
 #endif
 
+/* Ends the program in one line (base/memory.h) where the C++ of Box2D and GEOS is out of memory, which would otherwise
+ * throw an exception. Box2D's own allocation, which does not check, is replaced too. */
+void broadphase_use_memory(void);
+
 typedef struct Broadphase Broadphase;
 
 Broadphase *broadphase_create(void);

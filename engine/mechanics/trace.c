@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/file_write.h"
 #include "base/memory.h"
-#include "base/text.h"
 
 enum { CELL_LONGEST = 32 /* characters of a number or a separator */ };
 
@@ -42,7 +42,7 @@ int trace_write_csv(const Trace *trace, const char *path) {
         }
         at += sprintf(at, "\r\n");
     }
-    int error = text_write_file(path, text, (size_t)(at - text));
+    int error = file_write_bytes(path, text, (size_t)(at - text));
     memory_free(text);
     return error;
 }

@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <string.h>
 
+#include "base/file_write.h"
 #include "base/json.h"
 #include "base/text.h"
 #include "plan/draft_change.h"
@@ -24,7 +25,7 @@ Draft *draft_file_read(const char *path, const char *const *settings, size_t set
     size_t byte_count = 0;
     char *bytes = text_read_file(path, JSON_LARGEST_FILE, &byte_count);
     if (!bytes) {
-        fault_add(fault, "%s:1:1: cannot be read: %s", path, strerror(errno));
+        fault_add(fault, "%s:1:1: cannot be read: %s", path, text_read_reason(errno));
         return NULL;
     }
     if (!plan_read_text(&plan, path, bytes, settings, setting_count, fault)) {
@@ -53,9 +54,9 @@ bool draft_file_save(Draft *draft, const char *path, Fault *fault) {
     bool as_read = draft->bytes && !draft_file_is_changed(draft);
     const char *bytes = as_read ? draft->bytes : draft_text(draft);
     size_t count = as_read ? draft->byte_count : strlen(bytes);
-    int error = text_write_file(path, bytes, count);
+    int error = file_write_bytes(path, bytes, count);
     if (error) {
-        fault_add(fault, "%s: cannot be written: %s", path, strerror(error));
+        fault_add(fault, "%s cannot be written: %s", path, file_write_reason(error));
         return false;
     }
     char *kept = as_read ? draft->bytes : NULL;

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/file_write.h"
 #include "base/json.h"
 #include "base/parameters_schema.h"
 #include "base/text.h"
@@ -331,7 +332,7 @@ char *plan_text(const Plan *plan) {
 
 int plan_write(const Plan *plan, const char *path) {
     char *text = plan_text(plan);
-    int error = text_write_file(path, text, strlen(text));
+    int error = file_write_bytes(path, text, strlen(text));
     memory_free(text);
     return error;
 }

@@ -4,12 +4,15 @@
 
 #include "base/memory.h"
 #include "plan/plan_geometry.h"
+#include "route/neck.h"
 #include "space/outline.h"
+#include "space/passage.h"
 
-/* The width of a passage is the shortest chord from obstacle to obstacle across the body, through a point of its long
- * axis, at most 30 degrees from square. A body that lacks a margin m on either side needs 2 m more than that. If there
- * is no passage at all, a wall blocks the path or a door is locked: then the path through the fewest solids, which
- * prefers locked doors to walls, names the place. */
+/* The width of a passage is the shortest chord from obstacle to obstacle across both long sides of the body, at most 30
+ * degrees from square, or the distance between the two faces at its ends where that is about the same. A body that
+ * lacks a margin m on either side needs 2 m more than that; a disc needs its own width. Without any passage,
+ * a wall blocks the path or a door is locked: then the path through the fewest solids, which prefers locked doors to
+ * walls, names the place. */
 
 #define RAY_REACH 20.0     /* m: a passage wider than this has no width worth reporting */
 #define CHORD_SPACING 0.05 /* m, along the body's axis */
@@ -19,21 +22,46 @@
  * any detour in a house, and a wall is worse than any number of doors. */
 enum { STEP_FREE = 1, STEP_DOOR = 2000, STEP_SOLID = 40000 };
 
+#define SAME_WIDTH 0.05 /* 1, of a chord: the distance between the faces at its ends differs by no more */
+
 typedef struct Chord {
-    double width; /* m */
-    Vec2 middle;  /* m */
+    double width;    /* m */
+    Vec2 middle;     /* m */
+    int left, right; /* the faces at its ends, or -1 */
 } Chord;
 
-/* Replaces `best` by the shortest chord through a point of the body's axis, if that is shorter. */
-static void try_chords(const RouteQuery *query, Vec2 at, double heading, Chord *best) {
+/* The two sides of a body between which chords are drawn. */
+typedef struct Flanks {
+    Vec2 centre;                  /* m */
+    double heading;               /* rad, along the sides */
+    double half_length, half_gap; /* m */
+} Flanks;
+
+/* Returns the sides of the body where it is free: shrunk by the margin that it lacks. */
+static Flanks flanks_of(const Rectangle *body, const FitPlace *place, double heading) {
+    double shrunk = fmin(place->margin, 0);
+    return (Flanks){place->centre, heading, fmax(body->half_length + shrunk, 0), fmax(body->half_width + shrunk, 0)};
+}
+
+/* Replaces `best` by the shortest chord through a point of the body's axis, `along` m ahead of its middle, if that is
+ * shorter. Chords that leave the body by its front or back do not measure the passage. */
+static void try_chords(const RouteQuery *query, const Flanks *flanks, double along, Chord *best) {
+    const Outline *outline = query->space->outline;
+    Vec2 at = vec2_along(flanks->centre, along, vec2_heading(flanks->heading));
     if (freespace_distance(query->space, at) <= 0)
         return;
     for (int tilt = -3; tilt <= 3; tilt++) {
-        Vec2 across = vec2_heading(heading + M_PI_2 + radians(10.0 * tilt));
-        double left = outline_ray(query->space->outline, at, across, RAY_REACH, NULL);
-        double right = outline_ray(query->space->outline, at, vec2_scale(across, -1), RAY_REACH, NULL);
-        if (left + right < best->width)
-            *best = (Chord){left + right, vec2_along(at, (left - right) / 2, across)};
+        Vec2 tilted = vec2_heading(radians(10.0 * tilt)), axis = vec2_heading(flanks->heading);
+        if (tilt && fabs(along) + flanks->half_gap * fabs(tilted.y / tilted.x) > flanks->half_length)
+            continue;
+        Vec2 across = vec2_left(vec2_turn(tilted, axis));
+        Chord chord;
+        double left = outline_ray(outline, at, across, RAY_REACH, &chord.left);
+        double right = outline_ray(outline, at, vec2_scale(across, -1), RAY_REACH, &chord.right);
+        chord.width = left + right;
+        chord.middle = vec2_along(at, (left - right) / 2, across);
+        if (chord.width < best->width)
+            *best = chord;
     }
 }
 
@@ -41,27 +69,38 @@ static void try_chords(const RouteQuery *query, Vec2 at, double heading, Chord *
  * obstacle. */
 static void find_chord(const RouteQuery *query, const Rectangle *body, const FitPlace *place, double heading,
                        Chord *best) {
+    Flanks flanks = flanks_of(body, place, heading);
     Vec2 axis = vec2_heading(heading);
-    int parts = (int)ceil(2 * body->half_length / CHORD_SPACING);
-    for (int i = 0; i <= parts; i++) {
-        double along = body->half_length * (2.0 * i / parts - 1);
-        try_chords(query, vec2_along(place->centre, along, axis), heading, best);
-    }
+    int parts = (int)ceil(2 * flanks.half_length / CHORD_SPACING);
+    for (int i = 0; i <= parts; i++)
+        try_chords(query, &flanks, parts ? flanks.half_length * (2.0 * i / parts - 1) : 0, best);
     /* A jamb may be thinner than the spacing, so chords level with the ends of the deciding face are tried, too. */
     for (int end = 0; end < 4 && place->face >= 0; end++) {
         const Face *face = &query->space->outline->faces[place->face];
         double along = vec2_dot(vec2_sub(end & 1 ? face->a : face->b, place->centre), axis) + (end & 2 ? 1e-4 : -1e-4);
-        if (fabs(along) <= body->half_length)
-            try_chords(query, vec2_along(place->centre, along, axis), heading, best);
+        if (fabs(along) <= flanks.half_length)
+            try_chords(query, &flanks, along, best);
     }
 }
 
 static Chord chord_at(const RouteQuery *query, const Rectangle *body, const FitPlace *place) {
-    Chord best = {HUGE_VAL, place->centre};
+    Chord best = {HUGE_VAL, place->centre, -1, -1};
     find_chord(query, body, place, place->heading, &best);
     if (body->half_length < 1.2 * body->half_width) /* find the long side */
         find_chord(query, body, place, place->heading + M_PI_2, &best);
-    return best.width < HUGE_VAL ? best : (Chord){0, place->centre};
+    if (!(best.width < HUGE_VAL))
+        return (Chord){0, place->centre, -1, -1};
+    if (best.left >= 0 && best.right >= 0) {
+        const Face *faces = query->space->outline->faces;
+        Vec2 middle = best.middle;
+        double width = passage_between(&faces[best.left], &faces[best.right], &middle);
+        double least = 2 * flanks_of(body, place, 0).half_gap;
+        if (width >= least && fabs(width - best.width) <= SAME_WIDTH * best.width) {
+            best.width = width;
+            best.middle = middle;
+        }
+    }
+    return best;
 }
 
 void blockage_of_start(Blockage *blockage, const RouteQuery *query, const Rectangle *body) {
@@ -221,6 +260,24 @@ void blockage_of_fit(Blockage *blockage, const RouteQuery *query, const Rectangl
         blockage->needs = blockage->has > 0 ? blockage->has + 2 * missing : 2 * body->half_width;
     }
     outline_place_name(query->space->outline, query->plan, blockage->at, blockage->what, sizeof blockage->what);
+}
+
+bool blockage_of_disc(Blockage *blockage, const RouteQuery *query, double radius, const Goal *goals,
+                      size_t goal_count) {
+    Neck neck;
+    NeckAnswer answer = neck_find(&neck, query, goals, goal_count);
+    if (answer == NECK_INTERRUPTED)
+        return false;
+    *blockage = (Blockage){.at = neck.at};
+    if (answer != NECK_FOUND) {
+        find_breach(query, &blockage->at);
+        blockage->needs = 2 * radius;
+    } else if (neck.width < 2 * radius) { /* otherwise it is wide enough by less than the search resolves */
+        blockage->has = neck.width;
+        blockage->needs = 2 * radius;
+    }
+    outline_place_name(query->space->outline, query->plan, blockage->at, blockage->what, sizeof blockage->what);
+    return true;
 }
 
 void blockage_of_track(Blockage *blockage, const RouteQuery *query, const Rectangle *body, const SearchTrack *track) {

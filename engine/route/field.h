@@ -5,10 +5,10 @@
  * to the nearest obstacle. A closed door costs its opening time. */
 #pragma once
 
-#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/stop.h"
 #include "space/freespace.h"
 #include "plan/plan.h"
 #include "plan/profile.h"
@@ -35,7 +35,7 @@ typedef struct Ground {
     unsigned char *doors; /* (ny x nx) 1: near a closed door; NULL: no closed door */
     DoorLine *lines;      /* (line_count) */
     size_t line_count;
-    const volatile sig_atomic_t *stop; /* set: searches on this ground stop; NULL: never */
+    const Stop *stop; /* set: searches on this ground stop; NULL: never */
 } Ground;
 
 typedef struct Field {

@@ -4,6 +4,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/stop.h"
 #include "route/field.h"
 
 /* The inputs of a field. Plan, space and profile are identified by address: they must neither move nor change as long
@@ -15,7 +16,7 @@ typedef struct FieldKey {
     double radius; /* m, of the disc */
     bool exact;    /* True if the ground has no allowance for the grid's rounding */
     Goal goal;
-    const volatile sig_atomic_t *stop; /* stop flag of the ground */
+    const Stop *stop; /* stop flag of the ground */
 } FieldKey;
 
 /* Opaque; safe for several threads. The results do not depend on earlier requests. */

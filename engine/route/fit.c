@@ -5,7 +5,7 @@
 #include "base/heap.h"
 #include "base/key_table.h"
 #include "base/memory.h"
-#include "base/parallel.h"
+#include "base/stop.h"
 
 /* The widest path (maximin; Pollack 1960) of the rectangle's growth over a lattice of the body's middle and heading,
  * six neighbours a node: the growth of a path is the least on it, and the search always goes on from the node with the
@@ -192,8 +192,8 @@ static bool arrived(const Lattice *lattice, const State *state) {
 static int widest_way(Lattice *lattice, int x, int y, int turn) {
     double swing = 2 * M_PI / lattice->turns * lattice->body->half_length, cell = lattice->cell;
     enter(lattice, x, y, turn, -1, 0);
-    const volatile sig_atomic_t *stop = lattice->query->stop;
-    while (lattice->heap_count > 0 && lattice->state_count < MOST_STATES && !parallel_stopped(stop)) {
+    const Stop *stop = lattice->query->stop;
+    while (lattice->heap_count > 0 && lattice->state_count < MOST_STATES && !stop_requested(stop)) {
         int index = heap_take(lattice->heap, &lattice->heap_count).state;
         State state = lattice->states[index];
         if (arrived(lattice, &state))
@@ -363,8 +363,8 @@ static FitPlace fit_leg(const RouteQuery *query, const Rectangle *body, const Go
     return best;
 }
 
-double fit_margin(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
-                  FitPlace *tightest) {
+FitAnswer fit_margin(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
+                     FitPlace *tightest) {
     Vec2 centre = vec2_along(query->at, body->ahead, vec2_heading(query->heading));
     double heading = query->heading;
     *tightest = (FitPlace){centre, heading, FIT_MOST, -1};
@@ -375,5 +375,5 @@ double fit_margin(const RouteQuery *query, const Rectangle *body, const Goal *go
         if (!(place.margin > -HUGE_VAL))
             break; /* the house is too large to decide */
     }
-    return tightest->margin;
+    return stop_requested(query->stop) ? FIT_INTERRUPTED : FIT_KNOWN;
 }

@@ -12,9 +12,15 @@ typedef struct FitPlace {
     int face;       /* the planned face that decides, or -1 */
 } FitPlace;
 
-/* Returns the largest growth, m, up to FIT_MOST, with which the body passes the goals in order by any rigid motion. */
-double fit_margin(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
-                  FitPlace *tightest);
+typedef enum FitAnswer {
+    FIT_KNOWN,
+    FIT_INTERRUPTED, /* the tightest place is not known */
+} FitAnswer;
+
+/* Finds the tightest place of the widest path. Its margin is the largest growth, up to FIT_MOST, with which the body
+ * passes the goals in order by any rigid motion. */
+__attribute__((warn_unused_result)) FitAnswer fit_margin(const RouteQuery *query, const Rectangle *body,
+                                                         const Goal *goals, size_t goal_count, FitPlace *tightest);
 
 #define FIT_MOST 0.1 /* m */
 

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "base/parallel.h"
 #include "base/real.h"
 #include "route/blockage.h"
 #include "route/fit.h"
@@ -60,6 +59,13 @@ static Legs legs_make(const RouteQuery *query) {
         legs.goals[i] = (Goal){.at = query->via[i], .radius = query->profile->length / 2, .exit = SIZE_MAX};
     legs.goals[query->via_count] = field_exit_goal(query->plan, query->exit, query->time, query->open_first);
     return legs;
+}
+
+/* Forgets what an interrupted search has found so far: it may differ from the answer. */
+static void interrupt(Route *route) {
+    size_t exit = route->exit;
+    route_free(route);
+    *route = (Route){.answer = ROUTE_INTERRUPTED, .exit = exit};
 }
 
 /* True if there is a usable exit. Otherwise the route names the closed one. */
@@ -243,35 +249,41 @@ static Rectangle shrunk(const Rectangle *body, double by) {
     return smaller;
 }
 
-/* Explains a body that fits but cannot be driven: where a slightly smaller body passes, the true one sticks. */
-static void explain_not_drivable(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
+/* Explains a body that fits but cannot be driven: where a slightly smaller body passes, the true one sticks. Returns
+ * false if interrupted. */
+static bool explain_not_drivable(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
                                  double margin, const FitPlace *tightest) {
     size_t *pins = memory_zeroed(legs->count, sizeof *pins);
     SearchTrack track = {0};
-    bool found = false;
-    for (size_t i = 0; i < sizeof shrinkings / sizeof *shrinkings && !found && !parallel_stopped(query->stop); i++) {
+    SearchAnswer answer = SEARCH_NONE;
+    for (size_t i = 0; i < sizeof shrinkings / sizeof *shrinkings; i++) {
         if (shrinkings[i] + margin < -FIT_SURELY)
             continue; /* a body that cannot be carried through cannot be driven through */
         Rectangle smaller = shrunk(body, shrinkings[i]);
-        found = search_legs(query, legs, &smaller, &grains[2], &track, pins) == SEARCH_FOUND;
+        answer = search_legs(query, legs, &smaller, &grains[2], &track, pins);
+        if (answer == SEARCH_FOUND || answer == SEARCH_INTERRUPTED)
+            break;
     }
-    if (found)
+    if (answer == SEARCH_FOUND)
         blockage_of_track(&route->blockage, query, body, &track);
     else
         blockage_of_fit(&route->blockage, query, body, tightest);
     search_track_clear(&track);
     memory_free(pins);
+    return answer != SEARCH_INTERRUPTED;
 }
 
-/* Searches a roomier path at the next grain, with a few more nodes, if a quick path has too little clearance. */
-static void try_roomier(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body) {
+/* Searches a roomier path at the next grain, with a few more nodes, if a quick path has too little clearance. Returns
+ * false if interrupted. */
+static bool try_roomier(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body) {
     if (route->narrowest >= fmin(SCRAPE, route->poses[0].clearance))
-        return;
+        return true;
     size_t *pins = memory_zeroed(legs->count, sizeof *pins);
     SearchGrain grain = grains[1];
     grain.most_nodes = ROOMIER_NODES;
     SearchTrack track = {0};
-    if (search_legs(query, legs, body, &grain, &track, pins) == SEARCH_FOUND) {
+    SearchAnswer answer = search_legs(query, legs, body, &grain, &track, pins);
+    if (answer == SEARCH_FOUND) {
         Route other = {.exit = query->exit};
         answer_drive(&other, query, body, &track, pins, legs->count);
         bool better = other.narrowest > route->narrowest && other.reversals <= route->reversals;
@@ -283,56 +295,76 @@ static void try_roomier(Route *route, const RouteQuery *query, const Legs *legs,
         search_track_clear(&track);
     }
     memory_free(pins);
+    return answer != SEARCH_INTERRUPTED;
 }
 
 /* Raises the required width to that for driving: where a smaller body that can be driven through sticks at the same
- * obstacle, it tells how much wider the place must be. */
-static void ask_for_driving(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
+ * obstacle, it tells how much wider the place must be. Returns false if interrupted. */
+static bool ask_for_driving(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
                             double margin, const FitPlace *tightest) {
     Blockage fit = route->blockage;
-    explain_not_drivable(route, query, legs, body, margin, tightest);
+    bool whole = explain_not_drivable(route, query, legs, body, margin, tightest);
     double more = route->blockage.needs - route->blockage.has;
     bool same = strcmp(route->blockage.what, fit.what) == 0 && vec2_distance(route->blockage.at, fit.at) < SAME_PLACE;
     if (same && fit.has > 0 && more > fit.needs - fit.has)
         fit.needs = fit.has + more;
     route->blockage = fit;
+    return whole;
+}
+
+/* Explains a chair without a path. Returns false if interrupted. */
+static bool explain_drive(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
+                          const FitPlace *tightest) {
+    if (route->fits && !query->brief)
+        return explain_not_drivable(route, query, legs, body, tightest->margin, tightest);
+    blockage_of_fit(&route->blockage, query, body, tightest);
+    return query->brief || ask_for_driving(route, query, legs, body, tightest->margin, tightest);
+}
+
+/* Searches at the finer grains, as long as the body fits. */
+static SearchAnswer search_finer(const Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
+                                 SearchTrack *track, size_t *pins) {
+    SearchAnswer answer = SEARCH_NONE;
+    for (int grain = 1; grain < GRAINS && route->fits; grain++) {
+        /* The finest grain cannot succeed if the previous one exhausted its nodes. */
+        if (grain == GRAINS - 1 && answer == SEARCH_GAVE_UP)
+            break;
+        answer = search_legs(query, legs, body, &grains[grain], track, pins);
+        if (answer == SEARCH_FOUND || answer == SEARCH_INTERRUPTED)
+            break;
+    }
+    return answer;
 }
 
 static void search_drive(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body) {
     size_t *pins = memory_zeroed(legs->count, sizeof *pins);
     SearchTrack track = {0};
     FitPlace tightest;
-    double margin = 0; /* m */
+    bool whole = true;
     SearchAnswer answer = search_legs(query, legs, body, &grains[0], &track, pins);
     bool quick = answer == SEARCH_FOUND;
-    if (!quick && !parallel_stopped(query->stop)) {
-        margin = fit_margin(query, body, legs->goals, legs->count, &tightest);
-        route->fits = margin + FIT_BIAS >= 0;
-        for (int grain = 1; grain < GRAINS && route->fits && answer != SEARCH_FOUND; grain++) {
-            /* The finest grain cannot succeed if the previous one exhausted its nodes. */
-            if (grain == GRAINS - 1 && answer == SEARCH_GAVE_UP)
-                break;
-            answer = search_legs(query, legs, body, &grains[grain], &track, pins);
-        }
+    if (answer == SEARCH_NONE || answer == SEARCH_GAVE_UP) {
+        whole = fit_margin(query, body, legs->goals, legs->count, &tightest) == FIT_KNOWN;
+        route->fits = whole && tightest.margin + FIT_BIAS >= 0;
+        answer = whole ? search_finer(route, query, legs, body, &track, pins) : SEARCH_INTERRUPTED;
     }
-    if (answer == SEARCH_FOUND) {
+    switch (answer) {
+    case SEARCH_FOUND:
         answer_drive(route, query, body, &track, pins, legs->count);
-        if (quick)
-            try_roomier(route, query, legs, body);
-    } else {
+        whole = !quick || try_roomier(route, query, legs, body);
+        break;
+    case SEARCH_NONE:
+    case SEARCH_GAVE_UP:
         search_track_clear(&track);
-        if (parallel_stopped(query->stop))
-            route->fits = false; /* the search was not complete */
-        else if (route->fits && query->brief)
-            blockage_of_fit(&route->blockage, query, body, &tightest);
-        else if (route->fits)
-            explain_not_drivable(route, query, legs, body, margin, &tightest);
-        else {
-            blockage_of_fit(&route->blockage, query, body, &tightest);
-            if (!query->brief)
-                ask_for_driving(route, query, legs, body, margin, &tightest);
-        }
+        whole = explain_drive(route, query, legs, body, &tightest);
+        break;
+    case SEARCH_INTERRUPTED:
+        search_track_clear(&track);
+        whole = false;
+        break;
     }
+    if (!whole)
+        interrupt(route);
     memory_free(pins);
 }
 
@@ -366,10 +398,8 @@ static void search_round(Route *route, const RouteQuery *query, const Legs *legs
         return;
     }
     search_track_clear(&track);
-    FitPlace tightest;
-    Rectangle square = {radius, radius, 0}; /* in a gap between walls or jambs the square is as wide as the disc */
-    fit_margin(query, &square, legs->goals, legs->count, &tightest);
-    blockage_of_fit(&route->blockage, query, &square, &tightest);
+    if (!blockage_of_disc(&route->blockage, query, radius, legs->goals, legs->count))
+        interrupt(route);
 }
 
 /* Plans by one of the two driving models, with its own fields unless there are shared ones. */

@@ -12,10 +12,10 @@
  * Thrun, Montemerlo and Diebel 2010), then smoothed and swept again. */
 #pragma once
 
-#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/stop.h"
 #include "base/vec2.h"
 #include "route/fields.h"
 #include "space/freespace.h"
@@ -46,11 +46,12 @@ typedef enum RouteAnswer {
     ROUTE_FOUND,
     ROUTE_CANNOT_PASS, /* the blockage gives the place */
     ROUTE_NO_EXIT,     /* no exit exists or is usable */
+    ROUTE_INTERRUPTED, /* neither yes nor no: the route holds nothing else */
 } RouteAnswer;
 
 typedef struct Route {
     RouteAnswer answer;
-    bool fits;     /* True if the body fits; not set for ROUTE_NO_EXIT */
+    bool fits;     /* True if the body fits; known only with ROUTE_FOUND and ROUTE_CANNOT_PASS */
     bool drivable; /* == ROUTE_FOUND */
     int reversals;
     size_t exit; /* exit taken or aimed at */
@@ -79,8 +80,8 @@ typedef struct RouteQuery {
     int most_reversals;
     bool brief; /* True if the blockage is computed only for carrying the chair: the extra width for driving takes long
                    to find */
-    const volatile sig_atomic_t *stop; /* set: stop with any result; NULL: never */
-    Fields *fields;                    /* cache shared with other queries; NULL: none, with the same result */
+    const Stop *stop; /* requested: end with ROUTE_INTERRUPTED; NULL: never */
+    Fields *fields;   /* cache shared with other queries; NULL: none, with the same result */
 } RouteQuery;
 
 /* Writes "needs at least 0.80 m, has 0.75 m", the required width rounded up and the existing one down to a centimetre;

@@ -5,7 +5,7 @@
 #include "base/heap.h"
 #include "base/key_table.h"
 #include "base/memory.h"
-#include "base/parallel.h"
+#include "base/stop.h"
 #include "base/real.h"
 
 /* Hybrid A* (Dolgov, Thrun, Montemerlo and Diebel 2010): poses are real numbers, moved by primitives; of the poses in
@@ -320,10 +320,10 @@ static void write_track(const Search *search, SearchTrack *track, int last) {
 }
 
 static SearchAnswer search_run(Search *search, SearchTrack *track) {
-    const volatile sig_atomic_t *stop = search->field->ground->stop;
+    const Stop *stop = search->field->ground->stop;
     for (size_t expanded = 0; search->open_count > 0;) {
-        if (parallel_stopped(stop))
-            return SEARCH_GAVE_UP;
+        if (stop_requested(stop))
+            return SEARCH_INTERRUPTED;
         int node = open_take(search->open, &search->open_count).node;
         if (search->nodes[node].exit != -1) {
             write_track(search, track, node);

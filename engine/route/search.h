@@ -39,6 +39,7 @@ typedef enum SearchAnswer {
     SEARCH_FOUND,
     SEARCH_NONE,    /* every state at this grain has been tried */
     SEARCH_GAVE_UP, /* most_nodes reached */
+    SEARCH_INTERRUPTED,
 } SearchAnswer;
 
 Rectangle search_body(const Profile *profile);

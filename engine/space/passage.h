@@ -23,3 +23,7 @@ static inline double passage_width(Passage passage) {
 /* Returns the distance from a convex corner of an obstacle, starting 0.1 mm off it, to the opposite side: W1 or W2 of
  * the paper. `across` is the unit direction from the corner over the passage. */
 double passage_across(const Outline *outline, Vec2 corner, Vec2 across);
+
+/* Returns the distance between two faces, m, measured where they are nearest to each other. `*middle` is a place
+ * between them, and then the middle of that distance; of parallel faces it is measured beside that place. */
+double passage_between(const Face *one, const Face *other, Vec2 *middle);

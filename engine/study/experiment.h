@@ -3,7 +3,6 @@
  * adaptors. */
 #pragma once
 
-#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -11,6 +10,7 @@
 #include "base/fault.h"
 #include "base/memory.h"
 #include "base/parameters.h"
+#include "base/stop.h"
 
 /* A number that each run returns. */
 typedef struct Observable {
@@ -62,9 +62,9 @@ typedef struct Experiment {
 
     /* Runs `count` trials, which have values for `names` (name_count). `carry`: one after another, each continuing
      * from the end of the previous one. A result depends neither on the other trials, unless carried, nor on their
-     * number. `stop` other than 0 interrupts; NULL: never. */
+     * number. A request of `stop` interrupts; NULL: never. */
     void (*run)(const void *given, const char *const *names, size_t name_count, Trial *trials, size_t count, bool carry,
-                const volatile sig_atomic_t *stop);
+                const Stop *stop);
 } Experiment;
 
 static inline void trial_clear(Trial *trial) {

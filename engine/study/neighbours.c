@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/parallel.h"
+#include "base/stop.h"
 #include "study/batch.h"
 
 static const double FINE = 0.005, COARSE = 0.01;
@@ -49,7 +50,7 @@ static bool look(const NeighboursTask *task, size_t name, double side, size_t fi
         neighbour->reached = on ? neighbours_share(step) : neighbour->reached;
         neighbour->runs += on ? NEIGHBOURS_STARTS : 0;
         if (on && is_found(task, trials)) {
-            neighbour->found = true;
+            neighbour->answer = NEIGHBOUR_FOUND;
             neighbour->share = side * neighbours_share(step);
             neighbour->value = trials[0].at[0];
             on = false;
@@ -77,12 +78,14 @@ static void look_outwards(void *context, size_t i) {
     *neighbour = (Neighbour){.value = NAN, .share = NAN};
     size_t at_once = experiment->batch > NEIGHBOURS_STARTS ? experiment->batch / NEIGHBOURS_STARTS : 1, step = 0;
     bool on = experiment->nominal(experiment->given, task->names[i / 2]) != 0;
-    while (on && step < NEIGHBOURS_STEPS && !parallel_stopped(task->stop)) {
+    while (on && step < NEIGHBOURS_STEPS) {
         size_t last = step + at_once < NEIGHBOURS_STEPS ? step + at_once : NEIGHBOURS_STEPS;
         on = look(task, i / 2, i % 2 ? 1 : -1, step, last, neighbour);
         tell_done(task, last - step);
         step = last;
     }
+    if (neighbour->answer == NEIGHBOUR_NONE && stop_requested(task->stop))
+        *neighbour = (Neighbour){NEIGHBOUR_INTERRUPTED, NAN, NAN, NAN, neighbour->runs};
     tell_done(task, NEIGHBOURS_STEPS - step);
 }
 

@@ -3,6 +3,7 @@
  * the centre is regular, or regular from every initial state where it is not. */
 #pragma once
 
+#include "base/stop.h"
 #include "study/experiment.h"
 
 enum {
@@ -13,12 +14,18 @@ enum {
 
 typedef enum NeighboursSought { NEIGHBOURS_TROUBLE, NEIGHBOURS_REGULAR } NeighboursSought;
 
+typedef enum NeighbourAnswer {
+    NEIGHBOUR_NONE, /* up to `reached`, which is below 0.2 if a value was out of range */
+    NEIGHBOUR_FOUND,
+    NEIGHBOUR_INTERRUPTED, /* value, share and `reached` are NAN */
+} NeighbourAnswer;
+
 /* The result on one side of one parameter. */
 typedef struct Neighbour {
-    bool found;
+    NeighbourAnswer answer;
     double value;   /* parameter value at the change */
     double share;   /* 1, distance: value / nominal - 1 */
-    double reached; /* 1, range examined: below 0.2 if a value was out of range or the search was interrupted */
+    double reached; /* 1, range examined */
     size_t runs;
 } Neighbour;
 
@@ -30,7 +37,7 @@ typedef struct NeighboursTask {
     size_t name_count;
     NeighboursSought sought;
     int jobs;
-    const volatile sig_atomic_t *stop;
+    const Stop *stop;
     void (*done)(void *context, size_t trials);
     void *context;
 } NeighboursTask;

@@ -10,6 +10,7 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "base/random.h"
+#include "base/stop.h"
 
 const char *study_pass_name(StudyPass pass) {
     static const char *const names[] = {[STUDY_RESET] = "reset", [STUDY_UP] = "up", [STUDY_DOWN] = "down"};
@@ -240,7 +241,7 @@ typedef struct Work {
 } Work;
 
 static bool stopped(const StudyOptions *options) {
-    return parallel_stopped(options->stop);
+    return stop_requested(options->stop);
 }
 
 static void add_piece(Work *work, size_t first, bool carry) {

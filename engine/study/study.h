@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/fault.h"
+#include "base/stop.h"
 #include "study/experiment.h"
 
 enum {
@@ -52,7 +53,7 @@ typedef struct Study {
 
 typedef struct StudyOptions {
     int jobs; /* threads */
-    const volatile sig_atomic_t *stop;
+    const Stop *stop;
     void (*progress)(void *context, size_t done,
                      size_t all); /* counts of trials; called by one thread at a time; NULL: none */
     void *context;

@@ -4,38 +4,33 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
-#include <unistd.h>
 
+#include "base/file_write.h"
 #include "base/memory.h"
-#include "base/text.h"
+#include "base/visible.h"
 #include "study/montecarlo.h"
 
 /* Sheets --------------------------------------------------------------------------------------------------------- */
 
 /* A table written cell by cell: the series of a map have millions of rows. */
 typedef struct Sheet {
-    const char *path;
-    char *beside;
-    FILE *file;     /* NULL: the file cannot be created */
-    bool is_within; /* a row */
+    FileWrite *work; /* NULL: the file cannot be created */
+    FILE *file;      /* NULL, too */
+    bool is_within;  /* a row */
     int error;
 } Sheet;
 
 static Sheet open_sheet(const char *path) {
-    Sheet sheet = {.path = path, .beside = text_beside(path)};
-    sheet.file = fopen(sheet.beside, "wb");
-    sheet.error = sheet.file ? 0 : errno;
+    Sheet sheet = {.file = NULL};
+    sheet.work = file_write_begin(path, &sheet.error);
+    sheet.file = sheet.work ? file_write_stream(sheet.work) : NULL;
+    if (sheet.work && !sheet.file)
+        sheet.error = errno;
     return sheet;
 }
 
 static int close_sheet(Sheet *sheet) {
-    if (sheet->file) {
-        if (fflush(sheet->file) || ferror(sheet->file) || fsync(fileno(sheet->file)))
-            sheet->error = errno ? errno : EIO;
-        if (fclose(sheet->file) && !sheet->error)
-            sheet->error = errno;
-    }
-    return text_beside_end(sheet->beside, sheet->path, sheet->error);
+    return sheet->work ? file_write_end(sheet->work, sheet->error) : sheet->error;
 }
 
 static void begin_cell(Sheet *sheet) {
@@ -70,13 +65,15 @@ static void add_quoted(Sheet *sheet, const char *words) {
     begin_cell(sheet);
     if (!words)
         return;
+    char *shown = visible_text(words);
     putc('"', sheet->file);
-    for (const char *c = words; *c; c++) {
+    for (const char *c = shown; *c; c++) {
         if (*c == '"')
             putc('"', sheet->file);
         putc(*c, sheet->file);
     }
     putc('"', sheet->file);
+    memory_free(shown);
 }
 
 static void add_head(Sheet *sheet, const char *name, const char *kind, const char *unit) {

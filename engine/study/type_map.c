@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/digest.h"
-#include "base/parallel.h"
+#include "base/stop.h"
 
 /* An experiment with other nominal values of some parameters. */
 typedef struct Fixed {
@@ -34,7 +34,7 @@ static double fixed_nominal(const void *given, const char *name) {
 }
 
 static void fixed_run(const void *given, const char *const *names, size_t name_count, Trial *trials, size_t count,
-                      bool carry, const volatile sig_atomic_t *stop) {
+                      bool carry, const Stop *stop) {
     const Fixed *fixed = given;
     size_t width = fixed->count + name_count, used = 0;
     const char **all = memory_zeroed(width, sizeof *all);
@@ -73,7 +73,7 @@ static Experiment fix(Fixed *fixed) {
 
 /* Returns 1, 2 or 3; NAN: unresolved or interrupted. */
 static double type_at(const TypeMap *map, const char *const *names, size_t name_count, const double *at,
-                      const volatile sig_atomic_t *stop) {
+                      const Stop *stop) {
     Fixed quick = {map->of, names, at, name_count}, slow = {map->thorough, names, at, name_count};
     Experiment experiment = fix(&quick), thorough = {.kind = NULL};
     if (map->thorough)
@@ -90,13 +90,20 @@ static double type_at(const TypeMap *map, const char *const *names, size_t name_
                                                .stop = stop},
                                   &fault);
     fault_clear(&fault);
-    if (!decided || types.stopped || types.kind == TYPES_UNRESOLVED)
-        return NAN;
-    return types.kind;
+    switch (types.kind) {
+    case TYPES_I:
+    case TYPES_II:
+    case TYPES_III:
+        return decided && !types.stopped ? (double)types.kind : (double)NAN;
+    case TYPES_UNRESOLVED:
+    case TYPES_KIND_INTERRUPTED:
+        break;
+    }
+    return NAN;
 }
 
 static void typed_run(const void *given, const char *const *names, size_t name_count, Trial *trials, size_t count,
-                      bool carry, const volatile sig_atomic_t *stop) {
+                      bool carry, const Stop *stop) {
     const TypeMap *map = given;
     map->of->run(map->of->given, names, name_count, trials, count, carry, stop);
     for (size_t t = 0; t < count; t++) {
@@ -104,7 +111,7 @@ static void typed_run(const void *given, const char *const *names, size_t name_c
         *type = NAN;
         if (trials[t].done && !trials[t].fault)
             *type = type_at(map, names, name_count, trials[t].at, stop);
-        if (parallel_stopped(stop))
+        if (trials[t].done && stop_requested(stop))
             trials[t].done = false;
     }
 }

@@ -9,10 +9,11 @@
 #include "base/order.h"
 #include "base/parallel.h"
 #include "base/real.h"
+#include "base/stop.h"
 #include "study/batch.h"
 
 const char *types_kind_name(TypesKind kind) {
-    static const char *const names[] = {"unresolved", "I", "II", "III"};
+    static const char *const names[] = {"unresolved", "I", "II", "III", "interrupted"};
     return names[kind];
 }
 
@@ -26,7 +27,7 @@ typedef struct Work {
 } Work;
 
 static bool is_stopped(const TypesTask *task) {
-    return parallel_stopped(task->stop);
+    return stop_requested(task->stop);
 }
 
 static void tell_done(void *context, size_t trials) {
@@ -290,6 +291,10 @@ static void decide_kind(Types *types, bool periods) {
 
 /* Beyond the window ----------------------------------------------------------------------------------------------- */
 
+static bool is_unknown(const Neighbour *side) {
+    return side->answer == NEIGHBOUR_INTERRUPTED;
+}
+
 static void find_neighbours(Work *work) {
     const TypesTask *task = work->task;
     Types *types = work->types;
@@ -309,6 +314,7 @@ static void find_neighbours(Work *work) {
         types->parameters[p].below = sides[2 * p];
         types->parameters[p].above = sides[2 * p + 1];
         types->neighbour_runs += sides[2 * p].runs + sides[2 * p + 1].runs;
+        types->stopped |= is_unknown(&sides[2 * p]) || is_unknown(&sides[2 * p + 1]);
     }
 }
 
@@ -344,6 +350,29 @@ static void take_names(Types *types, const TypesTask *task) {
     types->parameter_count = task->name_count;
 }
 
+/* Decides, once all runs of the window are made. */
+static void decide_all(Work *work) {
+    Types *types = work->types;
+    for (size_t i = 0; i < types->point_count; i++)
+        gather_answers(work, i);
+    find_sensitivities(types);
+    decide_kind(types, work->task->experiment->periods);
+    if (!work->task->window_only)
+        find_neighbours(work);
+}
+
+/* Without the whole window nothing is known of any point. */
+static void interrupt(Types *types) {
+    const Neighbour unknown = {NEIGHBOUR_INTERRUPTED, NAN, NAN, NAN, 0};
+    types->kind = TYPES_KIND_INTERRUPTED;
+    types->reason = TYPES_INTERRUPTED;
+    types->point_count = 0;
+    for (size_t p = 0; p < types->parameter_count; p++) {
+        types->parameters[p].sensitivity = NAN;
+        types->parameters[p].below = types->parameters[p].above = unknown;
+    }
+}
+
 bool types_classify(Types *types, const TypesTask *task, Fault *fault) {
     assert(!task->thorough || task->thorough->observable_count == task->experiment->observable_count);
     *types = (Types){0};
@@ -356,13 +385,11 @@ bool types_classify(Types *types, const TypesTask *task, Fault *fault) {
     pthread_mutex_init(&work.mutex, NULL);
     run_window(&work);
     confirm(&work);
-    for (size_t i = 0; i < types->point_count; i++)
-        gather_answers(&work, i);
-    find_sensitivities(types);
-    decide_kind(types, task->experiment->periods);
-    if (!task->window_only)
-        find_neighbours(&work);
     types->stopped = is_stopped(task);
+    if (types->stopped)
+        interrupt(types);
+    else
+        decide_all(&work);
     batch_clear(&work.window);
     pthread_mutex_destroy(&work.mutex);
     return true;

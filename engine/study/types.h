@@ -8,6 +8,7 @@
  *     II          regular throughout, but a sensitivity of 5 or more, or several answers: by tolerances and starts
  *     III         somewhere in the window not regular, or an answer whose period doubles inside it: do not run it
  *     unresolved  something could not be told, and nothing of what was told makes it III
+ *     interrupted the search was stopped before the window was complete
  *
  * P is what the experiment measures (a beam: the largest peak force; a house: the time to complete). Answers are one
  * when their outcomes are and their measures agree; a motion and its mirror image are one, for theirs do. Beyond the
@@ -15,6 +16,7 @@
 #pragma once
 
 #include "base/fault.h"
+#include "base/stop.h"
 #include "study/neighbours.h"
 
 #define TYPES_WINDOW 0.01 /* 1, half-width of the window in each parameter */
@@ -30,7 +32,7 @@ enum {
     TYPES_THOROUGH_AT_ONCE = 2, /* repetitions at a time */
 };
 
-typedef enum TypesKind { TYPES_UNRESOLVED, TYPES_I, TYPES_II, TYPES_III } TypesKind;
+typedef enum TypesKind { TYPES_UNRESOLVED, TYPES_I, TYPES_II, TYPES_III, TYPES_KIND_INTERRUPTED } TypesKind;
 
 /* The part of the definition that decided. */
 typedef enum TypesReason {
@@ -39,7 +41,8 @@ typedef enum TypesReason {
     TYPES_SEVERAL,      /* II: several responses, at one point or between points */
     TYPES_NOT_REGULAR,  /* III */
     TYPES_FLIPS,        /* III: period doubling */
-    TYPES_UNDECIDED     /* unresolved */
+    TYPES_UNDECIDED,    /* unresolved */
+    TYPES_INTERRUPTED,  /* interrupted: the window is not complete, and has no points */
 } TypesReason;
 
 /* A response at a point. */
@@ -80,7 +83,7 @@ typedef struct Types {
     size_t runs, thorough;   /* trials of the window, and thorough repetitions among them */
     size_t neighbour_runs;   /* trials outside the window */
     NeighboursSought sought; /* the change that the neighbours were searched for */
-    bool stopped;            /* interrupted before completion */
+    bool stopped;            /* interrupted, in the window or beyond it */
 } Types;
 
 /* Input of a classification. */
@@ -92,13 +95,13 @@ typedef struct TypesTask {
     size_t name_count;
     bool window_only; /* skips the search for neighbours */
     int jobs;
-    const volatile sig_atomic_t *stop;
+    const Stop *stop;
     void (*progress)(void *context, size_t done,
                      size_t all); /* counts of trials; called by one thread at a time; NULL: none */
     void *context;
 } TypesTask;
 
-/* "I", "II", "III", "unresolved" */
+/* Returns "I", "II", "III", "unresolved" or "interrupted". */
 const char *types_kind_name(TypesKind kind);
 
 /* True if a type is defined in a window of these names (name_count); otherwise adds an error. */
