@@ -1,7 +1,7 @@
 # Sourced by app/start.sh and tests/run.sh: installs the Debian packages that are missing, and says so.
 
 build_packages="meson ninja-build pkg-config gcc g++ libc6-dev libcairo2-dev libpango1.0-dev libbox2d-dev \
-libpng-dev libjansson-dev libsqlite3-dev libgeos-dev libcsv-dev libzip-dev libexpat1-dev liblapacke-dev gfortran libfftw3-dev libgl-dev libegl-dev libosmesa6-dev \
+libpng-dev libjansson-dev libsqlite3-dev libgeos-dev libcsv-dev libzip-dev libexpat1-dev liblapacke-dev liblapack-dev libblas-dev gfortran libgl-dev libegl-dev libosmesa6-dev \
 libsdl2-dev libimgui-dev libgl1 libglx-mesa0 fonts-dejavu-core libosmesa6 libegl1 libegl-mesa0 libgl1-mesa-dri"
 
 # install_packages NAME ...

@@ -6,31 +6,31 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/text.h"
+#include "base/file_write.h"
 #include "result/house.h"
 #include "result/json.h"
-
-/* Rows as JSON; the table is released. */
-static json_t *list_of(ResultTable table) {
-    json_t *list = result_json_list(&table);
-    result_clear(&table);
-    return list;
-}
 
 json_t *answer_house(const House *house, const Observation *observation) {
     char digest[17];
     snprintf(digest, sizeof digest, "%016" PRIx64, observation->digest);
     Census census = census_make(house, observation);
-    json_t *answer = json_pack(
-        "{s:s, s:s, s:s, s:I, s:f, s:I, s:b, s:o, s:o, s:o, s:o, s:o, s:s}", "kind", "house", "house", house->plan.name,
-        "note", house->plan.note, "seed", (json_int_t)house->seed, "dt", observation->dt, "steps",
-        (json_int_t)observation->steps, "completed", observation->completed, "time",
-        isfinite(observation->time) ? json_real(round(observation->time * 1e6) / 1e6) : json_null(), "people",
-        list_of(result_house_people(house, observation)), "crowds", list_of(result_house_parties(house, &census, true)),
-        "routes", list_of(result_house_routes(house, observation)), "hazards",
-        list_of(result_house_hazards(observation)), "digest", digest);
+    json_t *answer =
+        json_pack("{s:s, s:s, s:s, s:I, s:f, s:I, s:b, s:o, s:o, s:o, s:o, s:o, s:s}", "kind", "house", "house",
+                  house->plan.name, "note", house->plan.note, "seed", (json_int_t)house->seed, "dt", observation->dt,
+                  "steps", (json_int_t)observation->steps, "completed", observation->completed, "time",
+                  isfinite(observation->time) ? json_real(round(observation->time * 1e6) / 1e6) : json_null(), "people",
+                  result_json_take_list(result_house_people(house, observation)), "crowds",
+                  result_json_take_list(result_house_parties(house, &census, true)), "routes",
+                  result_json_take_list(result_house_routes(house, observation)), "hazards",
+                  result_json_take_list(result_house_hazards(observation)), "digest", digest);
     census_clear(&census);
+    answer_mark_interrupted(answer, observation->interrupted);
     return answer;
+}
+
+void answer_mark_interrupted(json_t *answer, bool interrupted) {
+    if (interrupted)
+        json_object_set_new(answer, "interrupted", json_true());
 }
 
 void answer_print(json_t *answer) {
@@ -42,7 +42,7 @@ void answer_print(json_t *answer) {
 
 int answer_write(const json_t *answer, const char *path) {
     char *text = json_dumps(answer, JSON_INDENT(2) | JSON_REAL_PRECISION(12));
-    int error = text_write_file(path, text, strlen(text));
+    int error = file_write_bytes(path, text, strlen(text));
     free(text);
     return error;
 }

@@ -9,6 +9,10 @@
 /* {"kind":"house", ...}. New; json_decref it. */
 json_t *answer_house(const House *house, const Observation *observation);
 
+/* Adds "interrupted": true to an answer that is not complete, or whose pictures and films are not. Scripts tell an
+ * interruption from a no by it, for both have one exit code. */
+void answer_mark_interrupted(json_t *answer, bool interrupted);
+
 /* Prints one JSON object on standard output. */
 void answer_print(json_t *answer);
 

@@ -8,16 +8,6 @@
 
 enum { STUCK_ROWS = 10 /* of many people who are not out, listed one by one */ };
 
-/* Adds a table below an empty line and, perhaps, a heading; the table is released. */
-static void add_table(Text *text, const char *heading, ResultTable table) {
-    Text lines = {0};
-    result_text_table(&lines, &table);
-    if (lines.text)
-        text_format(text, "\n%s%s", heading, lines.text);
-    memory_free(lines.text);
-    result_clear(&table);
-}
-
 /* Adds the first people who are not out. */
 static void add_stuck(Text *text, const House *house, const Observation *observation, size_t stuck) {
     ResultTable table = {0};
@@ -25,7 +15,7 @@ static void add_stuck(Text *text, const House *house, const Observation *observa
         if (observation->people[i].took_part && !observation->people[i].completed)
             result_house_add_person(&table, house, observation, i);
     size_t listed = table.record_count;
-    add_table(text, "not out\n", table);
+    result_text_take(text, observation->interrupted ? "still inside\n" : "not out\n", table);
     if (listed < stuck)
         text_format(text, "and %zu more\n", stuck - listed);
 }
@@ -36,13 +26,13 @@ void answer_text_add(Text *text, const House *house, const Observation *observat
     text_format(text, "%s\n", headline_sentence(house, observation, &arena));
     text_format(text, *house->plan.note ? "%s: %s\n" : "%s\n", house->plan.name, house->plan.note);
     if (census.people > CENSUS_ROWS) {
-        add_table(text, "", result_house_parties(house, &census, false));
+        result_text_take(text, "", result_house_parties(house, &census, false));
         add_stuck(text, house, observation, census.people - census.out);
     } else {
-        add_table(text, "", result_house_people(house, observation));
+        result_text_take(text, "", result_house_people(house, observation));
     }
-    add_table(text, "", result_house_routes(house, observation));
-    add_table(text, "", result_house_hazards(observation));
+    result_text_take(text, "", result_house_routes(house, observation));
+    result_text_take(text, "", result_house_hazards(observation));
     census_clear(&census);
     arena_clear(&arena);
 }

@@ -103,7 +103,7 @@ static bool write_film(const Subject *subject, const Options *options) {
 }
 
 bool beam_frames_write(const Beam *beam, const Rig *rig, const Response *response, const Options *options) {
-    bool film = options->frames > 0 || options->movie, told = progress_interrupted;
+    bool film = options->frames > 0 || options->movie;
     BeamRecord record;
     Subject subject = {beam, rig, response, &record};
     if (!film && !options->out)
@@ -117,6 +117,5 @@ bool beam_frames_write(const Beam *beam, const Rig *rig, const Response *respons
     if (record.cycles && good && film)
         good = write_film(&subject, options);
     beam_record_clear(&record);
-    output_tell_interrupted(told);
     return good;
 }

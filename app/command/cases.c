@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <time.h>
 
+#include "base/file_write.h"
 #include "base/memory.h"
 #include "base/text.h"
 #include "command/answer.h"
@@ -17,6 +18,7 @@
 #include "command/house_file.h"
 #include "command/output.h"
 #include "command/progress.h"
+#include "command/terminal.h"
 #include "inquiry/case_run.h"
 #include "laboratory/shipped.h"
 
@@ -84,7 +86,7 @@ static void show_progress(void *context, size_t done, size_t all) {
     Progress *progress = context;
     if (time(NULL) - progress->begin < 2)
         return;
-    fprintf(stderr, "\r%zu of %zu runs ", done, all);
+    terminal_progress("%zu of %zu runs ", done, all);
     progress->shown = true;
 }
 
@@ -94,37 +96,43 @@ static void run_cases(Verification *cases, size_t count, const Options *options,
     CaseRunOptions trial = {.profiles = shipped_places()->profiles,
                             .seed = options->seed,
                             .jobs = options->jobs,
-                            .stop = &progress_interrupted,
+                            .stop = &progress_stop,
                             .progress = show ? show_progress : NULL,
                             .context = &progress};
     case_run_all(cases, count, &trial, fault);
     if (progress.shown)
-        fprintf(stderr, "\r                         \r");
+        terminal_clear_progress();
 }
 
 /* Writing -----------------------------------------------------------------------------------------------------------*/
 
-static void add_json(Text *text, const Verification *cases, size_t count, uint64_t seed) {
+static json_t *make_answer(const Verification *cases, size_t count, uint64_t seed, bool interrupted) {
     json_t *answer = cases_text_json(cases, count, seed);
+    answer_mark_interrupted(answer, interrupted);
+    return answer;
+}
+
+static void add_json(Text *text, const json_t *answer) {
     char *dump = json_dumps(answer, JSON_INDENT(2) | JSON_REAL_PRECISION(12));
     text_add(text, dump);
     text_add(text, "\n");
     free(dump);
-    json_decref(answer);
 }
 
-static bool write_tables(const Verification *cases, size_t count, const Options *options) {
-    static const struct {
-        const char *name;
-        void (*add)(Text *text, const Verification *cases, size_t count, uint64_t seed);
-    } files[] = {{"cases.html", cases_html_add}, {"cases.md", cases_text_markdown}, {"cases.json", add_json}};
+static bool write_tables(const Verification *cases, size_t count, const json_t *answer, const Options *options) {
+    static const char *const names[] = {"cases.html", "cases.md", "cases.json"};
     char path[OUTPUT_PATH];
     int error = 0;
-    for (size_t f = 0; f < sizeof files / sizeof *files && !error; f++) {
+    for (size_t f = 0; f < sizeof names / sizeof *names && !error; f++) {
         Text text = {0};
-        files[f].add(&text, cases, count, options->seed);
-        snprintf(path, sizeof path, "%s/%s", options->out, files[f].name);
-        error = text_write_file(path, text.text, text.used);
+        if (f == 0)
+            cases_html_add(&text, cases, count, options->seed);
+        else if (f == 1)
+            cases_text_markdown(&text, cases, count, options->seed);
+        else
+            add_json(&text, answer);
+        snprintf(path, sizeof path, "%s/%s", options->out, names[f]);
+        error = file_write_bytes(path, text.text, text.used);
         memory_free(text.text);
     }
     if (error)
@@ -141,14 +149,25 @@ static bool all_passed(const Verification *cases, size_t count) {
     return all;
 }
 
-static int answer(const Verification *cases, size_t count, const Options *options, Fault *fault) {
-    if (progress_interrupted)
+/* True if a check was not run although its house can be read. */
+static bool is_interrupted(const Verification *cases, size_t count, const Fault *fault) {
+    bool missing = false;
+    for (size_t i = 0; i < count; i++)
+        missing |= case_run_verdict(&cases[i]) == VERDICT_NOT_RUN;
+    return missing && !fault->total;
+}
+
+static int give_answer(const Verification *cases, size_t count, const Options *options, Fault *fault) {
+    bool interrupted = is_interrupted(cases, count, fault);
+    if (interrupted)
         fprintf(stderr, "clearance: interrupted; the results of finished tests are kept\n");
-    bool written = !options->out || write_tables(cases, count, options);
+    json_t *answer = make_answer(cases, count, options->seed, interrupted);
+    bool written = !options->out || write_tables(cases, count, answer, options);
     if (options->json)
-        answer_print(cases_text_json(cases, count, options->seed));
+        answer_print(json_incref(answer));
     else
         cases_text_print(cases, count);
+    json_decref(answer);
     if (fault->total)
         return house_file_report(fault);
     if (options->out && written && !options->json)
@@ -169,7 +188,7 @@ int command_cases(const Options *options) {
         code = house_file_report(&fault);
     } else {
         run_cases(cases, paths.count, options, &fault);
-        code = answer(cases, paths.count, options, &fault);
+        code = give_answer(cases, paths.count, options, &fault);
     }
     for (size_t i = 0; i < paths.count; i++) {
         verification_free(&cases[i]);

@@ -12,15 +12,6 @@
 #include "result/json.h"
 #include "result/text.h"
 
-static void add_table(Text *text, ResultTable table) {
-    Text lines = {0};
-    result_text_table(&lines, &table);
-    if (lines.text)
-        text_format(text, "\n%s", lines.text);
-    memory_free(lines.text);
-    result_clear(&table);
-}
-
 /* Prints a line per person; with many people a line per crowd, and one per person without a crowd. */
 static void print_answer(const House *house, const Journeys *journeys) {
     Observation observation = result_check_observation(house, journeys);
@@ -30,8 +21,8 @@ static void print_answer(const House *house, const Journeys *journeys) {
     bool many = census.people > CENSUS_ROWS;
     text_format(&text, "%s\n", result_check_sentence(house, &observation, &census, &arena));
     if (many)
-        add_table(&text, result_check_parties(house, &observation, &census));
-    add_table(&text, result_check_people(house, journeys, many ? &census : NULL));
+        result_text_take(&text, "", result_check_parties(house, &observation, &census));
+    result_text_take(&text, "", result_check_people(house, journeys, many ? &census : NULL));
     fputs(text.text, stdout);
     memory_free(text.text);
     arena_clear(&arena);
@@ -69,7 +60,7 @@ static json_t *fault_lines(const Fault *fault) {
 }
 
 /* Adds the smallest changes to the answer, or prints them. */
-static bool suggest(const Options *options, json_t *answer, Fault *fault) {
+static bool suggest(const Options *options, json_t *answer, bool *interrupted, Fault *fault) {
     SuggestList list = {0};
     fflush(stdout);
     if (!suggestions_find(&list, options, fault))
@@ -77,6 +68,7 @@ static bool suggest(const Options *options, json_t *answer, Fault *fault) {
     suggestions_add(answer, &list);
     if (!options->json)
         suggestions_print(&list);
+    *interrupted |= list.stopped;
     suggest_clear(&list);
     return true;
 }
@@ -89,24 +81,27 @@ int command_check(const Options *options) {
             answer_print(json_pack("{s:s, s:o, s:[]}", "kind", "check", "faults", fault_lines(&fault), "people"));
         return house_file_report(&fault);
     }
-    Journeys journeys = journey_plan_all(&house, NULL, options->jobs, &progress_interrupted);
-    ResultTable table = result_check_people(&house, &journeys, NULL);
-    json_t *people = result_json_list(&table);
-    result_clear(&table);
-    bool all = true;
-    for (size_t i = 0; i < house.person_count; i++)
+    Journeys journeys = journey_plan_all(&house, NULL, options->jobs, &progress_stop);
+    json_t *people = result_json_take_list(result_check_people(&house, &journeys, NULL));
+    bool all = true, interrupted = false;
+    for (size_t i = 0; i < house.person_count; i++) {
         all &= journeys.of[i].route.answer == ROUTE_FOUND;
+        interrupted |= journeys.of[i].route.answer == ROUTE_INTERRUPTED;
+    }
     json_t *notes = notes_of(&house.plan);
     json_t *answer = json_pack("{s:s, s:[], s:o, s:o}", "kind", "check", "faults", "notes", notes, "people", people);
     if (!options->json) {
         print_answer(&house, &journeys);
         print_notes(notes);
     }
-    bool good = !options->suggest || suggest(options, answer, &fault);
+    bool good = !options->suggest || suggest(options, answer, &interrupted, &fault);
+    answer_mark_interrupted(answer, interrupted);
+    if (interrupted && good)
+        fprintf(stderr, "clearance: interrupted; what is not known yet is neither a yes nor a no\n");
     if (options->json && good)
         answer_print(json_incref(answer));
     json_decref(answer);
     journey_free_all(&journeys);
     house_free(&house);
-    return !good ? house_file_report(&fault) : all ? EXIT_ANSWERED : EXIT_ANSWER_NO;
+    return !good ? house_file_report(&fault) : all && !interrupted ? EXIT_ANSWERED : EXIT_ANSWER_NO;
 }

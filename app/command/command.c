@@ -6,8 +6,13 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/file_write.h"
+#include "base/json.h"
 #include "base/text.h"
+#include "command/licences.h"
 #include "command/progress.h"
+#include "command/terminal.h"
+#include "mechanics/broadphase.h"
 #include "options/help.h"
 
 static int (*const acts[VERBS])(const Options *options) = {
@@ -54,10 +59,8 @@ static int dispatch(int argc, char **argv) {
         print(&text);
         return EXIT_ANSWERED;
     }
-    if (strcmp(word, "--version") == 0) {
-        printf("clearance " CLEARANCE_VERSION "\n");
-        return EXIT_ANSWERED;
-    }
+    if (strcmp(word, "--version") == 0)
+        return licences_answer(argc, argv, 2);
     const Verb *verb = verb_find(word);
     if (verb)
         return run_verb((VerbId)(verb - verb_rows), argc, argv, 2);
@@ -70,9 +73,13 @@ static int dispatch(int argc, char **argv) {
 }
 
 int command_main(int argc, char **argv) {
+    json_use_memory();
+    broadphase_use_memory();
+    terminal_show_all_characters();
     int code = dispatch(argc, argv);
     if (fflush(stdout) || ferror(stdout)) {
-        fprintf(stderr, "clearance: the answer cannot be written: %s\n", strerror(errno));
+        fprintf(stderr, "clearance: the answer cannot be written: %s\n",
+                file_write_reason(terminal_error() ? terminal_error() : EIO));
         return EXIT_OUR_FAULT;
     }
     return code;

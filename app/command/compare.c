@@ -31,11 +31,17 @@ static void print_pair(ResultTable a, ResultTable b, const char *succeeded, cons
     result_clear(&b);
 }
 
+static bool is_interrupted(const Observation observations[2]) {
+    return observations[0].interrupted || observations[1].interrupted;
+}
+
 static void print_comparison(const House houses[2], const Observation observations[2]) {
     Arena arena = {0};
     for (int h = 0; h < 2; h++)
         printf("%c: %s: %s\n", "ab"[h], houses[h].plan.name, headline_sentence(&houses[h], &observations[h], &arena));
     arena_clear(&arena);
+    if (is_interrupted(observations))
+        return;
     Census census[2] = {census_make(&houses[0], &observations[0]), census_make(&houses[1], &observations[1])};
     if (census[0].people > CENSUS_ROWS)
         print_pair(result_house_parties(&houses[0], &census[0], false),
@@ -55,6 +61,16 @@ static json_t *differences(const House houses[2], const Observation observations
     result_clear(&a);
     result_clear(&b);
     return rows;
+}
+
+/* An interrupted run has no differences from another one. */
+static json_t *make_answer(const House houses[2], const Observation observations[2], bool interrupted) {
+    json_t *answer =
+        json_pack("{s:s, s:o, s:o, s:o}", "kind", "compare", "a", answer_house(&houses[0], &observations[0]), "b",
+                  answer_house(&houses[1], &observations[1]), "differences",
+                  is_interrupted(observations) ? json_array() : differences(houses, observations));
+    answer_mark_interrupted(answer, interrupted);
+    return answer;
 }
 
 /* Writes the pictures of B, with the paths in A as "before", and the report on both. */
@@ -89,17 +105,18 @@ int command_compare(const Options *options) {
     }
     for (int h = 0; h < 2; h++)
         house_file_run(&observations[h], &houses[h], options, SIZE_MAX);
-    bool written = write_results(houses, observations, options);
-    output_tell_interrupted(false);
+    bool told = is_interrupted(observations);
+    if (told)
+        fprintf(stderr, "clearance: interrupted; nothing is compared or written\n");
+    bool written = told || write_results(houses, observations, options);
+    bool interrupted = output_tell_interrupted(told);
     if (options->json)
-        answer_print(
-            json_pack("{s:s, s:o, s:o, s:o}", "kind", "compare", "a", answer_house(&houses[0], &observations[0]), "b",
-                      answer_house(&houses[1], &observations[1]), "differences", differences(houses, observations)));
+        answer_print(make_answer(houses, observations, interrupted));
     else
         print_comparison(houses, observations);
-    if (options->out && written && !options->json)
+    if (options->out && written && !told && !options->json)
         printf("\npictures are in %s\n", options->out);
-    bool all = observations[0].completed && observations[1].completed && !progress_interrupted;
+    bool all = observations[0].completed && observations[1].completed && !interrupted;
     for (int h = 0; h < 2; h++) {
         observation_free(&observations[h]);
         house_free(&houses[h]);

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/file_write.h"
 #include "base/text.h"
 #include "command/command.h"
 #include "command/house_file.h"
@@ -34,21 +35,23 @@ static const char *path_of(const Options *options, const char *format, Text *pat
 
 static int write_wkt(const char *wkt, const char *path) {
     if (path)
-        return text_write_file(path, wkt, strlen(wkt));
+        return file_write_bytes(path, wkt, strlen(wkt));
     return fputs(wkt, stdout) < 0 ? errno : 0;
 }
 
 static int write_picture(const House *house, const Options *options, const char *path) {
     Scene scene = {0};
+    output_warn_of_fonts();
     plan_picture_make(&scene, house);
     int error = paint_cairo_file(CAIRO_FILE_SVG, &scene, path, options->width, options->height, options->theme);
     scene_clear(&scene);
     return error;
 }
 
-/* True, after an error on standard error, if the file exists: files are never overwritten. */
+/* True, after an error on standard error, if the file exists: files are never overwritten, but pipes and devices are
+ * written. */
 static bool is_there(const char *path) {
-    bool there = path && access(path, F_OK) == 0;
+    bool there = path && access(path, F_OK) == 0 && !file_write_is_direct(path);
     if (there)
         fprintf(stderr, "clearance: %s exists and is not overwritten; choose another file with --out\n", path);
     return there;
@@ -80,7 +83,7 @@ int command_export(const Options *options) {
     Text text = {0};
     const char *path = options->out || picture ? path_of(options, picture ? "svg" : "wkt", &text) : NULL;
     int code = is_there(path) ? EXIT_WRONG_INPUT : export_to(options, picture, path);
-    if (code == EXIT_ANSWERED && path)
+    if (code == EXIT_ANSWERED && path && !file_write_is_direct(path))
         printf("written to %s\n", path);
     memory_free(text.text);
     return code;

@@ -4,6 +4,7 @@
 
 #include "base/stopwatch.h"
 #include "command/progress.h"
+#include "command/terminal.h"
 #include "house/run.h"
 #include "laboratory/shipped.h"
 
@@ -37,7 +38,7 @@ static void show_progress(void *context, double time) {
     Progress *progress = context;
     if (stopwatch_now() - progress->begin < 1)
         return;
-    fprintf(stderr, "\rsimulated %.0f s ", time);
+    terminal_progress("simulated %.0f s ", time);
     progress->shown = true;
 }
 
@@ -46,10 +47,10 @@ void house_file_run(Observation *observation, const House *house, const Options 
     bool show = progress_is_shown(options);
     RunOptions run = {.route = route,
                       .jobs = options->jobs,
-                      .stop = &progress_interrupted,
+                      .stop = &progress_stop,
                       .progress = show ? show_progress : NULL,
                       .context = &progress};
     run_house(observation, house, &run);
     if (progress.shown)
-        fprintf(stderr, "\r                    \r");
+        terminal_clear_progress();
 }

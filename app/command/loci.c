@@ -14,6 +14,7 @@ typedef struct Comparison {
     PersonObservation miura, driver;
     LocusDistance apart; /* from the locus of `driver` to that of `miura` */
     double floor;        /* m/s, slowest speed of `miura` after the start */
+    bool interrupted;
 } Comparison;
 
 static double slowest(const Observation *observation) {
@@ -46,6 +47,7 @@ static bool compare_house(Comparison *comparison, const Options *options, size_t
         }
         if (good) {
             house_file_run(&observations[driving], &house, options, SIZE_MAX);
+            comparison->interrupted |= observations[driving].interrupted;
             loci[driving] = locus_of(&house, &observations[driving], 0);
             snprintf(comparison->name, sizeof comparison->name, "%s", house.plan.name);
         }
@@ -128,24 +130,30 @@ static json_t *answer_comparison(const Comparison *comparison) {
 
 int command_loci(const Options *options) {
     Fault fault = {0};
-    bool all = true;
+    bool all = true, interrupted = false;
     json_t *rows = json_array();
     if (!options->json)
         print_head();
-    for (size_t f = 0; f < options->file_count && !fault.count; f++) {
+    for (size_t f = 0; f < options->file_count && !fault.count && !interrupted; f++) {
         Comparison comparison = {.floor = 0};
         if (!compare_house(&comparison, options, f, &fault))
             continue;
+        interrupted = comparison.interrupted;
+        if (interrupted)
+            break;
         all &= comparison.miura.completed && comparison.driver.completed;
         json_array_append_new(rows, answer_comparison(&comparison));
         if (!options->json)
             print_comparison(&comparison);
     }
     json_t *answer = json_pack("{s:s, s:o}", "kind", "loci", "houses", rows);
+    answer_mark_interrupted(answer, interrupted);
+    if (interrupted)
+        fprintf(stderr, "clearance: interrupted; the houses up to there are listed\n");
     if (options->json && !fault.count)
         answer_print(json_incref(answer));
     json_decref(answer);
     if (fault.count)
         return house_file_report(&fault);
-    return all ? EXIT_ANSWERED : EXIT_ANSWER_NO;
+    return all && !interrupted ? EXIT_ANSWERED : EXIT_ANSWER_NO;
 }

@@ -9,23 +9,39 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/file_write.h"
 #include "base/memory.h"
+#include "base/text.h"
 #include "command/output.h"
 
 struct Movie {
     const char *path;
-    char beside[OUTPUT_PATH]; /* temporary file of ffmpeg, which takes the kind of film from the ending */
-    size_t picture;           /* bytes */
-    int pipe;                 /* end for writing */
+    FileWrite *file;
+    char *part;     /* its temporary file; ffmpeg takes the kind of film from the ending */
+    size_t picture; /* bytes */
+    int pipe;       /* end for writing */
     pid_t ffmpeg;
+    int error; /* errno of the first picture that could not be added, or 0 */
 };
 
-/* Writes a name in the same directory with the same ending. It must not begin with "word:", which ffmpeg takes for a
- * protocol. */
-static void name_beside(char beside[OUTPUT_PATH], const char *path) {
-    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
-    snprintf(beside, OUTPUT_PATH, "%s%.*s.%ld.%s", *path == '/' ? "" : "./", (int)(name - path), path, (long)getpid(),
-             name);
+/* Begins the file and names its temporary one. That name must not begin with "word:", which ffmpeg takes for a
+ * protocol. Returns 0 or errno. */
+static int begin_file(Movie *movie) {
+    const char *slash = strrchr(movie->path, '/'), *dot = strrchr(slash ? slash : movie->path, '.');
+    int error = 0;
+    movie->file = file_write_begin_named(movie->path, dot ? dot : "", &error);
+    if (movie->file) {
+        const char *part = file_write_part(movie->file);
+        Text text = {0};
+        text_format(&text, "%s%s", *part == '/' ? "" : "./", part);
+        movie->part = text.text;
+    }
+    return error;
+}
+
+static void release(Movie *movie) {
+    memory_free(movie->part);
+    memory_free(movie);
 }
 
 extern char **environ;
@@ -51,22 +67,22 @@ static int start(Movie *movie, int reading, int width, int height, double fps) {
     snprintf(size, sizeof size, "%dx%d", width, height);
     snprintf(rate, sizeof rate, "%g", fps);
     /* stop if the disk is full; pad to even sides, which the format requires; write no date of creation */
-    char *words[] = {"ffmpeg",      "-hide_banner",
-                     "-loglevel",   "error",
-                     "-xerror",     "-y",
-                     "-f",          "rawvideo",
-                     "-pix_fmt",    "bgr0",
-                     "-s",          size,
-                     "-r",          rate,
-                     "-i",          "-",
-                     "-vf",         "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-                     "-pix_fmt",    "yuv420p",
-                     "-preset",     "veryfast",
-                     "-crf",        "18",
-                     "-movflags",   "+faststart",
-                     "-fflags",     "+bitexact",
-                     "-flags:v",    "+bitexact",
-                     movie->beside, NULL};
+    char *words[] = {"ffmpeg",    "-hide_banner",
+                     "-loglevel", "error",
+                     "-xerror",   "-y",
+                     "-f",        "rawvideo",
+                     "-pix_fmt",  "bgr0",
+                     "-s",        size,
+                     "-r",        rate,
+                     "-i",        "-",
+                     "-vf",       "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                     "-pix_fmt",  "yuv420p",
+                     "-preset",   "veryfast",
+                     "-crf",      "18",
+                     "-movflags", "+faststart",
+                     "-fflags",   "+bitexact",
+                     "-flags:v",  "+bitexact",
+                     movie->part, NULL};
     return spawn(movie, reading, words);
 }
 
@@ -74,8 +90,13 @@ Movie *movie_begin(const char *path, int width, int height, double fps) {
     Movie *movie = memory_zeroed(1, sizeof *movie);
     int ends[2];
     *movie = (Movie){.path = path, .picture = (size_t)width * (size_t)height * 4};
-    name_beside(movie->beside, path);
-    int error = pipe2(ends, O_CLOEXEC) ? errno : 0;
+    int error = begin_file(movie);
+    if (error) {
+        output_failed(path, error);
+        release(movie);
+        return NULL;
+    }
+    error = pipe2(ends, O_CLOEXEC) ? errno : 0;
     if (!error) {
         error = start(movie, ends[0], width, height, fps);
         close(ends[0]);
@@ -91,7 +112,8 @@ Movie *movie_begin(const char *path, int width, int height, double fps) {
         fprintf(stderr, "clearance: --movie needs ffmpeg, which is not installed: apt-get install ffmpeg\n");
     else
         fprintf(stderr, "clearance: --movie needs ffmpeg, which cannot be started: %s\n", strerror(error));
-    memory_free(movie);
+    file_write_end(movie->file, error);
+    release(movie);
     return NULL;
 }
 
@@ -99,27 +121,23 @@ int movie_add(Movie *movie, const unsigned char *pixels) {
     for (size_t done = 0; done < movie->picture;) {
         ssize_t now = write(movie->pipe, pixels + done, movie->picture - done);
         if (now < 0 && errno != EINTR)
-            return errno;
+            return movie->error = errno;
         done += now > 0 ? (size_t)now : 0;
     }
     return 0;
 }
 
 bool movie_end(Movie *movie) {
-    int status = 0, error = 0;
+    int status = 0;
     close(movie->pipe);
     while (waitpid(movie->ffmpeg, &status, 0) < 0 && errno == EINTR)
         continue;
     bool whole = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-    if (whole && rename(movie->beside, movie->path))
-        error = errno;
-    if (!whole || error) {
-        if (error)
-            fprintf(stderr, "clearance: %s cannot be written: %s\n", movie->path, strerror(error));
-        else
-            fprintf(stderr, "clearance: %s cannot be written, for the reason that ffmpeg gives above\n", movie->path);
-        unlink(movie->beside);
-    }
-    memory_free(movie);
+    int error = file_write_end(movie->file, whole ? movie->error : ECANCELED);
+    if (!whole)
+        fprintf(stderr, "clearance: %s cannot be written, for the reason that ffmpeg gives above\n", movie->path);
+    else if (error)
+        output_failed(movie->path, error);
+    release(movie);
     return whole && !error;
 }

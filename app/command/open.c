@@ -3,7 +3,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/text.h"
 #include "command/command.h"
+#include "command/output.h"
 #include "window/window.h"
 
 static bool is_set(const char *name) {
@@ -40,7 +42,9 @@ int command_open(const Options *options) {
                             .benchmark = options->benchmark,
                             .benchmark_edit = options->benchmark_edit,
                             .jobs = options->jobs};
+    text_read_regular_only();
     signal(SIGINT, SIG_DFL); /* SDL closes the window at these signals, but only if they have no other handler */
     signal(SIGTERM, SIG_DFL);
+    output_warn_of_fonts();
     return window_run(&window);
 }

@@ -4,24 +4,37 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/file_write.h"
 #include "base/text.h"
 #include "command/progress.h"
+#include "draw/text.h"
 #include "paint/paint_cairo.h"
+
+void output_warn_of_fonts(void) {
+    if (!text_has_fonts())
+        fprintf(stderr, "clearance: no font is installed, so that pictures show boxes instead of letters; "
+                        "apt-get install fonts-dejavu-core\n");
+}
 
 bool output_directory(const char *path) {
     int error = strlen(path) + OUTPUT_NAME < OUTPUT_PATH ? text_make_folder(path) : ENAMETOOLONG;
     if (error)
         output_failed(path, error);
+    else
+        output_warn_of_fonts();
     return !error;
 }
 
 void output_failed(const char *path, int error) {
-    fprintf(stderr, "clearance: %s cannot be written: %s\n", path, strerror(error));
+    fprintf(stderr, "clearance: %s cannot be written: %s\n", path, file_write_reason(error));
 }
 
-void output_tell_interrupted(bool told) {
-    if (progress_interrupted && !told)
-        fprintf(stderr, "clearance: interrupted; the files written so far are complete, the others are missing\n");
+bool output_tell_interrupted(bool told) {
+    bool interrupted = progress_interrupted();
+    if (interrupted && !told)
+        fprintf(stderr, "clearance: interrupted; a film ends early, other files written so far are complete, and the "
+                        "rest is missing\n");
+    return told || interrupted;
 }
 
 bool output_stills(const Scene *scene, const Options *options) {

@@ -11,6 +11,9 @@ enum {
     OUTPUT_NAME = 64,   /* bytes of these for the names of files */
 };
 
+/* Prints on standard error that no font is installed, if that is so, before pictures are made. */
+void output_warn_of_fonts(void);
+
 /* Makes the directory and those above it, before the work begins. False: an error was printed. */
 bool output_directory(const char *path);
 
@@ -18,8 +21,8 @@ bool output_directory(const char *path);
 bool output_stills(const Scene *scene, const Options *options);
 
 /* Prints on standard error that pictures are missing if Ctrl-C interrupted them, unless `told`, an earlier interruption
- * that has been reported. */
-void output_tell_interrupted(bool told);
+ * that has been reported. Returns whether there was an interruption. */
+bool output_tell_interrupted(bool told);
 
 /* Prints on standard error that a file cannot be written, and why. */
 void output_failed(const char *path, int error);

@@ -7,6 +7,7 @@
 #include "command/output.h"
 #include "command/progress.h"
 #include "command/report_files.h"
+#include "command/terminal.h"
 #include "plot/plot_write.h"
 #include "report/paper_report.h"
 #include "result/json.h"
@@ -15,19 +16,13 @@
 
 static void show_progress(void *context, const char *what) {
     (void)context;
-    fprintf(stderr, "\r%-60s", what);
-}
-
-/* Returns the records of a table as a list, and releases the table. */
-static json_t *list_of(ResultTable table) {
-    json_t *list = result_json_list(&table);
-    result_clear(&table);
-    return list;
+    terminal_progress("%s", what);
 }
 
 static json_t *make_answer(const Paper *paper, const PaperClaim *claims) {
     return json_pack("{s:s, s:s, s:s, s:o, s:o}", "kind", "paper", "beam", paper->beam.name, "note", paper->beam.note,
-                     "claims", list_of(result_paper_claims(claims)), "types", list_of(result_paper_types(paper)));
+                     "claims", result_json_take_list(result_paper_claims(claims)), "types",
+                     result_json_take_list(result_paper_types(paper)));
 }
 
 static void print_claims(const Paper *paper, const PaperClaim *claims) {
@@ -75,21 +70,23 @@ int paper_answer(const Options *options) {
         return house_file_report(&fault);
     }
     bool show = progress_is_shown(options);
-    bool made = paper_make(&paper,
-                           &(PaperOptions){.path = options->files[0],
-                                           .settings = options->settings,
-                                           .setting_count = options->setting_count,
-                                           .jobs = options->jobs,
-                                           .stop = &progress_interrupted,
-                                           .progress = show ? show_progress : NULL},
-                           &fault);
+    PaperAnswer made = paper_make(&paper,
+                                  &(PaperOptions){.path = options->files[0],
+                                                  .settings = options->settings,
+                                                  .setting_count = options->setting_count,
+                                                  .jobs = options->jobs,
+                                                  .stop = &progress_stop,
+                                                  .progress = show ? show_progress : NULL},
+                                  &fault);
     if (show)
-        fprintf(stderr, "\r%60s\r", "");
-    if (!made) {
-        if (progress_interrupted)
-            fprintf(stderr, "clearance: interrupted; nothing is written\n");
-        int code = house_file_report(&fault);
-        return progress_interrupted ? EXIT_ANSWER_NO : code;
+        terminal_clear_progress();
+    if (made == PAPER_FAULTY)
+        return house_file_report(&fault);
+    if (made == PAPER_INTERRUPTED) {
+        fprintf(stderr, "clearance: interrupted; nothing is written\n");
+        if (options->json)
+            answer_print(json_pack("{s:s, s:b}", "kind", "paper", "interrupted", 1));
+        return EXIT_ANSWER_NO;
     }
     PaperClaim claims[PAPER_CLAIMS];
     paper_claims(&paper, claims);

@@ -1,19 +1,38 @@
 #include "command/progress.h"
 
+#include <signal.h>
+#include <stdatomic.h>
+#include <stdint.h>
 #include <stdlib.h>
+#include <time.h>
 #include <unistd.h>
 
-volatile sig_atomic_t progress_interrupted;
+Stop progress_stop;
 
+bool progress_interrupted(void) {
+    return stop_requested(&progress_stop);
+}
+
+static int64_t now(void) {
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (int64_t)time.tv_sec * 1000000000 + time.tv_nsec;
+}
+
+/* May run in several threads at once. */
 static void interrupt(int signal_number) {
-    if (progress_interrupted)
+    const int64_t together = 300000000; /* ns: signals within this time are one request */
+    static _Atomic int64_t first;       /* ns; 0: none yet */
+    int64_t before = 0, time = now();
+    if (!atomic_compare_exchange_strong(&first, &before, time) && time - before > together)
         _exit(128 + signal_number);
-    progress_interrupted = 1;
+    stop_request(&progress_stop);
 }
 
 void progress_catch_signals(void) {
-    signal(SIGINT, interrupt);
-    signal(SIGTERM, interrupt);
+    struct sigaction action = {.sa_handler = interrupt}; /* without SA_RESTART: a wait for a pipe ends */
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
 }
 
 bool progress_is_shown(const Options *options) {

@@ -1,13 +1,17 @@
 /* Ctrl-C and progress, for whatever takes time. */
 #pragma once
 
-#include <signal.h>
 #include <stdbool.h>
 
+#include "base/stop.h"
 #include "options/options.h"
 
-/* Set by Ctrl-C. A second Ctrl-C ends the program at once. */
-extern volatile sig_atomic_t progress_interrupted;
+/* Ctrl-C requests this stop. A second Ctrl-C ends the program at once; signals that come within
+ * 0.3 s of the first one count as one, since a whole group of processes is often sent the same signal twice. */
+extern Stop progress_stop;
+
+/* True after Ctrl-C. */
+bool progress_interrupted(void);
 
 /* Handles Ctrl-C and SIGTERM from here on. */
 void progress_catch_signals(void);

@@ -153,7 +153,7 @@ bool report_files_write_run(const House *house, const Observation *observation, 
             continue;
         }
         run_another(another, options, driving, route);
-        if (another->run && !progress_interrupted)
+        if (another->run && !another->observation.interrupted)
             report.by_driving[driving] = (Reported){&another->house, &another->observation};
     }
     RaisedPicture raised = {.pixels = NULL};

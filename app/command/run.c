@@ -69,6 +69,12 @@ static void report_divergence(const House *house, const Observation *observation
     }
 }
 
+static void print_json(const House *house, const Observation *observation, bool interrupted) {
+    json_t *answer = answer_house(house, observation);
+    answer_mark_interrupted(answer, interrupted);
+    answer_print(answer);
+}
+
 int command_run(const Options *options) {
     if (beam_is_file(options->files[0]))
         return run_beam_file(options);
@@ -95,21 +101,21 @@ int command_run(const Options *options) {
     Observation observation;
     house_file_run(&observation, &house, options, route);
     report_divergence(&house, &observation);
-    bool told = progress_interrupted;
+    bool told = observation.interrupted;
     if (told)
         fprintf(stderr, "clearance: interrupted at %.2f s of simulated time; the results up to there are kept\n",
                 observation.time);
     bool written = write_results(&house, &observation, &observed, options, route);
-    output_tell_interrupted(told);
+    bool interrupted = output_tell_interrupted(told);
     if (options->json)
-        answer_print(answer_house(&house, &observation));
+        print_json(&house, &observation, interrupted);
     else
         answer_text_print(&house, &observation);
     if (options->out && written && !options->json)
         printf(options->report ? "\nreport.html, report.pdf, pictures and data are in %s\n"
                                : "\npictures and data are in %s\n",
                options->out);
-    bool whole = observation.completed && !progress_interrupted;
+    bool whole = observation.completed && !interrupted;
     int code = !written ? EXIT_WRONG_INPUT : whole ? EXIT_ANSWERED : EXIT_ANSWER_NO;
     observation_free(&observation);
     observed_free(&observed);

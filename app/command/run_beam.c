@@ -17,7 +17,7 @@
 #include "result/json.h"
 #include "result/text.h"
 
-/* Type ------------------------------------------------------------------------------------------------------------ */
+/* Type ------------------------------------------------------------------------------------------------------------- */
 
 /* The type and the runs that it rests on; type_close releases it. */
 typedef struct TypeAnswer {
@@ -48,7 +48,7 @@ static bool type_tell(TypeAnswer *answer, const Beam *beam, const Options *optio
     return false;
 }
 
-/* Words ----------------------------------------------------------------------------------------------------------- */
+/* Words ------------------------------------------------------------------------------------------------------------ */
 
 static void print_peaks(const Response *response, const Beam *beam, const Rig *rig) {
     const SectionPeaks *peaks = &response->peaks;
@@ -90,13 +90,16 @@ static void print_verdict(const Response *response, const Beam *beam, const Rig 
     case RESPONSE_DIVERGED:
         printf("The numbers diverged after %zu cycles: ", response->cycles);
         break;
+    case RESPONSE_INTERRUPTED:
+        printf("Interrupted before a verdict, after %zu recorded cycles: ", response->section.count);
+        break;
     }
     print_peaks(response, beam, rig);
     if (response->verdict == RESPONSE_PERIODIC)
         print_orbit(response);
 }
 
-/* What the response's numbers are, for people and for JSON. */
+/* The numbers of a response as rows. */
 typedef struct Facts {
     ResultTable motion, forces;
 } Facts;
@@ -119,7 +122,7 @@ static void print_answer(const Response *response, const Facts *facts, const Typ
     printf("\ndigest %016" PRIx64 "\n", response->digest);
 }
 
-/* JSON ------------------------------------------------------------------------------------------------------------ */
+/* JSON ------------------------------------------------------------------------------------------------------------- */
 
 static json_t *make_answer(const Response *response, const Facts *facts, const TypeAnswer *type, const Beam *beam) {
     char digest[17];
@@ -175,7 +178,7 @@ int run_beam_file(const Options *options) {
     }
     Response response;
     TypeAnswer type;
-    response_run(&response, &rig, &beam, NULL, &progress_interrupted);
+    response_run(&response, &rig, &beam, NULL, &progress_stop);
     if (!type_tell(&type, &beam, options, &fault)) {
         beam_files_end(&files);
         response_clear(&response);
@@ -183,14 +186,18 @@ int run_beam_file(const Options *options) {
         beam_free(&beam);
         return house_file_report(&fault);
     }
-    if (progress_interrupted)
+    bool interrupted = response.verdict == RESPONSE_INTERRUPTED || type.types.stopped;
+    if (interrupted)
         fprintf(stderr, "clearance: interrupted after %zu recorded cycles; the results up to there are kept\n",
                 response.section.count);
     Facts facts = {result_beam_motion(&beam, &response), result_beam_forces(&rig, &response)};
     json_t *answer = make_answer(&response, &facts, &type, &beam);
+    answer_mark_interrupted(answer, interrupted);
     bool written = (!options->out || (write_data(&response, answer, options->out) &&
                                       beam_files_write(&files, &response, &beam, options))) &&
                    beam_frames_write(&beam, &rig, &response, options);
+    interrupted = output_tell_interrupted(interrupted);
+    answer_mark_interrupted(answer, interrupted);
     beam_files_end(&files);
     if (options->json)
         answer_print(json_incref(answer));
@@ -206,5 +213,5 @@ int run_beam_file(const Options *options) {
     response_clear(&response);
     rig_clear(&rig);
     beam_free(&beam);
-    return !written ? EXIT_WRONG_INPUT : resolved && !progress_interrupted ? EXIT_ANSWERED : EXIT_ANSWER_NO;
+    return !written ? EXIT_WRONG_INPUT : resolved && !interrupted ? EXIT_ANSWERED : EXIT_ANSWER_NO;
 }

@@ -19,18 +19,6 @@ static json_t *whole(size_t value) {
     return json_integer((json_int_t)value);
 }
 
-/* Rows as JSON; the table is released. */
-static json_t *list_of(ResultTable table) {
-    json_t *list = result_json_list(&table);
-    result_clear(&table);
-    return list;
-}
-
-static void add_record(json_t *answer, ResultTable table) {
-    result_json_add(answer, &table, 0);
-    result_clear(&table);
-}
-
 static json_t *worst_of(const ShakeFindings *findings) {
     if (!findings->worst)
         return json_null();
@@ -45,10 +33,10 @@ json_t *shake_answer_make(const ShakeFindings *findings, const char *file) {
     json_t *answer = json_pack("{s:s, s:s, s:s, s:I, s:o, s:o, s:o}", "kind", "shake", "house",
                                findings->house->plan.name, "file", file, "seed", (json_int_t)study->seed, "shakes",
                                whole(count.trials), "done", whole(count.done), "faults", whole(count.faults));
-    add_record(answer, result_shake_answer(findings));
-    json_object_set_new(answer, "people", list_of(result_shake_people(findings)));
-    json_object_set_new(answer, "furniture", list_of(result_shake_furniture(findings)));
-    add_record(answer, result_shake_stops(findings));
+    result_json_take_record(answer, result_shake_answer(findings));
+    json_object_set_new(answer, "people", result_json_take_list(result_shake_people(findings)));
+    json_object_set_new(answer, "furniture", result_json_take_list(result_shake_furniture(findings)));
+    result_json_take_record(answer, result_shake_stops(findings));
     json_object_set_new(answer, "worst", worst_of(findings));
     json_object_set_new(answer, "digest", json_string(digest));
     return answer;

@@ -11,15 +11,10 @@ enum { ROWS_MOST = 20 };
 /* Adds a table below an empty line, shortened to the first rows; the table is released. */
 static void add_table(Text *text, ResultTable table) {
     size_t all = table.record_count, listed = all < ROWS_MOST ? all : ROWS_MOST;
-    Text lines = {0};
     table.record_count = listed;
-    result_text_table(&lines, &table);
-    if (lines.text)
-        text_format(text, "\n%s", lines.text);
+    result_text_take(text, "", table);
     if (listed < all)
         text_format(text, "and %zu more\n", all - listed);
-    memory_free(lines.text);
-    result_clear(&table);
 }
 
 static void add_answer(Text *text, const ShakeFindings *findings) {

@@ -7,6 +7,7 @@
 #include "command/movie.h"
 #include "command/output.h"
 #include "command/progress.h"
+#include "command/terminal.h"
 #include "paint/png.h"
 
 enum {
@@ -104,9 +105,9 @@ bool studio_can_take(const StudioTimes *times) {
 
 static void show_progress(size_t done, size_t count, bool shown) {
     if (shown && done % 10 == 0)
-        fprintf(stderr, "\rpicture %zu of %zu ", done, count);
+        terminal_progress("picture %zu of %zu ", done, count);
     if (shown && done == count)
-        fprintf(stderr, "\r%*s\r", 40, "");
+        terminal_clear_progress();
 }
 
 /* Removes pictures that an earlier, longer film has left: they look like the end of this one. */
@@ -124,7 +125,7 @@ static bool write_frames(Studio *studio, const StudioTimes *times, PngWriter *wr
     unsigned char *own = writer ? NULL : memory_zeroed((size_t)options->width * (size_t)options->height, 4);
     int error = 0;
     size_t done = 0;
-    for (; done < times->count && !error && !progress_interrupted; done++) {
+    for (; done < times->count && !error && !progress_interrupted(); done++) {
         unsigned char *pixels = writer ? png_writer_room(writer) : own;
         studio_draw(studio, fmin(times->first + (double)done / times->rate, times->last), pixels);
         if (movie)

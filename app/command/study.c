@@ -18,6 +18,7 @@
 #include "command/study_laboratory.h"
 #include "command/study_types.h"
 #include "command/study_text.h"
+#include "command/terminal.h"
 #include "study/study_csv.h"
 #include "study/store.h"
 #include "visual/study/study_plots.h"
@@ -41,7 +42,7 @@ typedef struct StudyJob {
     const ShakeFindings *findings; /* of a study of earthquakes, once they are made; or NULL */
 } StudyJob;
 
-/* What is asked -------------------------------------------------------------------------------------------------- */
+/* The request ------------------------------------------------------------------------------------------------------ */
 
 static uint64_t file_digest(const char *path) {
     size_t size = 0;
@@ -134,7 +135,7 @@ static bool open_study(StudyJob *job, Fault *fault) {
     return false;
 }
 
-/* Running -------------------------------------------------------------------------------------------------------- */
+/* Running ---------------------------------------------------------------------------------------------------------- */
 
 /* Prints progress once the work has taken more than a second. */
 static void show_progress(void *context, size_t done, size_t all) {
@@ -143,7 +144,7 @@ static void show_progress(void *context, size_t done, size_t all) {
     if (seconds < 1 || done <= job->done_before)
         return;
     double left = seconds * (double)(all - done) / (double)(done - job->done_before);
-    fprintf(stderr, "\r%zu of %zu runs, %.0f s left    ", done, all, left);
+    terminal_progress("%zu of %zu runs, %.0f s left ", done, all, left);
     job->shown = true;
 }
 
@@ -175,13 +176,13 @@ static void run_study(StudyJob *job, Store *store) {
     job->begin = stopwatch_now();
     job->done_before = study_done(&job->study);
     study_run(&job->study, &(StudyOptions){.jobs = options->jobs,
-                                           .stop = &progress_interrupted,
+                                           .stop = &progress_stop,
                                            .progress = show ? show_progress : NULL,
                                            .context = job,
                                            .keep = store ? store_write : NULL,
                                            .keeper = store});
     if (job->shown)
-        fprintf(stderr, "\r%50s\r", "");
+        terminal_clear_progress();
     if (!is_whole(&job->study))
         fprintf(stderr,
                 store ? "clearance: interrupted after %zu of %zu runs; the same command continues from there\n"
@@ -227,7 +228,7 @@ static bool run_kept(StudyJob *job, Fault *fault) {
     return same;
 }
 
-/* Answering ------------------------------------------------------------------------------------------------------ */
+/* Answering -------------------------------------------------------------------------------------------------------- */
 
 static bool write_tables(const StudyJob *job, const json_t *answer) {
     static const struct {
@@ -278,10 +279,16 @@ static void print_words(const StudyJob *job) {
     memory_free(text.text);
 }
 
+static bool is_interrupted(const StudyJob *job) {
+    return !is_whole(&job->study) || (job->findings && job->findings->calm == SHAKE_CALM_INTERRUPTED);
+}
+
 /* Prints and writes the answer. Returns the exit code. */
 static int answer_study(const StudyJob *job) {
     const Options *options = job->options;
+    bool interrupted = is_interrupted(job);
     json_t *answer = make_answer(job);
+    answer_mark_interrupted(answer, interrupted);
     bool written = job->kept && (!options->out || (write_tables(job, answer) && write_plots(job)));
     if (options->json)
         answer_print(json_incref(answer));
@@ -291,7 +298,7 @@ static int answer_study(const StudyJob *job) {
         printf("\nplots and data are in %s\n", options->out);
     json_decref(answer);
     SummaryCount count = summary_count(&job->study);
-    bool yes = (job->findings ? count.regular == count.done : count.regular > 0) && is_whole(&job->study);
+    bool yes = (job->findings ? count.regular == count.done : count.regular > 0) && !interrupted;
     return !written ? EXIT_WRONG_INPUT : yes ? EXIT_ANSWERED : EXIT_ANSWER_NO;
 }
 
@@ -302,7 +309,9 @@ static int answer_all(StudyJob *job) {
         return answer_study(job);
     ShakeFindings findings = shake_findings_make(&job->study);
     size_t route = options->route ? plan_find_route(&findings.house->plan, options->route) : SIZE_MAX;
-    shake_findings_run_calm(&findings, route, options->jobs, &progress_interrupted);
+    shake_findings_run_calm(&findings, route, options->jobs, &progress_stop);
+    if (is_whole(&job->study) && findings.calm == SHAKE_CALM_INTERRUPTED)
+        fprintf(stderr, "clearance: interrupted in the run without a shake\n");
     job->findings = &findings;
     int code = answer_study(job);
     job->findings = NULL;

@@ -13,19 +13,6 @@ static void set(json_t *object, const char *key, json_t *value) {
     json_object_set_new(object, key, value);
 }
 
-/* Returns the records of a table as a list, and releases the table. */
-static json_t *list_of(ResultTable table) {
-    json_t *list = result_json_list(&table);
-    result_clear(&table);
-    return list;
-}
-
-/* Appends the members of the only record of a table, and releases the table. */
-static void add_record(json_t *object, ResultTable table) {
-    result_json_add(object, &table, 0);
-    result_clear(&table);
-}
-
 static json_t *make_passes(const Study *study) {
     json_t *passes = json_array();
     for (size_t p = 0; p < study->pass_count; p++)
@@ -48,16 +35,16 @@ static json_t *make_extreme(const Study *study, bool greatest) {
     if (index == SIZE_MAX)
         return json_null();
     json_t *extreme = json_pack("{s:n, s:{}}", "value", "at");
-    add_record(extreme, result_study_extreme(study, greatest));
+    result_json_take_record(extreme, result_study_extreme(study, greatest));
     set(extreme, "seed", json_integer((json_int_t)study->trials[index].seed));
     return extreme;
 }
 
-/* Of the runs of a study without an axis, each observable as a distribution. */
+/* Returns the distribution of each observable over the runs of a study without an axis. */
 static json_t *make_distributions(const Study *study) {
     ResultTable table = result_study_distributions(study);
     json_t *share = json_object(), *distributions = json_object();
-    add_record(share, result_study_share(study));
+    result_json_take_record(share, result_study_share(study));
     for (size_t o = 0; o < table.record_count; o++)
         set(distributions, study->experiment->observables[o].name, result_json_record(&table, o));
     result_clear(&table);
@@ -67,12 +54,13 @@ static json_t *make_distributions(const Study *study) {
 json_t *study_answer_make(const Study *study, const char *file) {
     char digest[17];
     snprintf(digest, sizeof digest, "%016" PRIx64, summary_digest(study));
-    json_t *answer = json_pack("{s:s, s:s, s:s, s:o, s:o, s:o, s:I, s:I}", "kind", "study", "experiment",
-                               study->experiment->kind, "file", file, "axes", list_of(result_study_axes(study)),
-                               "spreads", list_of(result_study_spreads(study)), "passes", make_passes(study), "runs",
-                               (json_int_t)study->runs, "seed", (json_int_t)study->seed);
-    add_record(answer, result_study_counts(study));
-    set(answer, "ranges", list_of(result_study_ranges(study)));
+    json_t *answer =
+        json_pack("{s:s, s:s, s:s, s:o, s:o, s:o, s:I, s:I}", "kind", "study", "experiment", study->experiment->kind,
+                  "file", file, "axes", result_json_take_list(result_study_axes(study)), "spreads",
+                  result_json_take_list(result_study_spreads(study)), "passes", make_passes(study), "runs",
+                  (json_int_t)study->runs, "seed", (json_int_t)study->seed);
+    result_json_take_record(answer, result_study_counts(study));
+    set(answer, "ranges", result_json_take_list(result_study_ranges(study)));
     if (study->axis_count == 1 && study->pass_count > 1)
         set(answer, "passes_differ_at", make_differences(study));
     set(answer, "best", make_extreme(study, false));

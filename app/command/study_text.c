@@ -20,7 +20,7 @@ enum {
     MAP_ROWS = 24,
 };
 
-/* Phrases --------------------------------------------------------------------------------------------------------- */
+/* Phrases ---------------------------------------------------------------------------------------------------------- */
 
 /* Where an answer holds, as it is said. */
 typedef struct RangePhrases {
@@ -31,7 +31,7 @@ typedef struct RangePhrases {
     const char *from_to; /* first and last value */
 } RangePhrases;
 
-/* What is said of one kind of experiment. */
+/* The phrases about one kind of experiment. */
 typedef struct Phrases {
     const char *kind;
     RangePhrases ranges[SUMMARY_UNDECIDED + 1]; /* by SummaryState */
@@ -85,7 +85,7 @@ static const Phrases *find_phrases(const Study *study) {
     return &all_phrases[0];
 }
 
-/* The question ---------------------------------------------------------------------------------------------------- */
+/* The question ----------------------------------------------------------------------------------------------------- */
 
 static void add_axis(Text *text, const Study *study, size_t a) {
     char from[WORD], to[WORD];
@@ -112,7 +112,7 @@ static void add_question(Text *text, const Study *study, const char *file) {
                     100 * study->spreads[s].share);
 }
 
-/* Answers along an axis ------------------------------------------------------------------------------------------- */
+/* Answers along an axis -------------------------------------------------------------------------------------------- */
 
 /* Adds a range: "not out up to 0.83 m", "out from 0.84 m on". */
 static void add_range(Text *text, const Study *study, size_t axis, const SummaryRange *range) {
@@ -290,7 +290,7 @@ static void add_differences(Text *text, const Study *study) {
                     count, study_steps(study, 0), at);
 }
 
-/* Tables ---------------------------------------------------------------------------------------------------------- */
+/* Tables ----------------------------------------------------------------------------------------------------------- */
 
 /* Chooses the rows to show: both ends, both sides of each change while there is room, and others evenly in between. */
 static void choose_rows(const Study *study, bool *chosen) {
@@ -304,16 +304,10 @@ static void choose_rows(const Study *study, bool *chosen) {
     memory_free(ranges);
 }
 
-static void add_table(Text *text, ResultTable table) {
-    text_add(text, "\n");
-    result_text_table(text, &table);
-    result_clear(&table);
-}
-
 static void add_points(Text *text, const Study *study) {
     bool *chosen = memory_zeroed(study_steps(study, 0), sizeof *chosen);
     choose_rows(study, chosen);
-    add_table(text, result_study_points(study, chosen));
+    result_text_take(text, "", result_study_points(study, chosen));
     memory_free(chosen);
 }
 
@@ -327,11 +321,11 @@ static void add_distributions(Text *text, const Study *study) {
             result_add(&shown, *result_at(&all, o, r));
         result_end(&shown);
     }
-    add_table(text, shown);
+    result_text_take(text, "", shown);
     result_clear(&all);
 }
 
-/* Maps ------------------------------------------------------------------------------------------------------------ */
+/* Maps ------------------------------------------------------------------------------------------------------------- */
 
 static const char letters[] = {[SUMMARY_NOTHING] = ' ',
                                [SUMMARY_REGULAR] = '#',
@@ -389,7 +383,7 @@ static void add_extremes(Text *text, const Study *study) {
     result_clear(&greatest);
 }
 
-/* The whole ------------------------------------------------------------------------------------------------------- */
+/* The whole -------------------------------------------------------------------------------------------------------- */
 
 static void add_faults(Text *text, const Study *study, size_t faults) {
     size_t t = 0;

@@ -76,6 +76,10 @@ static void print_answer(const Types *types, const Experiment *experiment) {
 /* Prints and writes the answer. Returns the exit code. */
 static int give_answer(const Types *types, const Experiment *experiment, const Options *options) {
     json_t *answer = make_answer(types, experiment, options);
+    answer_mark_interrupted(answer, types->stopped);
+    if (types->stopped)
+        fprintf(stderr, "clearance: interrupted after %zu runs; what they decide is kept\n",
+                types->runs + types->neighbour_runs);
     bool written = !options->out || write_answer(answer, options);
     if (options->json)
         answer_print(json_incref(answer));
@@ -84,7 +88,18 @@ static int give_answer(const Types *types, const Experiment *experiment, const O
     if (options->out && written && !options->json)
         printf("\ndata are in %s\n", options->out);
     json_decref(answer);
-    return !written ? EXIT_WRONG_INPUT : types->kind == TYPES_UNRESOLVED ? EXIT_ANSWER_NO : EXIT_ANSWERED;
+    if (!written)
+        return EXIT_WRONG_INPUT;
+    switch (types->kind) {
+    case TYPES_I:
+    case TYPES_II:
+    case TYPES_III:
+        return types->stopped ? EXIT_ANSWER_NO : EXIT_ANSWERED;
+    case TYPES_UNRESOLVED:
+    case TYPES_KIND_INTERRUPTED:
+        break;
+    }
+    return EXIT_ANSWER_NO;
 }
 
 int study_types_answer(const Options *options) {

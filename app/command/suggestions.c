@@ -4,6 +4,7 @@
 
 #include "base/stopwatch.h"
 #include "command/progress.h"
+#include "command/terminal.h"
 #include "laboratory/shipped.h"
 #include "result/json.h"
 #include "result/suggest.h"
@@ -19,7 +20,7 @@ static void show_progress(void *context, size_t tries) {
     Progress *progress = context;
     if (stopwatch_now() - progress->begin < 1)
         return;
-    fprintf(stderr, "\r%zu changed houses tried ", tries);
+    terminal_progress("%zu changed houses tried ", tries);
     progress->shown = true;
 }
 
@@ -33,19 +34,17 @@ bool suggestions_find(SuggestList *list, const Options *options, Fault *fault) {
     SuggestTask task = {.path = options->files[0],
                         .options = &house_options,
                         .jobs = options->jobs,
-                        .stop = &progress_interrupted,
+                        .stop = &progress_stop,
                         .progress = progress_is_shown(options) ? show_progress : NULL,
                         .context = &progress};
     bool good = suggest_find(list, &task, fault);
     if (progress.shown)
-        fprintf(stderr, "\r%40s\r", "");
+        terminal_clear_progress();
     return good;
 }
 
 void suggestions_add(json_t *answer, const SuggestList *list) {
-    ResultTable table = result_suggest_changes(list);
-    json_t *suggestions = result_json_list(&table), *notes = json_array();
-    result_clear(&table);
+    json_t *suggestions = result_json_take_list(result_suggest_changes(list)), *notes = json_array();
     for (size_t i = 0; i < list->note_count; i++)
         json_array_append_new(notes, json_string(list->notes[i]));
     json_object_set_new(answer, "suggestions", suggestions);
@@ -56,17 +55,13 @@ void suggestions_add(json_t *answer, const SuggestList *list) {
 void suggestions_print(const SuggestList *list) {
     Arena arena = {0};
     Text text = {0};
-    ResultTable table = result_suggest_changes(list);
     text_format(&text, "\n%s\n", result_suggest_sentence(list, &arena));
-    if (list->count)
-        text_add(&text, "\n");
-    result_text_table(&text, &table);
+    result_text_take(&text, "", result_suggest_changes(list));
     if (!list->out_already)
         text_format(&text, "\n%s\n", result_suggest_tried(list, &arena));
     for (size_t i = 0; i < list->note_count; i++)
         text_format(&text, "note: %s\n", list->notes[i]);
     fputs(text.text, stdout);
     memory_free(text.text);
-    result_clear(&table);
     arena_clear(&arena);
 }

@@ -4,6 +4,7 @@
 
 #include "base/stopwatch.h"
 #include "command/progress.h"
+#include "command/terminal.h"
 #include "result/json.h"
 #include "result/text.h"
 #include "result/types.h"
@@ -21,7 +22,7 @@ static void show_progress(void *context, size_t done, size_t all) {
     Progress *progress = context;
     if (stopwatch_now() - progress->begin < 1)
         return;
-    fprintf(stderr, "\rtypes: %zu of at most %zu runs", done, all);
+    terminal_progress("types: %zu of at most %zu runs ", done, all);
     progress->shown = true;
 }
 
@@ -34,16 +35,16 @@ bool types_answer_classify(Types *types, const Experiment *experiment, const Exp
                       .names = names,
                       .name_count = name_count,
                       .jobs = options->jobs,
-                      .stop = &progress_interrupted,
+                      .stop = &progress_stop,
                       .progress = show ? show_progress : NULL,
                       .context = &progress};
     bool good = types_classify(types, &task, fault);
     if (progress.shown)
-        fprintf(stderr, "\n");
+        terminal_clear_progress();
     return good;
 }
 
-/* Text ------------------------------------------------------------------------------------------------------------ */
+/* Text ------------------------------------------------------------------------------------------------------------- */
 
 void types_answer_print(const Types *types, const Experiment *experiment, int cycles) {
     ResultTable basis = result_types_basis(types, experiment, cycles);
@@ -52,41 +53,27 @@ void types_answer_print(const Types *types, const Experiment *experiment, int cy
 }
 
 void types_answer_print_parameters(const Types *types, const Experiment *experiment) {
-    ResultTable parameters = result_types_parameters(types, experiment);
     Text text = {0};
-    result_text_table(&text, &parameters);
-    printf("\n%s", text.text ? text.text : "");
+    result_text_take(&text, "", result_types_parameters(types, experiment));
+    printf("%s", text.text ? text.text : "");
     memory_free(text.text);
-    result_clear(&parameters);
 }
 
-/* JSON ------------------------------------------------------------------------------------------------------------ */
-
-/* Appends the members of the only record of a table, and releases it. */
-static void add_record(json_t *object, ResultTable table) {
-    result_json_add(object, &table, 0);
-    result_clear(&table);
-}
-
-static json_t *list_of(ResultTable table) {
-    json_t *list = result_json_list(&table);
-    result_clear(&table);
-    return list;
-}
+/* JSON ------------------------------------------------------------------------------------------------------------- */
 
 static json_t *points_json(const Types *types, const Experiment *experiment) {
-    json_t *points = list_of(result_types_points(types, experiment));
+    json_t *points = result_json_take_list(result_types_points(types, experiment));
     for (size_t i = 0; i < types->point_count; i++)
         json_object_set_new(json_array_get(points, i), "answers",
-                            list_of(result_types_answers(&types->points[i], experiment)));
+                            result_json_take_list(result_types_answers(&types->points[i], experiment)));
     return points;
 }
 
 json_t *types_answer_json(const Types *types, const Experiment *experiment, int cycles) {
     json_t *answer = json_object();
-    add_record(answer, result_types_kind(types));
+    result_json_take_record(answer, result_types_kind(types));
     json_object_set_new(answer, "points", points_json(types, experiment));
-    json_object_set_new(answer, "parameters", list_of(result_types_parameters(types, experiment)));
-    add_record(answer, result_types_basis(types, experiment, cycles));
+    json_object_set_new(answer, "parameters", result_json_take_list(result_types_parameters(types, experiment)));
+    result_json_take_record(answer, result_types_basis(types, experiment, cycles));
     return answer;
 }

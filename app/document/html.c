@@ -2,6 +2,7 @@
 
 #include <glib.h>
 
+#include "base/file_write.h"
 #include "base/text.h"
 #include "document/picture.h"
 
@@ -192,7 +193,7 @@ int html_write(const Document *document, const char *path, Theme theme) {
     for (size_t b = 0; b < document->count; b++)
         add_block(&text, document, b, theme);
     text_add(&text, "</main>\n</body>\n</html>\n");
-    int error = text_write_file(path, text.text, text.used);
+    int error = file_write_bytes(path, text.text, text.used);
     memory_free(text.text);
     return error;
 }

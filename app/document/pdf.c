@@ -4,7 +4,7 @@
 #include <errno.h>
 #include <stdio.h>
 
-#include "base/text.h"
+#include "base/file_write.h"
 #include "document/pdf_table.h"
 #include "document/sheet.h"
 #include "paint/bytes.h"
@@ -333,7 +333,7 @@ int pdf_write(const Document *document, const char *path, time_t created) {
     Bytes bytes = {0};
     int error = paint_pages(&bytes, document, created);
     if (!error)
-        error = text_write_file(path, bytes.at, bytes.size);
+        error = file_write_bytes(path, bytes.at, bytes.size);
     memory_free(bytes.at);
     return error;
 }

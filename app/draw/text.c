@@ -4,21 +4,21 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/visible.h"
 
-static bool is_plain(gunichar code) {
-    bool control = (code < 0x20 && code != '\n') || (code >= 0x7f && code < 0xa0);
-    bool none = (code & 0xfffe) == 0xfffe || (code >= 0xfdd0 && code <= 0xfdef);
-    return !control && !none;
+static bool is_character(gunichar code) {
+    return (code & 0xfffe) != 0xfffe && !(code >= 0xfdd0 && code <= 0xfdef);
 }
 
 char *text_plain(const char *text) {
-    char *valid = g_utf8_make_valid(text, -1);
+    char *utf8 = g_utf8_make_valid(text, -1), *valid = visible_text(utf8);
     char *copy = memory_zeroed(3 * strlen(valid) + 1, 1), *to = copy; /* a replacement has three bytes */
     for (const char *at = valid; *at; at = g_utf8_next_char(at)) {
         gunichar code = g_utf8_get_char(at);
-        to += g_unichar_to_utf8(is_plain(code) ? code : code == '\t' ? ' ' : 0xfffd, to);
+        to += g_unichar_to_utf8(code == '\t' ? ' ' : is_character(code) ? code : 0xfffd, to);
     }
-    g_free(valid);
+    g_free(utf8);
+    memory_free(valid);
     return copy;
 }
 
@@ -51,15 +51,26 @@ static PangoLayout *line_of(const char *text, double size, bool bold) {
     return layout;
 }
 
-static Vec2 layout_extent(PangoLayout *layout) {
+bool text_has_fonts(void) {
+    PangoLayout *layout = line_of("A", 17, false);
+    bool found = pango_layout_get_unknown_glyphs_count(layout) == 0;
+    g_object_unref(layout);
+    return found;
+}
+
+/* Without any font pango measures a line by numbers that mean nothing: its height is limited. */
+static Vec2 layout_extent(PangoLayout *layout, double size) {
+    const double highest = 4; /* parts of the size; the highest scripts need 2.5 */
     PangoRectangle logical;
     pango_layout_get_extents(layout, NULL, &logical);
-    return vec2((double)logical.width / PANGO_SCALE, (double)logical.height / PANGO_SCALE);
+    double height = (double)logical.height / PANGO_SCALE;
+    bool means_nothing = height < 0 || height > highest * size;
+    return vec2((double)logical.width / PANGO_SCALE, means_nothing ? size : height);
 }
 
 Vec2 text_extent(const char *text, double size, bool bold) {
     PangoLayout *layout = line_of(text, size, bold);
-    Vec2 extent = layout_extent(layout);
+    Vec2 extent = layout_extent(layout, size);
     g_object_unref(layout);
     return extent;
 }
@@ -67,7 +78,7 @@ Vec2 text_extent(const char *text, double size, bool bold) {
 /* Returns a layout of the text that begins at the current point of the cairo context. */
 static PangoLayout *text_begin(cairo_t *cairo, const char *text, double size, bool bold, Vec2 centre) {
     PangoLayout *layout = line_of(text, size, bold);
-    Vec2 extent = layout_extent(layout);
+    Vec2 extent = layout_extent(layout, size);
     cairo_move_to(cairo, centre.x - extent.x / 2, centre.y - extent.y / 2);
     return layout;
 }

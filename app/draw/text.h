@@ -6,9 +6,12 @@
 
 #include "base/vec2.h"
 
-/* Returns a copy of the text with a replacement character for each code that neither XML nor a page can show: control
- * characters except newline, and invalid codes. The caller frees it with memory_free. */
+/* Returns a copy of the text for pictures and pages: characters that act are shown by their number (base/visible.h),
+ * and codes that are not characters are replaced. The caller frees it with memory_free. */
 char *text_plain(const char *text);
+
+/* False if the system has no font for Latin letters, so that pictures show boxes in their place. */
+bool text_has_fonts(void);
 
 struct _PangoLayout; /* pango's own name of PangoLayout */
 

@@ -3,8 +3,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/file_write.h"
 #include "base/memory.h"
-#include "base/text.h"
 #include "beam/beam.h"
 
 enum { FILE_WORD = 1 /* index of FILE in a command: "run", FILE, ... */ };
@@ -18,9 +18,9 @@ static size_t list_settings(const char *const *words, size_t count, const char *
     return found;
 }
 
-/* True, with a fault, if the file exists: existing files are never overwritten. */
+/* True, with a fault, if the file exists: files are never overwritten, but pipes and devices are written. */
 static bool is_there(const char *path, Fault *fault) {
-    bool there = access(path, F_OK) == 0;
+    bool there = access(path, F_OK) == 0 && !file_write_is_direct(path);
     if (there)
         fault_add(fault, "%s exists already; choose another name for the copy", path);
     return there;
@@ -28,12 +28,12 @@ static bool is_there(const char *path, Fault *fault) {
 
 static bool say(int error, const char *path, Fault *fault) {
     if (error)
-        fault_add(fault, "%s: %s", path, strerror(error));
+        fault_add(fault, "%s cannot be written: %s", path, file_write_reason(error));
     return !error;
 }
 
 bool save_file_house(const char *text, const char *path, Fault *fault) {
-    return !is_there(path, fault) && say(text_write_file(path, text, strlen(text)), path, fault);
+    return !is_there(path, fault) && say(file_write_bytes(path, text, strlen(text)), path, fault);
 }
 
 bool save_file_beam(const char *const *words, size_t count, const char *path, Fault *fault) {

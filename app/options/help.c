@@ -69,10 +69,12 @@ void help_add(Text *text) {
         text_format(text, "  %.*s\n", (int)strcspn(examples, "\n"), examples);
     }
     text_add(text, "\n`clearance VERB --help` lists the options of a verb, `clearance help options` all options.\n"
-                   "`clearance help` lists the topics that are explained at length.\n\n"
+                   "`clearance help` lists the topics that are explained at length.\n"
+                   "`clearance --version --licences` lists the libraries in the program and their licences.\n\n"
                    "Exit codes:\n");
     add_row(text, "0", 5, "the answer is yes: all people are out, or the motion of the beam is known");
-    add_row(text, "1", 5, "the answer is no, or the work was interrupted");
+    add_row(text, "1", 5,
+            "the answer is no, or the work was interrupted; the answer of `--json` then holds \"interrupted\": true");
     add_row(text, "2", 5, "wrong use or bad input, with one line of explanation per error on standard error");
     add_row(text, "3", 5, "an error of the program itself");
 }

@@ -15,7 +15,7 @@
 /* The exit codes are part of the contract with scripts. */
 typedef enum ExitCode {
     EXIT_ANSWERED = 0,  /* the answer is yes: all people are out, or the motion of the beam is known */
-    EXIT_ANSWER_NO = 1, /* the answer is no, or the work was interrupted */
+    EXIT_ANSWER_NO = 1, /* the answer is no, or the work was interrupted: then the JSON answer says "interrupted" */
     EXIT_WRONG_INPUT = 2,
     EXIT_OUR_FAULT = 3,
 } ExitCode;

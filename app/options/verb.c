@@ -16,11 +16,13 @@ const Verb verb_rows[VERBS] = {
                   "clearance run houses/ube-techno-house.json --report --out out\n"
                   "clearance run houses/corner-0.90-0.90.json --set profile.manual-chair.width=0.70\n"
                   "clearance run assets/beams/ibs.json --set drive.frequency=290 --out out\n"},
-    [VERB_CHECK] = {"check", 1, 1, "HOUSE", ".json", "",
-                    "List the errors of a house, then say for each person whether there is a way out, and if not, why.",
-                    "clearance check houses/flat-0.910-module.json\n"
-                    "clearance check houses/flat-0.910-module.json --set door.d1.width=0.90 --json\n"
-                    "clearance check houses/flat-0.910-module.json --suggest\n"},
+    [VERB_CHECK] =
+        {"check", 1, 1, "HOUSE", ".json", "",
+         "List the errors of a house, then say for each person whether there is a way out, and if not, why. A "
+         "way that is planned is not tried by simulation: see run.",
+         "clearance check houses/flat-0.910-module.json\n"
+         "clearance check houses/flat-0.910-module.json --set door.d1.width=0.90 --json\n"
+         "clearance check houses/flat-0.910-module.json --suggest\n"},
     [VERB_COMPARE] = {"compare", 2, 2, "HOUSE_A HOUSE_B", ".json", "", "Run two houses and print how they differ.",
                       "clearance compare houses/flat-0.910-module.json houses/flat-0.910-widened.json\n"
                       "clearance compare houses/flat-0.910-module.json houses/flat-0.910-widened.json --report "

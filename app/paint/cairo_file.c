@@ -5,8 +5,8 @@
 #include <errno.h>
 #include <string.h>
 
+#include "base/file_write.h"
 #include "base/memory.h"
-#include "base/text.h"
 
 static cairo_status_t store_bytes(void *context, const unsigned char *data, unsigned length) {
     bytes_add(context, data, length);
@@ -77,7 +77,7 @@ int cairo_file_write(CairoFileKind kind, const char *path, int width, int height
     Bytes bytes = {0};
     int error = cairo_file_bytes(kind, &bytes, width, height, unit, paint, what);
     if (!error)
-        error = text_write_file(path, bytes.at, bytes.size);
+        error = file_write_bytes(path, bytes.at, bytes.size);
     memory_free(bytes.at);
     return error;
 }

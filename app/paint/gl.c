@@ -3,6 +3,8 @@
 #include <assert.h>
 #include <stdio.h>
 
+#include "base/memory.h"
+
 #define GL_LOAD(name_) gl->name_ = (__typeof__(gl->name_))get("gl" #name_);
 #define GL_MISSES(name_) || !gl->name_
 
@@ -15,6 +17,13 @@ bool gl_load(Gl *gl, GlGetFunction get) {
     gl->GetIntegerv(GL_MAJOR_VERSION, &major);
     gl->GetIntegerv(GL_MINOR_VERSION, &minor);
     return major > 3 || (major == 3 && minor >= 3);
+}
+
+void gl_check(const Gl *gl) {
+    GLenum error = gl->GetError();
+    if (error == GL_OUT_OF_MEMORY)
+        memory_end();
+    assert(error == GL_NO_ERROR);
 }
 
 static GLuint compiled(const Gl *gl, GLenum kind, const char *source) {

@@ -87,6 +87,9 @@ typedef GlFunction (*GlGetFunction)(const char *name);
 /* Looks up all functions of the current context; false if it is older than OpenGL 3.3. */
 bool gl_load(Gl *gl, GlGetFunction get);
 
+/* Asserts that no call since the last check was wrong. Ends the program as memory_end does if memory was exhausted. */
+void gl_check(const Gl *gl);
+
 /* Links a program of two shaders of this project; an error in a shader is a bug. Attributes get locations in the order
  * of their names; NULL ends the list. */
 GLuint gl_program(const Gl *gl, const char *vertex, const char *fragment, const char *const *attributes);

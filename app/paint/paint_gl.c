@@ -1,6 +1,5 @@
 #include "paint/paint_gl.h"
 
-#include <assert.h>
 #include <stddef.h>
 
 #include "paint/drawing_caption.h"
@@ -282,7 +281,7 @@ void paint_gl_still(PaintGl *paint, Layer ground) {
     paint->first_captions = paint->caption_count;
     paint->first_samples = paint->sample_count;
     paint->added = false;
-    assert(paint->gl->GetError() == GL_NO_ERROR);
+    gl_check(paint->gl);
 }
 
 /* Stores the first state of the static layer before the first addition. */
@@ -348,7 +347,7 @@ void paint_gl_read(PaintGl *paint, unsigned char *pixels) {
     const Gl *gl = paint->gl;
     gl->BindFramebuffer(GL_READ_FRAMEBUFFER, paint->frame.framebuffer);
     gl->ReadPixels(0, 0, paint->width, paint->height, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, pixels);
-    assert(gl->GetError() == GL_NO_ERROR);
+    gl_check(gl);
 }
 
 GLuint paint_gl_framebuffer(const PaintGl *paint, int *width, int *height) {

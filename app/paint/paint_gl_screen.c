@@ -119,7 +119,7 @@ void paint_gl_screen_read(PaintGlScreen *screen, unsigned char *pixels) {
     memory_free(row);
     for (size_t i = 3; i < stride * height; i += 4)
         pixels[i] = 255;
-    assert(gl->GetError() == GL_NO_ERROR);
+    gl_check(gl);
 }
 
 /* Textures --------------------------------------------------------------------------------------------------------- */

@@ -8,6 +8,7 @@
 #include "base/memory.h"
 #include "paint/paint_sizes.h"
 #include "paint/shaders.h"
+#include "draw/cairo_memory.h"
 #include "draw/text.h"
 
 enum {
@@ -149,7 +150,7 @@ static void upload_stamp(const PaintGlText *text, const Stamp *stamp, const Capt
     } else {
         text_show(cairo, caption->text, caption->size, caption->bold, middle);
     }
-    cairo_destroy(cairo);
+    cairo_memory_end(cairo);
     cairo_surface_flush(surface);
     const Gl *gl = text->gl;
     gl->BindTexture(GL_TEXTURE_2D, text->texture);

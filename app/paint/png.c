@@ -6,8 +6,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "base/file_write.h"
 #include "base/memory.h"
-#include "base/text.h"
 #include "paint/bytes.h"
 
 enum { SLOTS_PER_THREAD = 2, PATH_ROOM = 4096 };
@@ -64,7 +64,7 @@ int png_write(const char *path, const unsigned char *pixels, int width, int heig
     }
     png_destroy_write_struct(&png, &info);
     if (!error)
-        error = text_write_quickly(path, bytes.at, bytes.size);
+        error = file_write_quickly(path, bytes.at, bytes.size);
     memory_free(bytes.at);
     return error;
 }

@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/file_write.h"
 #include "base/memory.h"
 #include "base/text.h"
 #include "platform/settings.h"
@@ -84,14 +85,14 @@ static int write_about(const char *path, const RecoveryAbout *about) {
     json_t *json = json_pack("{s:s*,s:s,s:I,s:I}", "path", about->origin, "name", about->name, "edits",
                              (json_int_t)about->edits, "when", (json_int_t)about->when);
     char *line = json ? json_dumps(json, JSON_COMPACT | JSON_SORT_KEYS) : NULL;
-    int error = line ? text_write_file(path, line, strlen(line)) : EILSEQ;
+    int error = line ? file_write_bytes(path, line, strlen(line)) : EILSEQ;
     free(line);
     json_decref(json);
     return error;
 }
 
 int recovery_write(Recovery *recovery, const char *text, const RecoveryAbout *about) {
-    int error = text_write_file(recovery->path, text, strlen(text));
+    int error = file_write_bytes(recovery->path, text, strlen(text));
     return error ? error : write_about(recovery->about, about);
 }
 

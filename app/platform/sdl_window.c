@@ -206,10 +206,18 @@ static void push_key(const SdlWindowEvent *event) {
     SDL_PushEvent(&to);
 }
 
+/* SDL's event holds a short text: a long one is cut between two characters. */
 static void push_text(const SdlWindowEvent *event) {
-    SDL_Event to = {.text = {.type = SDL_TEXTINPUT}};
-    snprintf(to.text.text, sizeof to.text.text, "%.*s", (int)sizeof to.text.text - 1, event->text);
-    SDL_PushEvent(&to);
+    const char *text = event->text;
+    do {
+        SDL_Event to = {.text = {.type = SDL_TEXTINPUT}};
+        size_t length = strnlen(text, sizeof to.text.text - 1);
+        while (length > 1 && ((unsigned char)text[length] & 0xC0) == 0x80)
+            length--;
+        memcpy(to.text.text, text, length);
+        SDL_PushEvent(&to);
+        text += length;
+    } while (*text);
 }
 
 static void push_mouse(const SdlWindow *sdl_window, const SdlWindowEvent *event) {

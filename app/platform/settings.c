@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/file_write.h"
 #include "base/parameters.h"
 #include "base/text.h"
 #include "draw/palette.h"
@@ -214,7 +215,7 @@ static int write_object(const char *path, json_t *object) {
     Text lines = {0};
     text_format(&lines, "%s\n", text);
     free(text);
-    error = text_write_quickly(path, lines.text, lines.used);
+    error = file_write_quickly(path, lines.text, lines.used);
     memory_free(lines.text);
     return error;
 }
@@ -227,7 +228,7 @@ static void save_object(Settings *settings, const char *path, json_t *object, ch
     if (error && !settings->complained) {
         settings->complained = true;
         if (path)
-            fault_add(notes, "settings cannot be saved to %s: %s", path, strerror(error));
+            fault_add(notes, "settings cannot be saved to %s: %s", path, file_write_reason(error));
         else
             fault_add(notes, "settings cannot be saved: HOME is not set");
     }
@@ -270,7 +271,7 @@ void settings_close(Settings *settings) {
     *settings = (Settings){.complained = false};
 }
 
-/* What is in it ---------------------------------------------------------------------------------------------------- */
+/* Its contents ----------------------------------------------------------------------------------------------------- */
 
 SettingsLaboratory *settings_laboratory(Settings *settings, const char *word) {
     SettingsState *state = &settings->state;

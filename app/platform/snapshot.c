@@ -4,6 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/file_write.h"
 #include "base/json.h"
 #include "base/memory.h"
 #include "base/text.h"
@@ -29,7 +30,7 @@ static int write_note(const SnapshotNote *note, const char *path) {
     char *line = json_line(object);
     Text text = {0};
     text_format(&text, "%s\n", line);
-    int error = text_write_quickly(path, text.text, text.used);
+    int error = file_write_quickly(path, text.text, text.used);
     memory_free(line);
     memory_free(text.text);
     json_decref(object);
@@ -53,7 +54,7 @@ static char *write_kinds(WriteKind *write, const void *what, int kinds, const ch
         text_format(&path, "%s.%s", base, wanted[i]);
         error = i ? write(what, kind_of[i], path.text) : write_note(note, path.text);
         if (error)
-            fault_add(fault, "%s cannot be written: %s", path.text, strerror(error));
+            fault_add(fault, "%s cannot be written: %s", path.text, file_write_reason(error));
         for (; error && i >= 0; i--) {
             path.used = 0;
             text_format(&path, "%s.%s", base, wanted[i]);

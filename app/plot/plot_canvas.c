@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "draw/cairo_memory.h"
 #include "plot/plot_frame.h"
 #include "plot/plot_ground.h"
 #include "plot/plot_pen.h"
@@ -46,10 +47,10 @@ static cairo_t *begin_painting(const PlotCanvas *canvas, uint32_t *pixels, cairo
 static void paint_ground(PlotCanvas *canvas) {
     cairo_t *cairo = begin_painting(canvas, canvas->ground, CAIRO_FORMAT_RGB24);
     plot_ground_paint(cairo, &canvas->layout, canvas->plot, canvas->theme);
-    cairo_destroy(cairo);
+    cairo_memory_end(cairo);
     cairo = begin_painting(canvas, canvas->text, CAIRO_FORMAT_ARGB32);
     plot_ground_paint_text(cairo, &canvas->layout, canvas->theme);
-    cairo_destroy(cairo);
+    cairo_memory_end(cairo);
 }
 
 PlotCanvas *plot_canvas_create(const Plot *plot, int width, int height, double unit, Theme theme) {
@@ -163,6 +164,7 @@ PlotPixels plot_canvas_advance(PlotCanvas *canvas, size_t series, size_t count) 
     if (count <= canvas->pens[series].next)
         return (PlotPixels){0};
     Box box = plot_pen_draw(&canvas->pens[series], canvas->cairo, &canvas->layout, drawn, count, canvas->theme);
+    cairo_memory_check(canvas->cairo);
     PlotPixels part = to_pixels(canvas, box);
     join_ink(canvas, series, part);
     compose(canvas, part);

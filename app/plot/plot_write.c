@@ -4,7 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/file_write.h"
 #include "base/text.h"
+#include "base/visible.h"
 #include "draw/layout.h"
 
 enum { CELL_LONGEST = 32 /* characters of a number */ };
@@ -29,24 +31,19 @@ int plot_write_picture(CairoFileKind kind, const Plot *plot, const char *path, i
                             &(Picture){plot, theme});
 }
 
-/* Adds characters within a quoted field; doubles a quote. */
-static void add_quoted(Text *text, const char *characters) {
-    for (; characters && *characters; characters++)
-        text_add(text, *characters == '"' ? "\"\"" : (char[]){*characters, 0});
-}
-
-/* Adds the parts of a field, quoted if a character in them would end the field. */
+/* Adds the parts of a field, quoted, with quotes doubled, if a character in them would end the field. */
 static void add_field(Text *text, const char *const *parts, size_t count) {
-    bool quoted = false;
+    Text field = {0};
     for (size_t i = 0; i < count; i++)
-        quoted = quoted || (parts[i] && strpbrk(parts[i], ",\"\r\n"));
+        text_add(&field, parts[i] ? parts[i] : "");
+    char *shown = visible_text(field.text ? field.text : "");
+    bool quoted = strpbrk(shown, ",\"\r\n");
     text_add(text, quoted ? "\"" : "");
-    for (size_t i = 0; i < count; i++)
-        if (quoted)
-            add_quoted(text, parts[i]);
-        else
-            text_add(text, parts[i] ? parts[i] : "");
+    for (const char *at = shown; *at; at++)
+        text_add(text, quoted && *at == '"' ? "\"\"" : (char[]){*at, 0});
     text_add(text, quoted ? "\"" : "");
+    memory_free(shown);
+    memory_free(field.text);
 }
 
 static void add_number(Text *text, double value) {
@@ -162,7 +159,7 @@ int plot_write_csv(const Plot *plot, const char *path) {
         }
         text_add(&text, "\r\n");
     }
-    int error = text_write_file(path, text.text, text.used);
+    int error = file_write_bytes(path, text.text, text.used);
     arena_clear(&table.arena);
     memory_free(text.text);
     return error;

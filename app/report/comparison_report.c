@@ -15,7 +15,7 @@
 
 static const char *const names[] = {"A", "B", "B - A"};
 
-/* The answer --------------------------------------------------------------------------------------------------------*/
+/* The answer ------------------------------------------------------------------------------------------------------- */
 
 static const char *format_answer(Document *document, const Reported runs[2]) {
     const Observation *a = runs[0].observation, *b = runs[1].observation;
@@ -63,7 +63,7 @@ static void add_notes(Document *document, const Reported runs[2]) {
                               document_text(document, "%s: %s", same ? "A and B" : names[r], runs[r].house->plan.note));
 }
 
-/* People ------------------------------------------------------------------------------------------------------------*/
+/* People ----------------------------------------------------------------------------------------------------------- */
 
 /* Adds two tables of the same kind with the differences; both are released. */
 static void add_pair(Document *document, const char *caption, ResultTable a, ResultTable b, const char *succeeded,
@@ -71,8 +71,7 @@ static void add_pair(Document *document, const char *caption, ResultTable a, Res
     ResultPair pair = {&a, &b, {names[0], names[1], names[2]}, succeeded, alike};
     ResultTable table = {0};
     result_compare(&table, &pair);
-    result_page_table(document, caption, &table);
-    result_clear(&table);
+    result_page_take(document, caption, table);
     result_clear(&a);
     result_clear(&b);
 }
@@ -108,7 +107,7 @@ static void add_routes(Document *document, const Reported runs[2]) {
     result_clear(&b);
 }
 
-/* The rest ----------------------------------------------------------------------------------------------------------*/
+/* The rest --------------------------------------------------------------------------------------------------------- */
 
 static void add_hazards(Document *document, const Reported runs[2]) {
     document_add_heading(document, 2, "Dangerous points");

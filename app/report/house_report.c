@@ -27,7 +27,9 @@ static const char *caption_of(Document *document, const Reported *run) {
                          house_report_name(run->house), observation->hazard_count ? " Numbers: dangerous points." : "",
                          rings ? " Dashed outlines: personal space, thick where it is compressed." : "",
                          crowd ? " Grey discs: starts of people on foot; coloured lines: chairs, by profile." : "",
-                         crowd && !observation->completed ? " Diamonds: people who are not out at the end." : "");
+                         !crowd || observation->completed ? ""
+                         : observation->interrupted       ? " Diamonds: people who are still inside at the end."
+                                                          : " Diamonds: people who are not out at the end.");
 }
 
 /* Removes the answer from the picture, as it stands above the picture in the document. */

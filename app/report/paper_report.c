@@ -33,10 +33,8 @@ static void add_basis(Document *document, const Paper *paper, const Making *maki
 }
 
 static void add_claims(Document *document, const PaperClaim *claims) {
-    ResultTable table = result_paper_claims(claims);
     document_add_heading(document, 2, "Claims");
-    result_page_table(document, NULL, &table);
-    result_clear(&table);
+    result_page_take(document, NULL, result_paper_claims(claims));
 }
 
 static void paint_figure(const void *context, struct _cairo *cairo, Vec2 size, Theme theme) {
@@ -57,13 +55,11 @@ static void add_figures(Document *document, const PaperFigures *figures) {
 }
 
 static void add_types(Document *document, const Paper *paper) {
-    ResultTable table = result_paper_types(paper);
     document_add_heading(document, 2, "Types over the frequency");
     document_add_paragraph(document,
                            "I: one periodic motion from all starts, whose peak force does not change steeply; II: "
                            "periodic, but steep, or one of several motions; III: somewhere within 1 % not periodic.");
-    result_page_table(document, NULL, &table);
-    result_clear(&table);
+    result_page_take(document, NULL, result_paper_types(paper));
 }
 
 static void add_numbers(Document *document, const Paper *paper) {

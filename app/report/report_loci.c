@@ -19,7 +19,7 @@
 
 static const char *const way_names[] = {[DRIVING_DRIVER] = "driver", [DRIVING_MIURA] = "miura"};
 
-/* Who is observed ---------------------------------------------------------------------------------------------------*/
+/* The observed people ---------------------------------------------------------------------------------------------- */
 
 static size_t find_person(const House *house, const char *name) {
     if (!*name)
@@ -60,7 +60,7 @@ bool report_loci_make_sense(const House *house) {
     return house->person_count <= PEOPLE_SCENE_INDIVIDUALS && count_chairs(house) > 0;
 }
 
-/* Pictures ----------------------------------------------------------------------------------------------------------*/
+/* Pictures --------------------------------------------------------------------------------------------------------- */
 
 static Scene empty_scene(const House *house) {
     Scene scene = {.grid = HOUSE_SCENE_GRID, .box = box_expand(house->outline.box, HOUSE_SCENE_MARGIN)};
@@ -150,7 +150,7 @@ static void add_pictures(Document *document, const HouseReport *report) {
     report_pictures_add_beside(document, scenes, report->observed ? 3 : 2, box, captions);
 }
 
-/* Tables ------------------------------------------------------------------------------------------------------------*/
+/* Tables ----------------------------------------------------------------------------------------------------------- */
 
 static void add_way(Document *document, const HouseReport *report, size_t person, int driving,
                     const LocusDistance *apart) {

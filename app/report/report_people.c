@@ -10,11 +10,6 @@ const char *report_people_number(Document *document, double value, int digits) {
     return document_text(document, "%.*f", digits, nought ? 0 : value);
 }
 
-static void add_table(Document *document, const char *caption, ResultTable table) {
-    result_page_table(document, caption, &table);
-    result_clear(&table);
-}
-
 static void add_exits(Document *document, const House *house, const Census *census) {
     static const Column columns[] = {{"Exit", ALIGN_LEFT}, {"People who left by it", ALIGN_RIGHT}};
     document_add_table(document, NULL, columns, 2);
@@ -30,17 +25,19 @@ void report_people_add(Document *document, const House *house, const Observation
     if (!census.people) {
         document_add_paragraph(document, "No person takes part.");
     } else if (census.people > CENSUS_ROWS) {
-        add_table(document,
-                  "Mean and last: times of those who are out. Lost: mean of all, against the free speed. Contacts: "
-                  "times that bodies began to touch something or each other.",
-                  result_house_parties(house, &census, false));
+        result_page_take(
+            document,
+            "Mean and last: times of those who are out. Lost: mean of all, against the free speed. Contacts: "
+            "times that bodies began to touch something or each other.",
+            result_house_parties(house, &census, false));
         add_exits(document, house, &census);
     } else {
-        add_table(document,
-                  "Narrowest: how near the body came to anything, up to the personal space; negative: the body was "
-                  "pressed against it. Contacts: times that the body began to touch something. Space entered: how long "
-                  "something was in the personal space. Lost: time against the free speed.",
-                  result_house_people(house, observation));
+        result_page_take(
+            document,
+            "Narrowest: how near the body came to anything, up to the personal space; negative: the body was "
+            "pressed against it. Contacts: times that the body began to touch something. Space entered: how long "
+            "something was in the personal space. Lost: time against the free speed.",
+            result_house_people(house, observation));
     }
     census_clear(&census);
 }
@@ -56,6 +53,6 @@ void report_people_add_routes(Document *document, const House *house, const Obse
         document_add_paragraph(document,
                                "The house's file has no measured times of these routes: there is nothing to hold "
                                "the simulated ones against. Whoever measures adds \"observed\" to a route.");
-    add_table(document, "Simulation: mean of the route's people, if all of them are out.",
-              result_house_routes(house, observation));
+    result_page_take(document, "Simulation: mean of the route's people, if all of them are out.",
+                     result_house_routes(house, observation));
 }

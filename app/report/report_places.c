@@ -28,7 +28,7 @@ static void add_detail(Document *document, const House *house, const Observation
     document_add_scene(document, &scene, DETAIL_SIZE, caption, alternative);
 }
 
-/* Stops -------------------------------------------------------------------------------------------------------------*/
+/* Stops ------------------------------------------------------------------------------------------------------------ */
 
 static const char *format_hold(Document *document, const House *house, const Hold *hold) {
     const Blockage *blockage = &hold->blockage;
@@ -55,7 +55,9 @@ void report_places_add_stops(Document *document, const House *house, const Obser
     Census census = census_make(house, observation);
     size_t shown = 0;
     if (census.out < census.people)
-        document_add_heading(document, 2, "Who is not out, and why");
+        document_add_heading(document, 2,
+                             observation->interrupted ? "Who is still inside at the interruption"
+                                                      : "Who is not out, and why");
     for (size_t h = 0; h < census.hold_count; h++)
         if (!has_place(&census.holds[h])) {
             const Hold *hold = &census.holds[h];
@@ -74,7 +76,7 @@ void report_places_add_stops(Document *document, const House *house, const Obser
     census_clear(&census);
 }
 
-/* Dangerous points --------------------------------------------------------------------------------------------------*/
+/* Dangerous points ------------------------------------------------------------------------------------------------- */
 
 static void add_text(Text *text, const char *label) {
     text_add(text, text->used ? "; " : "");
@@ -112,9 +114,7 @@ static const char *format_hazard(Document *document, const House *house, const H
 }
 
 void report_places_add_table(Document *document, const Observation *observation, const char *caption) {
-    ResultTable table = result_house_hazards(observation);
-    result_page_table(document, caption, &table);
-    result_clear(&table);
+    result_page_take(document, caption, result_house_hazards(observation));
 }
 
 void report_places_add_hazards(Document *document, const House *house, const Observation *observation) {

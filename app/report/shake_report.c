@@ -57,14 +57,9 @@ static void add_answer(Document *document, const ShakeFindings *findings, const 
                       house_report_name(findings->house)));
 }
 
-static void add_table(Document *document, const char *caption, ResultTable table) {
-    result_page_table(document, caption, &table);
-    result_clear(&table);
-}
-
 static void add_people(Document *document, const ShakeFindings *findings) {
     document_add_heading(document, 2, "Who is out");
-    add_table(
+    result_page_take(
         document,
         "Out in: shakes in which the person is out, of a crowd all of it. Times: of those shakes. 95 % confidence: "
         "the interval of the share, from the number of shakes.",
@@ -92,7 +87,7 @@ static void add_pieces(Document *document, const ShakeFindings *findings) {
         document_add_paragraph(document, "Nothing in this house can fall.");
         return;
     }
-    add_table(
+    result_page_take(
         document,
         "Probability: of falling, as the house's file has it. Stops people: it has fallen next to the place where "
         "they stick, or on them. Falls, not all out: shakes, whether it was in the way or not.",

@@ -20,7 +20,7 @@ typedef struct SlopeSentences {
 /* The sentences for one kind of experiment; what they take is named in the order in which they take it. */
 typedef struct Sentences {
     const char *kind;
-    const char *headline[4];      /* by TypesKind */
+    const char *headline[5];      /* by TypesKind */
     const char *one_answer;       /* measure */
     const char *steep;            /* a sentence about the sensitivity follows */
     const char *start_decides;    /* answers */
@@ -40,7 +40,7 @@ typedef struct Sentences {
 static const Sentences all_sentences[] = {
     {.kind = "beam",
      .headline = {"The type is undecided.", "Type I: run it here.", "Type II: run it here only with close tolerances.",
-                  "Type III: do not run it here."},
+                  "Type III: do not run it here.", "The search for the type was interrupted."},
      .one_answer = "It is periodic with one answer within 1 %% of every number: %s.",
      .steep = "It is periodic throughout, but its largest force changes steeply.",
      .start_decides = "It is periodic throughout, but right here the start decides: %s.",
@@ -69,7 +69,8 @@ static const Sentences all_sentences[] = {
      .regular_at = "With one number changed alone it is periodic again at %s."},
     {.kind = "house",
      .headline = {"The type is undecided.", "Type I: this route can be relied on.",
-                  "Type II: this route depends on small changes.", "Type III: do not rely on this route."},
+                  "Type II: this route depends on small changes.", "Type III: do not rely on this route.",
+                  "The search for the type was interrupted."},
      .one_answer = "All people leave, with one answer within 1 %% of every number: %s.",
      .steep = "All people leave throughout, but the time changes steeply.",
      .start_decides = "All people leave throughout, but right here the start decides: %s.",
@@ -105,7 +106,7 @@ static const Sentences *find_sentences(const Experiment *experiment) {
     return &all_sentences[0];
 }
 
-/* What is being written, and about what. */
+/* The text that is written, and its subject. */
 typedef struct Advice {
     Text *text;
     const Types *types;
@@ -114,7 +115,7 @@ typedef struct Advice {
     Arena arena; /* of the names, numbers and lists in the sentences */
 } Advice;
 
-/* Names, numbers and lists ---------------------------------------------------------------------------------------- */
+/* Names, numbers and lists ----------------------------------------------------------------------------------------- */
 
 /* Returns "clearance" for "joint.clearance"; "door.d1.width" unchanged. */
 static const char *short_name(const char *name) {
@@ -169,7 +170,7 @@ static const char *answers_of(Advice *advice, const TypesPoint *point) {
     return list;
 }
 
-/* The answer ------------------------------------------------------------------------------------------------------ */
+/* The answer ------------------------------------------------------------------------------------------------------- */
 
 /* Adds the sentence about the answers at the deciding point. */
 static void add_answers(Advice *advice, const char *here, const char *at) {
@@ -218,6 +219,8 @@ static void add_reason(Advice *advice) {
     const Types *types = advice->types;
     const Sentences *sentences = advice->sentences;
     const TypesPoint *worst = &types->points[types->worst];
+    if (types->reason != TYPES_INTERRUPTED)
+        text_add(advice->text, " ");
     switch (types->reason) {
     case TYPES_ALL_WELL:
         text_format(advice->text, sentences->one_answer, measure_of(advice, types->points[0].answers[0].measure));
@@ -241,19 +244,20 @@ static void add_reason(Advice *advice) {
         break;
     case TYPES_UNDECIDED:
         add_starts(advice, &sentences->undecided, worst->undecided);
-        if (!types->stopped)
-            text_format(advice->text, " %s", sentences->remedy);
+        text_format(advice->text, " %s", sentences->remedy);
         break;
+    case TYPES_INTERRUPTED:
+        break; /* the headline says all */
     }
     text_add(advice->text, "\n");
 }
 
-/* Neighbours ------------------------------------------------------------------------------------------------------ */
+/* Neighbours ------------------------------------------------------------------------------------------------------- */
 
 /* Returns the nearer side of a parameter on which a change was found; NULL: none. */
 static const Neighbour *nearer_side(const TypesParameter *parameter) {
-    const Neighbour *below = parameter->below.found ? &parameter->below : NULL;
-    const Neighbour *above = parameter->above.found ? &parameter->above : NULL;
+    const Neighbour *below = parameter->below.answer == NEIGHBOUR_FOUND ? &parameter->below : NULL;
+    const Neighbour *above = parameter->above.answer == NEIGHBOUR_FOUND ? &parameter->above : NULL;
     return !below || (above && above->share < -below->share) ? above : below;
 }
 
@@ -309,7 +313,7 @@ static void add_neighbours(Advice *advice) {
     const Sentences *sentences = advice->sentences;
     size_t order[TYPES_PARAMETERS_MOST], found = order_parameters(types, order);
     bool trouble = types->sought == NEIGHBOURS_TROUBLE;
-    if (!types->parameter_count || (types->stopped && !found))
+    if (!types->parameter_count || types->stopped)
         return;
     if (!found)
         text_format(advice->text, trouble ? sentences->stays : sentences->becomes_not, 100 * least_reached(types),
@@ -324,7 +328,7 @@ static void add_neighbours(Advice *advice) {
     text_add(advice->text, "\n");
 }
 
-/* What the answer rests on ---------------------------------------------------------------------------------------- */
+/* The basis -------------------------------------------------------------------------------------------------------- */
 
 static void add_basis(Advice *advice, int cycles) {
     const Types *types = advice->types;
@@ -346,7 +350,7 @@ static void add_basis(Advice *advice, int cycles) {
 void advice_write(Text *text, const Types *types, const Experiment *experiment, int cycles) {
     Advice advice = {.text = text, .types = types, .experiment = experiment, .sentences = find_sentences(experiment)};
     const TypesParameter *most = steepest(types);
-    text_format(text, "%s ", advice.sentences->headline[types->kind]);
+    text_add(text, advice.sentences->headline[types->kind]);
     add_reason(&advice);
     add_neighbours(&advice);
     if (most && types->reason != TYPES_STEEP_ANSWER && most->sensitivity != 0) {

@@ -142,7 +142,8 @@ static int compare_holds(const void *a, const void *b) {
 }
 
 Census census_make(const House *house, const Observation *observation) {
-    Census census = {.stuck = SIZE_MAX,
+    Census census = {.interrupted = observation->interrupted,
+                     .stuck = SIZE_MAX,
                      .left = memory_zeroed(house->plan.exit_count, sizeof *census.left),
                      .party_of = memory_zeroed(house->person_count, sizeof *census.party_of)};
     const Crowd *crowd = NULL;
@@ -177,10 +178,11 @@ void census_clear(Census *census) {
 
 /* Returns the format of a reason without a place, of one person or of several. */
 static const char *other_reason(Reason reason) {
-    return reason == REASON_NO_EXIT       ? "%s without an exit"
-           : reason == REASON_DIVERGED    ? "%s diverged"
-           : reason == REASON_INTERRUPTED ? "%s interrupted"
-                                          : "%s stopped by the time limit";
+    return reason == REASON_NO_EXIT          ? "%s without an exit"
+           : reason == REASON_DIVERGED       ? "%s diverged"
+           : reason == REASON_INTERRUPTED    ? "%s interrupted"
+           : reason == REASON_OTHER_DIVERGED ? "%s stopped because another person diverged"
+                                             : "%s stopped by the time limit";
 }
 
 /* Prints "29 blocked at door d2", "p1 cannot pass door d2 (needs at least 0.80 m, has 0.75 m)". */

@@ -32,6 +32,7 @@ typedef struct Hold {
 } Hold;
 
 typedef struct Census {
+    bool interrupted;   /* True if the run was interrupted: people who are not out are still inside */
     size_t people, out; /* of those who took part */
     size_t stuck;       /* the first person who is not out, or SIZE_MAX */
     double last;        /* s, when the last person left; 0: nobody did */

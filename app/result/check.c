@@ -27,31 +27,37 @@ static void add_blockage(ResultTable *table, const Blockage *blockage) {
 /* People ---------------------------------------------------------------------------------------------------------- */
 
 static const char *result_of(const Route *route) {
-    return route->answer == ROUTE_FOUND ? "can leave" : route->answer == ROUTE_CANNOT_PASS ? "cannot pass" : "no exit";
+    return route->answer == ROUTE_FOUND ? "can leave" : observation_reason(observation_reason_of(route->answer));
 }
 
 /* A body that fits through everything can still be unable to turn there. */
 static void add_passing(ResultTable *table, const Route *route, bool walks) {
     const Blockage *blockage = &route->blockage;
+    bool interrupted = route->answer == ROUTE_INTERRUPTED;
     bool told = route->answer == ROUTE_CANNOT_PASS && !walks && blockage->has > 0 && blockage->needs > blockage->has;
-    result_add(
-        table,
-        (ResultRow){.key = "fits", .label = "fits", .kind = RESULT_FLAG, .number = route->fits, .unknown = !told});
+    result_add(table, (ResultRow){.key = "fits",
+                                  .label = "fits",
+                                  .kind = RESULT_FLAG,
+                                  .number = route->fits,
+                                  .unknown = !told,
+                                  .omitted = interrupted});
     result_add(table, (ResultRow){.key = "drivable",
                                   .label = "can be driven",
                                   .kind = RESULT_FLAG,
                                   .number = route->drivable,
-                                  .unknown = !told});
+                                  .unknown = !told,
+                                  .omitted = interrupted});
 }
 
 static void add_path(ResultTable *table, const Route *route, bool walks) {
-    bool found = route->answer == ROUTE_FOUND && !walks;
+    bool found = route->answer == ROUTE_FOUND && !walks, interrupted = route->answer == ROUTE_INTERRUPTED;
     result_add(table, (ResultRow){.key = "reversals",
                                   .label = "changes of direction",
                                   .head = "reversals",
                                   .kind = RESULT_COUNT,
                                   .number = walks ? NAN : route->reversals,
-                                  .unknown = !found});
+                                  .unknown = !found,
+                                  .omitted = interrupted});
     result_add(table, (ResultRow){.key = "path_length",
                                   .label = "path length",
                                   .head = "path",
@@ -59,7 +65,8 @@ static void add_path(ResultTable *table, const Route *route, bool walks) {
                                   .number = walks ? NAN : route->length,
                                   .unit = "m",
                                   .decimals = 2,
-                                  .unknown = !found});
+                                  .unknown = !found,
+                                  .omitted = interrupted});
     result_add(
         table,
         (ResultRow){.key = "narrowest.x", .kind = RESULT_NUMBER, .number = route->narrowest_at.x, .omitted = !found});
@@ -89,6 +96,10 @@ static void add_person(ResultTable *table, const House *house, size_t i, const R
     result_add(table, (ResultRow){.label = "result",
                                   .text = result_of(route),
                                   .role = route->answer == ROUTE_FOUND ? ROLE_TEXT : ROLE_ERROR});
+    result_add(table, (ResultRow){.key = "interrupted",
+                                  .kind = RESULT_FLAG,
+                                  .number = 1,
+                                  .omitted = route->answer != ROUTE_INTERRUPTED});
     add_passing(table, route, walks);
     add_path(table, route, walks);
     add_blockage(table, route->answer == ROUTE_CANNOT_PASS ? &route->blockage : NULL);
@@ -106,17 +117,16 @@ ResultTable result_check_people(const House *house, const Journeys *journeys, co
 /* Parties --------------------------------------------------------------------------------------------------------- */
 
 Observation result_check_observation(const House *house, const Journeys *journeys) {
-    static const Reason reasons[] = {
-        [ROUTE_FOUND] = REASON_NONE, [ROUTE_CANNOT_PASS] = REASON_CANNOT_PASS, [ROUTE_NO_EXIT] = REASON_NO_EXIT};
     Observation observation = {
         .people = memory_zeroed(house->person_count, sizeof *observation.people),
         .person_count = house->person_count,
     };
     for (size_t i = 0; i < house->person_count; i++) {
         const Route *route = &journeys->of[i].route;
+        observation.interrupted |= route->answer == ROUTE_INTERRUPTED;
         observation.people[i] = (PersonObservation){.took_part = true,
                                                     .completed = route->answer == ROUTE_FOUND,
-                                                    .reason = reasons[route->answer],
+                                                    .reason = observation_reason_of(route->answer),
                                                     .exit = route->exit,
                                                     .blockage = route->blockage};
     }
@@ -170,6 +180,9 @@ const char *result_check_sentence(const House *house, const Observation *observa
         const char *exit = exit_name(house, observation->people[0].exit), *id = house->people[0].id;
         return exit ? text_in_arena(arena, "%s can leave by %s", id, exit) : text_in_arena(arena, "%s can leave", id);
     }
+    if (observation->interrupted)
+        return text_in_arena(arena, "The check was interrupted: of %zu people, %zu can leave so far", census->people,
+                             census->out);
     if (census->people == 1)
         return headline_make(house, observation, census, arena).sentence;
     census_reasons(house, census, true, reasons, sizeof reasons);

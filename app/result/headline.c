@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "base/text.h"
 
@@ -98,10 +99,18 @@ static const char *why(const House *house, const PersonObservation *person, size
         break;
     case REASON_INTERRUPTED:
         return text_in_arena(arena, "%s is not out: the run was interrupted at %.1f s", id, person->time);
+    case REASON_OTHER_DIVERGED:
+        return text_in_arena(arena, "%s is not out: the run ended at %.2f s because another person diverged", id,
+                             person->time);
     case REASON_DIVERGED:
         return text_in_arena(arena, "%s is not out: the simulation diverged at %.2f s", id, person->time);
     }
     return text_in_arena(arena, "%s is not out after %.1f s", id, person->time);
+}
+
+/* True if walls or furniture, not other people, block a person on a path that was found: `check` finds it too. */
+static bool blocked_on_a_path(Reason reason, const Blockage *blockage) {
+    return reason == REASON_BLOCKED && strncmp(blockage->what, "person ", 7) != 0;
 }
 
 static Headline one_stuck(const House *house, const Observation *observation, const Census *census, Arena *arena) {
@@ -109,6 +118,8 @@ static Headline one_stuck(const House *house, const Observation *observation, co
     char widths[64];
     route_widths(&person->blockage, widths, sizeof widths);
     const char *title = why(house, person, census->stuck, arena), *detail = arena_text(arena, widths);
+    if (!*detail && blocked_on_a_path(person->reason, &person->blockage))
+        detail = "check finds a path from the start, but the simulated motion does not reach the exit";
     return (Headline){.role = ROLE_ERROR,
                       .title = title,
                       .detail = detail,
@@ -134,6 +145,21 @@ static Headline several_stuck(const House *house, const Census *census, Arena *a
         text_in_arena(arena, stuck == 1 ? "%zu of %zu is not out" : "%zu of %zu are not out", stuck, census->people);
     headline.detail = reasons(house, census, census->hold_count == 1, arena);
     headline.sentence = text_in_arena(arena, "%s: %s", headline.title, reasons(house, census, true, arena));
+    for (size_t h = 0; h < census->hold_count; h++)
+        if (blocked_on_a_path(census->holds[h].reason, &census->holds[h].blockage)) {
+            headline.sentence =
+                text_in_arena(arena, "%s; check finds a path for each blocked person", headline.sentence);
+            break;
+        }
+    return headline;
+}
+
+/* Returns the headline of an interrupted run: who would have left is unknown. */
+static Headline interrupted(const Observation *observation, const Census *census, Arena *arena) {
+    Headline headline = {.role = ROLE_ERROR, .detail = ""};
+    headline.title = headline.sentence =
+        text_in_arena(arena, "Interrupted at %.1f s: of %zu people, %zu are out so far", observation->time,
+                      census->people, census->out);
     return headline;
 }
 
@@ -141,9 +167,10 @@ Headline headline_make(const House *house, const Observation *observation, const
     const char *empty = house->person_count ? "No person takes part" : "The house has no people";
     if (!census->people)
         return (Headline){.title = empty, .detail = "", .sentence = empty, .role = ROLE_TEXT};
-    return census->stuck == SIZE_MAX ? all_out(house, observation, census, arena)
-           : census->people == 1     ? one_stuck(house, observation, census, arena)
-                                     : several_stuck(house, census, arena);
+    return census->stuck == SIZE_MAX  ? all_out(house, observation, census, arena)
+           : census->people == 1      ? one_stuck(house, observation, census, arena)
+           : observation->interrupted ? interrupted(observation, census, arena)
+                                      : several_stuck(house, census, arena);
 }
 
 const char *headline_sentence(const House *house, const Observation *observation, Arena *arena) {

@@ -45,7 +45,7 @@ static json_t *value_of(const ResultRow *row, ResultNumbers numbers) {
     return number(row->number, numbers);
 }
 
-/* Of "narrowest.x" sets the member x of the object narrowest, which comes to be where it is first named. */
+/* Sets a member; "narrowest.x" sets the member x of the object narrowest, which is created where it is first named. */
 static void set(json_t *object, const char *key, json_t *value) {
     const char *point = strchr(key, '.');
     if (!point) {
@@ -80,6 +80,17 @@ json_t *result_json_list(const ResultTable *table) {
     for (size_t record = 0; record < table->record_count; record++)
         json_array_append_new(list, result_json_record(table, record));
     return list;
+}
+
+json_t *result_json_take_list(ResultTable table) {
+    json_t *list = result_json_list(&table);
+    result_clear(&table);
+    return list;
+}
+
+void result_json_take_record(json_t *object, ResultTable table) {
+    result_json_add(object, &table, 0);
+    result_clear(&table);
 }
 
 static json_t *difference_of(const ResultPair *pair, size_t i, size_t j) {

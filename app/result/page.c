@@ -46,6 +46,11 @@ void result_page_table(Document *document, const char *caption, const ResultTabl
     memory_free(rows);
 }
 
+void result_page_take(Document *document, const char *caption, ResultTable table) {
+    result_page_table(document, caption, &table);
+    result_clear(&table);
+}
+
 void result_page_list(Document *document, const char *caption, const ResultTable *const *tables, size_t count) {
     static const Column columns[] = {{"", ALIGN_LEFT}, {"", ALIGN_RIGHT}};
     document_add_table(document, caption, columns, 2);

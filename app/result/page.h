@@ -8,6 +8,9 @@
  * on a page, the others follow in further tables, which begin with the first column again. */
 void result_page_table(Document *document, const char *caption, const ResultTable *table);
 
+/* Adds the same of a table that is released. */
+void result_page_take(Document *document, const char *caption, ResultTable table);
+
 /* Adds a table with a line for each row of the first records of `count` tables that has a value: its label, the value
  * with its unit. */
 void result_page_list(Document *document, const char *caption, const ResultTable *const *tables, size_t count);

@@ -192,7 +192,7 @@ static void add_compared(ResultTable *table, const ResultPair *pair, const Resul
     result_end(table);
 }
 
-/* Takes back the last record where nobody reads anything in it but names. */
+/* Takes back the last record if a reader finds only names in it. */
 static void drop_empty(ResultTable *table, size_t names) {
     Arena arena = {0};
     bool known = false;

@@ -62,21 +62,23 @@ static void add_times(ResultTable *table, const Distribution *time) {
 ResultTable result_shake_answer(const ShakeFindings *findings) {
     static const ShareKeys keys = SHARE_KEYS("everybody_out");
     ResultTable table = {.numbers = RESULT_SHORTEST};
-    bool known = isfinite(findings->calm_time);
+    bool out = findings->calm == SHAKE_CALM_OUT, known = out || findings->calm == SHAKE_CALM_NOT_OUT;
+    bool interrupted = findings->calm == SHAKE_CALM_INTERRUPTED;
     add_share(&table, &findings->all_out, &keys, "shakes with all people out", "all out");
     add_times(&table, &findings->time);
     result_add(&table, (ResultRow){.key = "without_shake.completed",
                                    .label = "all people out without a shake",
                                    .kind = RESULT_FLAG,
-                                   .number = findings->calm_out,
-                                   .unknown = !known});
+                                   .number = out,
+                                   .unknown = !known,
+                                   .omitted = interrupted});
     result_add(&table, (ResultRow){.key = "without_shake.time",
                                    .label = "time without a shake",
                                    .kind = RESULT_NUMBER,
                                    .number = findings->calm_time,
                                    .unit = "s",
                                    .decimals = 2,
-                                   .unknown = !findings->calm_out});
+                                   .unknown = !out});
     result_end(&table);
     return table;
 }

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "base/parallel.h"
+#include "base/stop.h"
 #include "base/text.h"
 #include "house/run.h"
 #include "house/shake.h"
@@ -153,11 +153,13 @@ void shake_findings_free(ShakeFindings *findings) {
     *findings = (ShakeFindings){0};
 }
 
-void shake_findings_run_calm(ShakeFindings *findings, size_t route, int jobs, const volatile sig_atomic_t *stop) {
+void shake_findings_run_calm(ShakeFindings *findings, size_t route, int jobs, const Stop *stop) {
     Observation observation;
     run_house(&observation, findings->house, &(RunOptions){.route = route, .jobs = jobs, .stop = stop});
-    if (!parallel_stopped(stop)) {
-        findings->calm_out = observation.completed;
+    if (observation.interrupted) {
+        findings->calm = SHAKE_CALM_INTERRUPTED;
+    } else {
+        findings->calm = observation.completed ? SHAKE_CALM_OUT : SHAKE_CALM_NOT_OUT;
         findings->calm_time = observation.time;
     }
     observation_free(&observation);
@@ -183,16 +185,15 @@ const char *shake_findings_headline(const ShakeFindings *findings, Arena *arena)
 
 const char *shake_findings_times(const ShakeFindings *findings, Arena *arena) {
     const Distribution *time = &findings->time;
-    bool known = isfinite(findings->calm_time);
+    bool out = findings->calm == SHAKE_CALM_OUT, known = out || findings->calm == SHAKE_CALM_NOT_OUT;
     if (!time->count && !known)
         return "";
     if (!time->count)
-        return findings->calm_out ? text_in_arena(arena, "without a shake %.1f s", findings->calm_time)
-                                  : "without a shake not all people are out either";
+        return out ? text_in_arena(arena, "without a shake %.1f s", findings->calm_time)
+                   : "without a shake not all people are out either";
     if (!known)
         return text_in_arena(arena, "half of them within %.1f s, 95 %% within %.1f s", time->median, time->high);
-    return findings->calm_out
-               ? text_in_arena(arena, "half of them within %.1f s, 95 %% within %.1f s; without a shake %.1f s",
+    return out ? text_in_arena(arena, "half of them within %.1f s, 95 %% within %.1f s; without a shake %.1f s",
                                time->median, time->high, findings->calm_time)
                : text_in_arena(
                      arena, "half of them within %.1f s, 95 %% within %.1f s; without a shake not all people are out",

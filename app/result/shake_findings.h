@@ -2,6 +2,7 @@
  * study whose trials are shakes (house_experiment.h). */
 #pragma once
 
+#include "base/stop.h"
 #include "house/house.h"
 #include "study/montecarlo.h"
 
@@ -24,6 +25,14 @@ typedef struct ShakePiece {
     Share stops;      /* shakes in which it stops people */
 } ShakePiece;
 
+/* The answer of the run without a shake. */
+typedef enum ShakeCalm {
+    SHAKE_CALM_UNKNOWN, /* not run */
+    SHAKE_CALM_OUT,     /* all people leave */
+    SHAKE_CALM_NOT_OUT,
+    SHAKE_CALM_INTERRUPTED,
+} ShakeCalm;
+
 /* Points into study and house, which must outlive the findings. shake_findings_free releases them. */
 typedef struct ShakeFindings {
     const Study *study;
@@ -41,8 +50,8 @@ typedef struct ShakeFindings {
     const Trial *worst;  /* the first shake in which fewest leave; NULL: all people always leave */
     const char *made_by; /* the settings for the house after that shake, as on a command line; "" if furniture falls on
                             a person, since such a house cannot be read */
-    bool calm_out;       /* all people leave without a shake */
-    double calm_time;    /* s; NAN: not run */
+    ShakeCalm calm;      /* without a shake */
+    double calm_time;    /* s; NAN: not known */
     Arena arena;
 } ShakeFindings;
 
@@ -50,7 +59,7 @@ ShakeFindings shake_findings_make(const Study *study);
 void shake_findings_free(ShakeFindings *findings);
 
 /* Runs the house once without a shake, for comparison. */
-void shake_findings_run_calm(ShakeFindings *findings, size_t route, int jobs, const volatile sig_atomic_t *stop);
+void shake_findings_run_calm(ShakeFindings *findings, size_t route, int jobs, const Stop *stop);
 
 /* Prints "All people are out in 83 of 100 shakes". */
 const char *shake_findings_headline(const ShakeFindings *findings, Arena *arena);

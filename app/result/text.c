@@ -55,6 +55,15 @@ void result_text_table(Text *text, const ResultTable *table) {
     arena_clear(&arena);
 }
 
+void result_text_take(Text *text, const char *heading, ResultTable table) {
+    Text lines = {0};
+    result_text_table(&lines, &table);
+    if (lines.text)
+        text_format(text, "\n%s%s", heading, lines.text);
+    memory_free(lines.text);
+    result_clear(&table);
+}
+
 /* Returns the width of the longest label in a record, at least `width`. */
 static int label_width(const ResultTable *table, size_t record, int width, Arena *arena) {
     for (size_t r = 0; r < table->row_count; r++) {

@@ -8,21 +8,26 @@
 static const char *reason_name(TypesReason reason) {
     static const char *const names[] = {
         [TYPES_ALL_WELL] = "one answer",     [TYPES_STEEP_ANSWER] = "steep", [TYPES_SEVERAL] = "several answers",
-        [TYPES_NOT_REGULAR] = "not regular", [TYPES_FLIPS] = "flips",        [TYPES_UNDECIDED] = "cannot be told"};
+        [TYPES_NOT_REGULAR] = "not regular", [TYPES_FLIPS] = "flips",        [TYPES_UNDECIDED] = "cannot be told",
+        [TYPES_INTERRUPTED] = "interrupted"};
     return names[reason];
 }
 
 ResultTable result_types_kind(const Types *types) {
     ResultTable table = {.numbers = RESULT_SHORTEST};
     const char *kind = types_kind_name(types->kind);
+    bool interrupted = types->kind == TYPES_KIND_INTERRUPTED;
     result_add(&table, (ResultRow){.key = "type", .text = kind});
     result_add(&table, (ResultRow){.label = "type", .text = types->kind == TYPES_UNRESOLVED ? "undecided" : kind});
     result_add(&table, (ResultRow){.key = "reason", .text = reason_name(types->reason)});
-    result_add(&table, (ResultRow){.key = "worst", .kind = RESULT_COUNT, .number = (double)types->worst});
+    result_add(
+        &table,
+        (ResultRow){.key = "worst", .kind = RESULT_COUNT, .number = (double)types->worst, .omitted = interrupted});
     result_add(&table, (ResultRow){.key = "answers",
                                    .label = "most answers at a point",
                                    .kind = RESULT_COUNT,
-                                   .number = (double)types->answers});
+                                   .number = (double)types->answers,
+                                   .omitted = interrupted});
     result_add(
         &table,
         (ResultRow){.key = "starts", .label = "starts at each point", .kind = RESULT_COUNT, .number = TYPES_STARTS});
@@ -45,23 +50,33 @@ static const char *quantity(Arena *arena, const char *unit, double value) {
 /* Adds the value at which things change on one side of a parameter, and as a share how far that is away. */
 static void add_side(ResultTable *table, const Neighbour *side, const char *unit, bool above) {
     Arena *arena = &table->arena;
-    const char *at = side->found
-                         ? text_in_arena(arena, "%s (%+.3g %%)", quantity(arena, unit, side->value), 100 * side->share)
-                         : text_in_arena(arena, "none within %.3g %%", 100 * side->reached);
+    const char *at = "interrupted";
+    bool found = side->answer == NEIGHBOUR_FOUND;
+    switch (side->answer) {
+    case NEIGHBOUR_FOUND:
+        at = text_in_arena(arena, "%s (%+.3g %%)", quantity(arena, unit, side->value), 100 * side->share);
+        break;
+    case NEIGHBOUR_NONE:
+        at = text_in_arena(arena, "none within %.3g %%", 100 * side->reached);
+        break;
+    case NEIGHBOUR_INTERRUPTED:
+        break;
+    }
     result_add(table, (ResultRow){.key = above ? "above.at" : "below.at",
                                   .label = above ? "change above" : "change below",
                                   .kind = RESULT_NUMBER,
-                                  .number = side->found ? side->value : NAN,
+                                  .number = found ? side->value : NAN,
                                   .text = at});
     result_add(table, (ResultRow){.key = above ? "above.away" : "below.away",
                                   .kind = RESULT_NUMBER,
-                                  .number = side->found ? side->share : NAN});
+                                  .number = found ? side->share : NAN});
     result_add(
         table,
         (ResultRow){.key = above ? "above.looked" : "below.looked", .kind = RESULT_NUMBER, .number = side->reached});
 }
 
-static void add_parameter(ResultTable *table, const TypesParameter *parameter, const Experiment *experiment) {
+static void add_parameter(ResultTable *table, const TypesParameter *parameter, const Experiment *experiment,
+                          bool interrupted) {
     const char *unit = experiment->parameter(experiment->given, parameter->name)->unit;
     bool jumps = isinf(parameter->sensitivity);
     result_add(table, (ResultRow){.key = "name", .label = "parameter", .text = parameter->name});
@@ -78,7 +93,7 @@ static void add_parameter(ResultTable *table, const TypesParameter *parameter, c
                                   .text = jumps ? "jumps" : NULL,
                                   .significant = 2,
                                   .sign = true});
-    result_add(table, (ResultRow){.key = "jumps", .kind = RESULT_FLAG, .number = jumps});
+    result_add(table, (ResultRow){.key = "jumps", .kind = RESULT_FLAG, .number = jumps, .omitted = interrupted});
     add_side(table, &parameter->below, unit, false);
     add_side(table, &parameter->above, unit, true);
     result_end(table);
@@ -87,7 +102,7 @@ static void add_parameter(ResultTable *table, const TypesParameter *parameter, c
 ResultTable result_types_parameters(const Types *types, const Experiment *experiment) {
     ResultTable table = {.numbers = RESULT_SHORTEST};
     for (size_t p = 0; p < types->parameter_count; p++)
-        add_parameter(&table, &types->parameters[p], experiment);
+        add_parameter(&table, &types->parameters[p], experiment, types->kind == TYPES_KIND_INTERRUPTED);
     return table;
 }
 
@@ -162,7 +177,7 @@ static const char *advice_of(ResultTable *table, const Types *types, const Exper
 ResultTable result_types_basis(const Types *types, const Experiment *experiment, int cycles) {
     ResultTable table = {.numbers = RESULT_SHORTEST};
     const char *sought = types->sought == NEIGHBOURS_TROUBLE ? "trouble" : "regular";
-    result_add(&table, (ResultRow){.key = "sought", .text = sought});
+    result_add(&table, (ResultRow){.key = "sought", .text = sought, .omitted = types->kind == TYPES_KIND_INTERRUPTED});
     result_add(&table,
                (ResultRow){.key = "runs", .label = "runs", .kind = RESULT_COUNT, .number = (double)types->runs});
     result_add(&table, (ResultRow){.key = "thorough",

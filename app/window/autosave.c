@@ -3,6 +3,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "base/file_write.h"
 #include "base/stopwatch.h"
 #include "base/digest.h"
 #include "window/notice.h"
@@ -35,7 +36,7 @@ static void write_recovery(Window *window, const Tab *tab, Editor *editor) {
     window->watch.written |= !error;
     if (error && !window->watch.failed)
         notice_post(window, "The recovery file %s cannot be written: %s", recovery_path(window->recovery),
-                    strerror(error));
+                    file_write_reason(error));
     window->watch.failed = error;
 }
 

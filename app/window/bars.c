@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/stop.h"
 #include "window/act.h"
 #include "window/dialog_pane.h"
 #include "window/plan_input.h"

@@ -10,6 +10,7 @@
 #include "base/json.h"
 #include "base/memory.h"
 #include "base/text.h"
+#include "draw/cairo_memory.h"
 #include "draw/layout.h"
 #include "laboratory/laboratories.h"
 #include "paint/paint_cairo.h"
@@ -22,7 +23,7 @@ enum {
     DRAWING = 1,                /* version of the drawing: to be increased when the pictures change */
 };
 
-/* What the thread has read from a file; texts and pixels are separate blocks. */
+/* The result of reading a file on the thread; texts and pixels are separate blocks. */
 typedef struct Found {
     char *name, *line, *fault;
     unsigned char *pixels; /* STRIDE x GALLERY_HEIGHT */
@@ -54,7 +55,7 @@ static void paint(const Scene *scene, unsigned char *pixels, Theme theme) {
     double unit = layout_unit(GALLERY_WIDTH, GALLERY_HEIGHT);
     cairo_scale(cairo, unit, unit);
     paint_cairo_scene(cairo, scene, vec2(GALLERY_WIDTH / unit, GALLERY_HEIGHT / unit), theme);
-    cairo_destroy(cairo);
+    cairo_memory_end(cairo);
     cairo_surface_finish(surface);
     cairo_surface_destroy(surface);
 }
@@ -78,6 +79,8 @@ static char *cached_path(const Gallery *gallery, const char *path, Theme theme) 
 
 /* Reads a cached picture; false: it does not exist, or has another format. */
 static bool read_cached(const char *path, unsigned char *pixels) {
+    if (text_read_refusal(path))
+        return false;
     cairo_surface_t *surface = cairo_image_surface_create_from_png(path);
     bool good = cairo_surface_status(surface) == CAIRO_STATUS_SUCCESS &&
                 cairo_image_surface_get_width(surface) == GALLERY_WIDTH &&

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "base/file_write.h"
 #include "laboratory/import_file.h"
 #include "laboratory/shipped.h"
 #include "window/autosave.h"
@@ -85,7 +86,8 @@ static bool open_text(Window *window, const char *path, const ImportFile *import
     RecoveryAbout about = {.name = import->name, .edits = 1, .when = (int64_t)time(NULL)};
     int error = recovery_write(window->recovery, import->text, &about);
     if (error) {
-        notice_post(window, "%s cannot be imported: %s: %s", path, recovery_path(window->recovery), strerror(error));
+        notice_post(window, "%s cannot be imported: %s: %s", path, recovery_path(window->recovery),
+                    file_write_reason(error));
         return false;
     }
     if (!opening_copy(window, recovery_path(window->recovery), NULL, " [Imported]"))
@@ -97,6 +99,11 @@ static bool open_text(Window *window, const char *path, const ImportFile *import
 static bool import(Window *window, const char *path) {
     ImportFile import = {.text = NULL};
     Fault fault = {0};
+    int refusal = text_read_refusal(path);
+    if (refusal) {
+        notice_post(window, "%s cannot be read: %s", path, text_read_reason(refusal));
+        return false;
+    }
     bool read = window->recovery && import_file_read(&import, path, &fault);
     if (!window->recovery)
         notice_post(window, "%s cannot be imported: no folder for recovery files is writable", path);

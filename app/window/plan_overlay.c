@@ -215,7 +215,7 @@ static void show_marks(Window *window, Tab *tab, const GestureView *gesture, Lab
         }
 }
 
-/* What is selected ------------------------------------------------------------------------------------------------- */
+/* The selection ---------------------------------------------------------------------------------------------------- */
 
 static void frame_item(Window *window, Tab *tab, Item item) {
     Vec2 points[LABORATORY_OUTLINE_MOST];
@@ -242,7 +242,7 @@ static void show_selection(Window *window, Tab *tab) {
         frame_item(window, tab, last);
 }
 
-/* What is typed ---------------------------------------------------------------------------------------------------- */
+/* Typed numbers ---------------------------------------------------------------------------------------------------- */
 
 static const char *field_text(Window *window, const GestureView *gesture, size_t index) {
     const EditField *field = &gesture->fields[index];

@@ -321,7 +321,7 @@ bool script_read(Script *script, const char *path, Fault *fault) {
     size_t size, before = fault->total;
     char *text = text_read_file(path, LARGEST_FILE, &size);
     if (!text) {
-        fault_add(fault, "%s:1:1: cannot be read: %s", path, strerror(errno));
+        fault_add(fault, "%s:1:1: cannot be read: %s", path, text_read_reason(errno));
         return false;
     }
     Script read = {.count = 0};

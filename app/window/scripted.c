@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/file_write.h"
 #include "base/stopwatch.h"
 #include "window/notice.h"
 #include "window/opening.h"
@@ -89,7 +90,7 @@ static void fail(Scripted *scripted, Window *window, Fault *fault) {
 
 static void say_error(Window *window, const char *path, int error) {
     if (error)
-        notice_post(window, "%s cannot be written: %s", path, strerror(error));
+        notice_post(window, "%s cannot be written: %s", path, file_write_reason(error));
 }
 
 static void write_picture(Window *window, const char *path) {

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "draw/cairo_memory.h"
 #include "window/notice.h"
 #include "window/plan_input.h"
 
@@ -14,6 +15,11 @@ enum { SIDE_MOST = 4096 /* pixels: larger pictures are scaled down */, PIXELS_MO
 /* Reads the width and height of a PNG file; false: a message says what is wrong with the file. */
 static bool read_head(Window *window, const char *path, double *width, double *height) {
     unsigned char head[HEAD];
+    int refusal = text_read_refusal(path);
+    if (refusal) {
+        notice_post(window, "%s cannot be read: %s", path, text_read_reason(refusal));
+        return false;
+    }
     FILE *file = fopen(path, "rb");
     size_t count = file ? fread(head, 1, HEAD, file) : 0;
     if (file)
@@ -43,7 +49,7 @@ static cairo_surface_t *shrunk(cairo_surface_t *picture, double width, double he
     cairo_scale(cairo, scale, scale);
     cairo_set_source_surface(cairo, picture, 0, 0);
     cairo_paint(cairo);
-    cairo_destroy(cairo);
+    cairo_memory_end(cairo);
     cairo_surface_flush(surface);
     return surface;
 }

@@ -504,6 +504,7 @@ static int fail(Fault *fault) {
 }
 
 int window_run(const WindowOptions *options) {
+    memory_return_freed();
     Window *window = memory_zeroed(1, sizeof *window);
     Scripted scripted = {0};
     Fault fault = {0};

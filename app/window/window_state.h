@@ -58,7 +58,7 @@ typedef struct Watch {
     bool failed;
 } Watch;
 
-/* What follows after the question whether to save. */
+/* The action that follows the question whether to save. */
 typedef enum Leave { LEAVE_NOTHING, LEAVE_QUIT, LEAVE_OPEN, LEAVE_NEW } Leave;
 
 /* The measurements of --benchmark-edit. */

@@ -54,11 +54,9 @@ static void title_lately(BeamAnswer *answer, const BeamTape *tape, const BeamLat
 }
 
 static void title_verdict(BeamAnswer *answer, const BeamVerdict *verdict) {
-    static const char *const titles[] = {[RESPONSE_PERIODIC] = "",
-                                         [RESPONSE_CHAOTIC] = "Chaotic",
-                                         [RESPONSE_UNRESOLVED] = "Unresolved",
-                                         [RESPONSE_CHATTERS] = "Chatter",
-                                         [RESPONSE_DIVERGED] = "Diverged"};
+    static const char *const titles[] = {
+        [RESPONSE_PERIODIC] = "",        [RESPONSE_CHAOTIC] = "Chaotic",   [RESPONSE_UNRESOLVED] = "Unresolved",
+        [RESPONSE_CHATTERS] = "Chatter", [RESPONSE_DIVERGED] = "Diverged", [RESPONSE_INTERRUPTED] = "Interrupted"};
     if (verdict->verdict == RESPONSE_PERIODIC)
         title_periodic(answer->title, sizeof answer->title, verdict->period, verdict->peaks.count);
     else

@@ -5,6 +5,7 @@
 
 #include "base/order.h"
 #include "base/parallel.h"
+#include "base/stop.h"
 #include "study/batch.h"
 #include "study/study.h"
 
@@ -66,7 +67,7 @@ typedef struct Share {
     BeamSweep *sweep;
     Batch batch;
     size_t per_thread; /* trials */
-    const volatile sig_atomic_t *stop;
+    const Stop *stop;
 } Share;
 
 static void run_part(void *context, size_t i) {
@@ -95,8 +96,7 @@ static size_t count_next(const BeamSweep *sweep, int jobs) {
     return count < all - sweep->done ? count : all - sweep->done;
 }
 
-bool beam_sweep_advance(BeamSweep *sweep, int jobs, const volatile sig_atomic_t *stop,
-                        BeamSweepPoints points[BEAM_SWEEP_PASSES]) {
+bool beam_sweep_advance(BeamSweep *sweep, int jobs, const Stop *stop, BeamSweepPoints points[BEAM_SWEEP_PASSES]) {
     const BeamSweepTask *task = &sweep->task;
     size_t count = count_next(sweep, jobs);
     if (!count)
@@ -114,7 +114,7 @@ bool beam_sweep_advance(BeamSweep *sweep, int jobs, const volatile sig_atomic_t 
         beam_experiment_run_on(&sweep->experiment, task->name, share.batch.trials, count, &sweep->carry, stop);
     else
         parallel_for(jobs, (count + share.per_thread - 1) / share.per_thread, run_part, &share);
-    bool whole = !parallel_stopped(stop);
+    bool whole = !stop_requested(stop);
     for (size_t i = 0; i < count && whole; i++) {
         double value = beam_sweep_value(task, sweep->done + i, &pass);
         take_trial(&share.batch.trials[i], value, &points[pass]);

@@ -5,6 +5,7 @@
  * and each run continues from the end of the previous one. */
 #pragma once
 
+#include "base/stop.h"
 #include "experiment/beam_experiment.h"
 
 enum {
@@ -49,5 +50,4 @@ double beam_sweep_value(const BeamSweepTask *task, size_t nth, BeamSweepPass *pa
 
 /* Computes the next values and adds their peaks to the points of the passes. False: all values are computed, or the
  * sweep was stopped. */
-bool beam_sweep_advance(BeamSweep *sweep, int jobs, const volatile sig_atomic_t *stop,
-                        BeamSweepPoints points[BEAM_SWEEP_PASSES]);
+bool beam_sweep_advance(BeamSweep *sweep, int jobs, const Stop *stop, BeamSweepPoints points[BEAM_SWEEP_PASSES]);

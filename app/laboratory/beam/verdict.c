@@ -2,11 +2,11 @@
 
 #include <math.h>
 
-#include "base/parallel.h"
+#include "base/stop.h"
 #include "experiment/beam_experiment.h"
 #include "result/types.h"
 
-bool beam_verdict_decide(BeamVerdict *verdict, const Beam *beam, const volatile sig_atomic_t *stop) {
+bool beam_verdict_decide(BeamVerdict *verdict, const Beam *beam, const Stop *stop) {
     *verdict = (BeamVerdict){.beam = *beam};
     Rig rig;
     Fault fault = {0};
@@ -17,6 +17,7 @@ bool beam_verdict_decide(BeamVerdict *verdict, const Beam *beam, const volatile 
     Response response;
     response_run(&response, &rig, beam, NULL, stop);
     verdict->verdict = response.verdict;
+    bool decided = response.verdict != RESPONSE_INTERRUPTED;
     verdict->period = response.orbit.period;
     verdict->peaks = response.peaks;
     verdict->exponent = response.exponent;
@@ -24,7 +25,7 @@ bool beam_verdict_decide(BeamVerdict *verdict, const Beam *beam, const volatile 
     verdict->forces = result_beam_forces(&rig, &response);
     response_clear(&response);
     rig_clear(&rig);
-    return !parallel_stopped(stop);
+    return decided;
 }
 
 static void write_advice(BeamVerdict *verdict, const Types *types, const Experiment *experiment) {
@@ -37,7 +38,7 @@ static void write_advice(BeamVerdict *verdict, const Types *types, const Experim
     verdict->typed = true;
 }
 
-bool beam_verdict_tell_type(BeamVerdict *verdict, int jobs, const volatile sig_atomic_t *stop,
+bool beam_verdict_tell_type(BeamVerdict *verdict, int jobs, const Stop *stop,
                             void (*progress)(void *context, size_t done, size_t all), void *context) {
     Experiment quick, thorough;
     Types types;
@@ -54,7 +55,7 @@ bool beam_verdict_tell_type(BeamVerdict *verdict, int jobs, const volatile sig_a
                               .stop = stop,
                               .progress = progress,
                               .context = context};
-            decided = types_classify(&types, &task, &fault) && !parallel_stopped(stop);
+            decided = types_classify(&types, &task, &fault) && !types.stopped;
             if (decided)
                 write_advice(verdict, &types, &quick);
             beam_experiment_close(&thorough);

@@ -1,6 +1,7 @@
 /* The motion of a beam from rest, as `clearance run` prints it: the verdict first, then the type and advice. */
 #pragma once
 
+#include "base/stop.h"
 #include "base/text.h"
 #include "beam/response.h"
 #include "result/beam.h"
@@ -19,11 +20,11 @@ typedef struct BeamVerdict {
 } BeamVerdict;
 
 /* Runs the beam and fills the verdict. False: the run was stopped, or a fault. */
-bool beam_verdict_decide(BeamVerdict *verdict, const Beam *beam, const volatile sig_atomic_t *stop);
+bool beam_verdict_decide(BeamVerdict *verdict, const Beam *beam, const Stop *stop);
 
 /* Also determines the type; progress as in TypesTask. False: the search was stopped, or a fault, and the verdict is
  * unchanged. */
-bool beam_verdict_tell_type(BeamVerdict *verdict, int jobs, const volatile sig_atomic_t *stop,
+bool beam_verdict_tell_type(BeamVerdict *verdict, int jobs, const Stop *stop,
                             void (*progress)(void *context, size_t done, size_t all), void *context);
 
 /* Returns a copy with its own rows and advice. */

@@ -7,8 +7,7 @@
 #include <time.h>
 
 #include "base/stopwatch.h"
-#include "base/parallel.h"
-#include "base/text.h"
+#include "base/stop.h"
 
 enum {
     GIVES_WAY = 10, /* nice value of the thread */
@@ -17,8 +16,8 @@ enum {
 
 typedef struct Question {
     bool asked;
-    double since;               /* s, time of the request */
-    volatile sig_atomic_t stop; /* stops the work on the previous question */
+    double since; /* s, time of the request */
+    Stop stop;    /* stops the work on the previous question */
 } Question;
 
 struct BeamWorker {
@@ -28,7 +27,7 @@ struct BeamWorker {
     bool quit;
     int jobs;
     Question verdict, sweep;
-    volatile sig_atomic_t stop_type; /* set by either question */
+    Stop stop_type; /* set by either question */
     Beam beam;
     BeamSweepTask task;
     bool decided, typed; /* the verdict is known, and its type */
@@ -48,7 +47,7 @@ static bool is_due(const Question *question, double now) {
 /* Accepts a question. */
 static void take_up(Question *question) {
     question->asked = false;
-    __atomic_store_n(&question->stop, 0, __ATOMIC_RELAXED);
+    stop_withdraw(&question->stop);
 }
 
 /* Verdict and type --------------------------------------------------------------------------------------------------*/
@@ -85,7 +84,7 @@ static void note_types(void *context, size_t done, size_t all) {
 }
 
 static void tell_type(BeamWorker *worker) {
-    __atomic_store_n(&worker->stop_type, 0, __ATOMIC_RELAXED);
+    stop_withdraw(&worker->stop_type);
     pthread_mutex_unlock(&worker->lock);
     bool typed = beam_verdict_tell_type(&worker->own, worker->jobs, &worker->stop_type, note_types, worker);
     pthread_mutex_lock(&worker->lock);
@@ -200,9 +199,9 @@ void beam_worker_stop(BeamWorker *worker) {
     pthread_mutex_lock(&worker->lock);
     bool runs = !worker->quit;
     worker->quit = true;
-    parallel_stop(&worker->verdict.stop);
-    parallel_stop(&worker->sweep.stop);
-    parallel_stop(&worker->stop_type);
+    stop_request(&worker->verdict.stop);
+    stop_request(&worker->sweep.stop);
+    stop_request(&worker->stop_type);
     pthread_cond_signal(&worker->wake);
     pthread_mutex_unlock(&worker->lock);
     if (runs)
@@ -221,8 +220,8 @@ void beam_worker_stop(BeamWorker *worker) {
 static void ask(BeamWorker *worker, Question *question) {
     question->asked = true;
     question->since = stopwatch_now();
-    parallel_stop(&question->stop);
-    parallel_stop(&worker->stop_type);
+    stop_request(&question->stop);
+    stop_request(&worker->stop_type);
     pthread_cond_signal(&worker->wake);
 }
 

@@ -136,7 +136,7 @@ bool edit_image_set(Editor *edit, const char *path, Fault *fault) {
         return remove_image(edit, fault);
     if (!look_at(path, &shape, digest)) {
         if (errno)
-            fault_add(fault, "%s: %s", path, strerror(errno));
+            fault_add(fault, "%s cannot be read: %s", path, text_read_reason(errno));
         else
             fault_add(fault, "%s is not a PNG picture; only PNG pictures can be traced over", path);
         return false;

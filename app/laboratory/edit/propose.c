@@ -1,11 +1,10 @@
 #include "laboratory/edit/propose.h"
 
 #include <pthread.h>
-#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "base/parallel.h"
+#include "base/stop.h"
 #include "base/text.h"
 #include "plan/draft_parameter.h"
 #include "inquiry/suggest.h"
@@ -15,7 +14,7 @@
 /* A search that was requested. */
 struct EditSearch {
     pthread_t thread;
-    volatile sig_atomic_t stop;
+    Stop stop;
     uint64_t revision; /* the draft's revision that the search is for */
     char *text, *path, *profiles;
     HouseOptions options;
@@ -94,7 +93,7 @@ static void cancel_search(Editor *edit) {
     EditSearch *search = edit->search;
     if (!search)
         return;
-    parallel_stop(&search->stop);
+    stop_request(&search->stop);
     search->next = edit->cancelled;
     edit->cancelled = search;
     edit->search = NULL;

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/stopwatch.h"
-#include "base/parallel.h"
+#include "base/stop.h"
 #include "house/observer.h"
 #include "house/run.h"
 #include "visual/house/route_scene.h"
@@ -141,7 +141,7 @@ void house_run_make(HouseRun *run) {
         make_routes(run);
     else
         drive(run);
-    enter(run, parallel_stopped(&run->stop) ? HOUSE_STOPPED : HOUSE_OVER);
+    enter(run, stop_requested(&run->stop) ? HOUSE_STOPPED : HOUSE_OVER);
 }
 
 size_t house_run_epoch(const HouseRun *run, double time) {

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <pthread.h>
-#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
+#include "base/stop.h"
 #include "house/house.h"
 #include "house/observation.h"
 #include "draw/scene.h"
@@ -58,7 +58,7 @@ typedef struct HouseRun {
     unsigned roles; /* the run's roles in the session: see runs.h */
     bool noticed;   /* the session has noticed the end of the run */
 
-    volatile sig_atomic_t stop;
+    Stop stop;
     pthread_mutex_t mutex; /* guards all members that follow */
     HouseStage stage;
     double begun;  /* s, of a steady clock, when the worker began */

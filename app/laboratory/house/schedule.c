@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "base/stopwatch.h"
-#include "base/parallel.h"
+#include "base/stop.h"
 #include "laboratory/house/picture.h"
 #include "visual/house/people_scene.h"
 
@@ -72,7 +72,7 @@ static void note_history(HouseSession *session) {
 /* True if a run of this plan alone, with the present wish, was requested last and is not stopped. */
 static bool is_requested(const HouseSession *session, const HouseEpoch *plan) {
     HouseRun *run = session->runs[RUN_LATEST] ? session->runs[RUN_LATEST] : session->runs[RUN_SHOWN];
-    return house_runs_is_of(session, run, plan, 1) && !run->stop && house_run_stage(run) < HOUSE_OVER;
+    return house_runs_is_of(session, run, plan, 1) && !stop_requested(&run->stop) && house_run_stage(run) < HOUSE_OVER;
 }
 
 /* Requests the runs that the answer and the display still need. */
@@ -294,7 +294,7 @@ static void hurry(HouseSession *session) {
     if (session->runs[RUN_OLDER] && house_run_age(session->runs[RUN_OLDER]) > GRACE)
         house_runs_set(session, RUN_OLDER, NULL);
     if (session->runs[RUN_SHOWN] && !session->whole)
-        parallel_stop(&session->runs[RUN_SHOWN]->stop);
+        stop_request(&session->runs[RUN_SHOWN]->stop);
 }
 
 static void update_shown(HouseSession *session, double time) {

@@ -1,6 +1,6 @@
 #include "laboratory/house/worker.h"
 
-#include "base/parallel.h"
+#include "base/stop.h"
 
 struct HouseWorker {
     pthread_t thread;
@@ -91,7 +91,7 @@ void house_worker_abandon(HouseWorker *worker, HouseRun *run) {
     bool in_work = worker->current == run;
     if (in_work) {
         worker->forsaken = true;
-        parallel_stop(&run->stop);
+        stop_request(&run->stop);
     }
     pthread_mutex_unlock(&worker->mutex);
     if (!in_work)

@@ -252,7 +252,7 @@ void beam_scene_magnified(Scene *scene, const BeamScale *scale) {
                       scene_text(scene, "\u00d7%.9g", scale->joint[1].factor));
 }
 
-/* What moves --------------------------------------------------------------------------------------------------------*/
+/* Moving parts ----------------------------------------------------------------------------------------------------- */
 
 static double drawn_at(const BeamScale *scale, const BeamShape *shape, double place) {
     return scale->joint[0].factor * beam_shape_at(shape, place);

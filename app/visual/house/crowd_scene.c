@@ -293,7 +293,7 @@ void crowd_scene_list(Scene *scene, const House *house, const Census *census) {
     if (!stuck)
         return;
     const char *count = scene_text(scene, "%zu", stuck);
-    SceneRow *row = scene_add_row(scene, ROW_LINE, "not out");
+    SceneRow *row = scene_add_row(scene, ROW_LINE, census->interrupted ? "still inside" : "not out");
     row->role = ROLE_ERROR;
     row->symbol = SYMBOL_DIAMOND;
     row->cells[1] = count;

@@ -38,7 +38,7 @@ static Vec2 row_place(const double *row) {
     return vec2(row[TRACE_X], row[TRACE_Y]);
 }
 
-/* What stays --------------------------------------------------------------------------------------------------------*/
+/* Fixed parts ------------------------------------------------------------------------------------------------------ */
 
 /* True if people of more than one route take part. */
 static bool has_several_routes(const Film *film) {
@@ -220,7 +220,7 @@ const Scene *film_moving(const Film *film) {
     return &film->moving;
 }
 
-/* What comes and stays ----------------------------------------------------------------------------------------------*/
+/* Parts that appear ------------------------------------------------------------------------------------------------ */
 
 /* Extends the locus from the last added row to the last row up to `time`; among many people only once that is
  * STEP_MANY long. */

@@ -1,5 +1,6 @@
 #include "visual/house/route_scene.h"
 
+#include "base/stop.h"
 #include "house/journey.h"
 #include "space/passage.h"
 #include "result/census.h"
@@ -50,7 +51,7 @@ static void add_widths(Scene *scene, const House *house, size_t person, const Ro
 }
 
 void route_scene_add(Scene *scene, const House *house, const Observation *observation, bool routes, bool widths,
-                     const volatile sig_atomic_t *stop) {
+                     const Stop *stop) {
     if (!routes && !widths)
         return;
     bool *part = memory_zeroed(house->person_count, sizeof *part);

@@ -83,7 +83,7 @@ bool shake_plots_times(Plot *plot, const ShakeFindings *findings, Arena *arena) 
         add_guide(plot, time->median, "median", LINE_DASHED);
         add_guide(plot, time->high, "95 %", LINE_DOTTED);
     }
-    if (findings->calm_out && isfinite(findings->calm_time))
+    if (findings->calm == SHAKE_CALM_OUT)
         add_guide(plot, findings->calm_time, "without a shake", LINE_SOLID);
     return plot->series_count;
 }

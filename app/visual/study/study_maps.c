@@ -43,7 +43,7 @@ static double cell_value(const Map *map, size_t cell, size_t observable) {
     return sum / (double)map->study->runs;
 }
 
-/* Attractors ------------------------------------------------------------------------------------------------------ */
+/* Attractors ------------------------------------------------------------------------------------------------------- */
 
 typedef struct Attractor {
     double outcome, measure;
@@ -97,7 +97,7 @@ static size_t list_attractors(const Study *study, size_t pass, int *found, Attra
     return count;
 }
 
-/* Maps ------------------------------------------------------------------------------------------------------------ */
+/* Maps ------------------------------------------------------------------------------------------------------------- */
 
 /* Returns the range of an axis: a cell reaches half a step beyond its value. */
 static void axis_box(const StudyAxis *axis, double factor, double *low, double *high) {
@@ -270,7 +270,7 @@ static bool fill_quantity(Map *map, size_t observable) {
     return low < high;
 }
 
-/* What lies over a map --------------------------------------------------------------------------------------------- */
+/* Marks over a map ------------------------------------------------------------------------------------------------- */
 
 /* Adds the ratio of clearance and static deflection if it depends on the clearance alone. */
 static void add_ratio(Map *map) {
