@@ -1,5 +1,6 @@
 #!/bin/sh
 # Installs what the tests need, builds with assertions, and runs the quick tests; with --all the long ones, too.
+# A test that is skipped, or leaves files in the temporary folder, is an error.
 # run.sh [--all]
 set -eu
 cd "$(dirname "$0")/.."
@@ -23,5 +24,14 @@ if [ ! -f build-test/build.ninja ]; then
 fi
 echo "building"
 ninja -C build-test --quiet
+if [ ! -x build-test/tests/test_beam_peer ]; then
+    echo "run.sh: build-test/ was configured without SUNDIALS, remove that folder and try again" >&2
+    exit 1
+fi
 echo "testing"
-meson test -C build-test --no-rebuild --print-errorlogs ${suite:+--suite $suite}
+. tests/checks/tidy.sh
+tidy_begin
+status=0
+meson test -C build-test --no-rebuild --print-errorlogs ${suite:+--suite $suite} || status=$?
+tidy_end build-test || status=1
+exit $status

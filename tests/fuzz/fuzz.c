@@ -1,10 +1,12 @@
 #include "fuzz.h"
 
+#include <ftw.h>
 #include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 const char *fuzz_file(const uint8_t *data, size_t size) {
@@ -16,6 +18,50 @@ const char *fuzz_file(const uint8_t *data, size_t size) {
     }
     fuzz_expect(ftruncate(file, 0) == 0 && pwrite(file, data, size, 0) == (ssize_t)size, "the input is written");
     return path;
+}
+
+static char folder[FUZZ_PATH / 2];
+
+static int remove_entry(const char *path, const struct stat *status, int kind, struct FTW *walk) {
+    (void)status, (void)kind, (void)walk;
+    return remove(path);
+}
+
+static void remove_folder(void) {
+    nftw(folder, remove_entry, 8, FTW_DEPTH | FTW_PHYS);
+}
+
+const char *fuzz_folder(void) {
+    const char *parent = getenv("TMPDIR");
+    if (*folder)
+        return folder;
+    snprintf(folder, sizeof folder, "%s/clearance-fuzz-XXXXXX", parent ? parent : "/tmp");
+    fuzz_expect(mkdtemp(folder), "a folder is made");
+    atexit(remove_folder);
+    return folder;
+}
+
+void fuzz_write(char path[FUZZ_PATH], const char *name, const uint8_t *data, size_t size) {
+    snprintf(path, FUZZ_PATH, "%s/%s", fuzz_folder(), name);
+    unlink(path);
+    if (!size)
+        return;
+    FILE *file = fopen(path, "w");
+    fuzz_expect(file && fwrite(data, 1, size, file) == size && fclose(file) == 0, "the input is written");
+}
+
+const char *fuzz_source(const char *name) {
+    static char path[4096];
+    const char *source = getenv("CLEARANCE_SOURCE");
+    snprintf(path, sizeof path, "%s/%s", source ? source : ".", name);
+    return path;
+}
+
+uint8_t fuzz_take(const uint8_t **data, size_t *size) {
+    if (!*size)
+        return 0;
+    --*size;
+    return *(*data)++;
 }
 
 void fuzz_expect(bool good, const char *what) {

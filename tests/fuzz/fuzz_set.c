@@ -1,6 +1,4 @@
 /* Each line of the input is the NAME=VALUE of a --set, applied to a shipped house and its profile. */
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -10,19 +8,12 @@
 
 enum { MOST_SETTINGS = 64 };
 
-static const char *source(const char *path) {
-    static char whole[4096];
-    const char *directory = getenv("CLEARANCE_SOURCE");
-    snprintf(whole, sizeof whole, "%s/%s", directory ? directory : ".", path);
-    return whole;
-}
-
 /* As house_read does. */
 static void set_profile(const Plan *plan) {
     static const char name[] = "profile.manual-chair.";
     Profile profile = {0};
     Fault fault = {0};
-    fuzz_expect(profile_read(&profile, source("assets/profiles/manual-chair.json"), &fault), "a profile is read");
+    fuzz_expect(profile_read(&profile, fuzz_source("assets/profiles/manual-chair.json"), &fault), "a profile is read");
     for (size_t i = 0; i < plan->override_count; i++) {
         const Override *override = &plan->overrides[i];
         if (strncmp(override->name, name, strlen(name)) == 0) {
@@ -49,7 +40,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     }
     Plan plan = {0};
     Fault fault = {0};
-    bool good = plan_read(&plan, source("houses/closed-door.json"), settings, count, &fault);
+    bool good = plan_read(&plan, fuzz_source("houses/closed-door.json"), settings, count, &fault);
     fuzz_expect_faults(good, &fault, "");
     if (good)
         set_profile(&plan);

@@ -32,7 +32,8 @@ void case_house(House *house, const char *name, int driving, const char *const *
 }
 
 void case_made(House *house, json_t *plan, int driving, const char *const *settings) {
-    char path[] = "/tmp/clearance-case-XXXXXX";
+    char path[CHECK_PATH];
+    check_temporary(path, "case-XXXXXX");
     int file = mkstemp(path);
     check_true(file >= 0 && json_dumpfd(plan, file, JSON_REAL_PRECISION(17)) == 0, "the house is written", __FILE__,
                __LINE__);

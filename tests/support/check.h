@@ -25,6 +25,11 @@ void check_say(Fault *fault);
 /* Skips the tests: prints what this machine lacks and exits with 77, which meson counts as skipped. */
 void check_skip(const char *why) __attribute__((noreturn));
 
+/* Writes the path of a temporary file of this name, which may end in XXXXXX. It lies in a folder of the test program's
+ * own, which is TMPDIR for all that the program does and is removed at its end; what tests leave in it is an error. */
+enum { CHECK_PATH = 64 };
+void check_temporary(char path[CHECK_PATH], const char *name);
+
 /* Returns the project's source directory, for houses/, assets/ and tests/data/. */
 const char *check_source(void);
 

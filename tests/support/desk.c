@@ -1,3 +1,4 @@
+#include "base/file_write.h"
 #include "desk.h"
 
 #include <ftw.h>
@@ -10,7 +11,7 @@
 #include "base/text.h"
 #include "check.h"
 
-static char home[64];
+static char home[CHECK_PATH];
 
 static int remove_one(const char *path, const struct stat *status, int flag, struct FTW *walk) {
     (void)status;
@@ -29,10 +30,10 @@ const char *desk_make(void) {
     static const char *const variables[][2] = {
         {"HOME", ""}, {"XDG_CONFIG_HOME", "/config"}, {"XDG_STATE_HOME", "/state"}, {"XDG_CACHE_HOME", "/cache"}};
     desk_remove();
-    strcpy(home, "/tmp/clearance-desk-XXXXXX");
+    check_temporary(home, "desk-XXXXXX");
     CHECK(mkdtemp(home));
     for (size_t i = 0; i < sizeof variables / sizeof *variables; i++) {
-        char path[100];
+        char path[CHECK_PATH + 36];
         snprintf(path, sizeof path, "%s%s", home, variables[i][1]);
         setenv(variables[i][0], path, 1);
     }
@@ -53,5 +54,5 @@ void desk_write(const char *name, const char *text) {
     char folder[300];
     snprintf(folder, sizeof folder, "%.*s", (int)(slash - path), path);
     CHECK(text_make_folder(folder) == 0);
-    CHECK(text_write_quickly(path, text, strlen(text)) == 0);
+    CHECK(file_write_quickly(path, text, strlen(text)) == 0);
 }

@@ -95,7 +95,8 @@ const char editing_small_house[] =
     "1]], \"exit\": \"e1\"}]}";
 
 void *editing_open_text(const char *text) {
-    char path[] = "/tmp/clearance-edit-XXXXXX";
+    char path[CHECK_PATH];
+    check_temporary(path, "edit-XXXXXX");
     char profiles[4096];
     int file = mkstemp(path);
     FILE *stream = fdopen(file, "w");

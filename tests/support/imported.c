@@ -1,10 +1,10 @@
+#include "base/file_write.h"
 #include "imported.h"
 
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "base/text.h"
 #include "check.h"
 #include "scratch.h"
 
@@ -27,7 +27,7 @@ Imported imported_file(const char *path, ImportOptions options) {
 Imported imported_text(const char *ending, const char *text, ImportOptions options) {
     char path[IMPORTED_PATH];
     imported_path(path, ending);
-    CHECK(text_write_quickly(path, text, strlen(text)) == 0);
+    CHECK(file_write_quickly(path, text, strlen(text)) == 0);
     return imported_file(path, options);
 }
 

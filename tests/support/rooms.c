@@ -23,8 +23,7 @@ Profile rooms_chair(double length, double width) {
                      .reversing_time = 1};
 }
 
-/* Called once the plan's parts are in place. */
-static void fixture_build(Rooms *fixture) {
+void rooms_build(Rooms *fixture) {
     Fault fault = {0};
     CHECK(outline_build(&fixture->outline, &fixture->plan, &fault));
     fault_clear(&fault);
@@ -54,7 +53,7 @@ void rooms_make_corner(Rooms *fixture, double length, double width, double w1, d
         (Plan){.name = "corner", .walls = fixture->walls, .wall_count = 1, .exits = fixture->exits, .exit_count = 1};
     fixture->query.at = vec2(sign * w1 / 2, top - 0.28 - 0.05);
     fixture->query.heading = -M_PI_2;
-    fixture_build(fixture);
+    rooms_build(fixture);
 }
 
 void rooms_make_two(Rooms *fixture, double width, double door, int state) {
@@ -81,7 +80,7 @@ void rooms_make_two(Rooms *fixture, double width, double door, int state) {
                            .exit_count = 1,
                            .furniture = fixture->furniture};
     fixture->query.at = vec2(1, 1.5);
-    fixture_build(fixture);
+    rooms_build(fixture);
 }
 
 void rooms_check_path(const Rooms *fixture, const Route *route) {
@@ -129,5 +128,6 @@ double rooms_fit_margin(const Rooms *fixture) {
     Rectangle body = search_body(query->profile);
     Goal goal = field_exit_goal(query->plan, query->exit, query->time, query->open_first);
     FitPlace tightest;
-    return fmin(fit_margin(query, &body, &goal, 1, &tightest) + FIT_BIAS, FIT_MOST);
+    CHECK(fit_margin(query, &body, &goal, 1, &tightest) == FIT_KNOWN);
+    return fmin(tightest.margin + FIT_BIAS, FIT_MOST);
 }

@@ -30,6 +30,9 @@ void rooms_make_corner(Rooms *fixture, double length, double width, double w1, d
 /* Two rooms side by side, 3 m by 3 m each, a door between them in the wall "w2", and the exit in the second one. */
 void rooms_make_two(Rooms *fixture, double width, double door, int state);
 
+/* Builds the outline and the free space again, after rooms_free, once the plan has been changed. */
+void rooms_build(Rooms *fixture);
+
 /* Releases either house. */
 void rooms_free(Rooms *fixture);
 

@@ -78,7 +78,8 @@ int sample_ink(const PlotCanvas *canvas, Vec2 place) {
 }
 
 char *sample_written(const Plot *plot, int kind, size_t *size) {
-    char path[] = "/tmp/clearance-plot-XXXXXX";
+    char path[CHECK_PATH];
+    check_temporary(path, "plot-XXXXXX");
     int file = mkstemp(path);
     CHECK(file >= 0);
     close(file);

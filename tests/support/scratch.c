@@ -10,7 +10,7 @@
 #include "check.h"
 
 void scratch_write(char path[SCRATCH_PATH], const char *text) {
-    strcpy(path, "/tmp/clearance-draft-XXXXXX");
+    check_temporary(path, "scratch-XXXXXX");
     int file = mkstemp(path);
     FILE *out = file >= 0 ? fdopen(file, "w") : NULL;
     CHECK(out);

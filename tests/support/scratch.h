@@ -4,10 +4,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "check.h"
 #include "plan/plan.h"
 
 /* Writes `text`, its ' turned into ", into a new temporary file; `path` takes its name. */
-enum { SCRATCH_PATH = 64 };
+enum { SCRATCH_PATH = CHECK_PATH };
 void scratch_write(char path[SCRATCH_PATH], const char *text);
 
 /* Reads a house from `members`, without format and version, in the same way. Errors are printed and fail the test. */

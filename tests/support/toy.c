@@ -49,15 +49,15 @@ static void observe(Trial *trial, double x, double y, double memory) {
 }
 
 static void run(const void *given, const char *const *names, size_t name_count, Trial *trials, size_t count, bool carry,
-                const volatile sig_atomic_t *stop) {
+                const Stop *stop) {
     Toy *toy = (Toy *)given;
     double memory = 0;
     for (size_t i = 0; i < count; i++) {
         double x = value_of(&trials[i], names, name_count, "x"), y = value_of(&trials[i], names, name_count, "y");
         int run = __atomic_add_fetch(&toy->run, 1, __ATOMIC_SEQ_CST);
         if (toy->interrupted_after && run > toy->interrupted_after)
-            toy->stop = 1;
-        if (stop && *stop)
+            stop_request(&toy->stop);
+        if (stop_requested(stop))
             return;
         if (x > 50) {
             trials[i].fault = memory_zeroed(40, 1);

@@ -1,6 +1,7 @@
 /* A synthetic experiment with closed-form results, for tests of studies. */
 #pragma once
 
+#include "base/stop.h"
 #include "study/experiment.h"
 
 /* Observables of a run at (x, y): `regular`, 1 where x + memory < 2; `sum`, x + 10 y + the seed / 1000; `memory`, when
@@ -11,7 +12,7 @@ enum { TOY_REGULAR, TOY_SUM, TOY_MEMORY, TOY_OBSERVABLES };
 typedef struct Toy {
     int interrupted_after; /* number of trials after which it behaves like an interruption by Ctrl-C; 0: never */
     int run;               /* trials so far */
-    volatile sig_atomic_t stop;
+    Stop stop;
 } Toy;
 
 /* The experiment points at `toy`. */

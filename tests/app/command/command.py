@@ -126,7 +126,7 @@ def check_beam_interrupted(beam):
         process.send_signal(signal.SIGINT)
     output, error = process.communicate(timeout=20)
     types = json.loads(output)["types"]
-    check(types["type"] == "unresolved" and types["stopped"], "run of a beam: interrupted", f"{types} {error}")
+    check(types["type"] == "interrupted" and types["stopped"], "run of a beam: interrupted", f"{types} {error}")
 
 
 def check_options():

@@ -173,7 +173,7 @@ def check_wrong_use():
         expect(2, "run", house("straight-corridor"), "--report", "--out", out, "--observed", "nowhere.csv",
                says="nowhere.csv:1:1: cannot be read")
         os.mkdir(os.path.join(out, "report.pdf"))
-        expect(2, "run", house("straight-corridor"), "--report", "--out", out, says="report.pdf cannot be written: Is a directory")
+        expect(2, "run", house("straight-corridor"), "--report", "--out", out, says="report.pdf cannot be written: a folder has this name")
 
 
 for part in (check_run, check_no_way, check_comparison, check_observed, check_crowd, check_nobody, check_wrong_use):

@@ -9,11 +9,7 @@ import os
 import pathlib
 import sys
 
-try:
-    import jsonschema
-except ImportError:
-    print("python3-jsonschema is not installed")
-    sys.exit(77)
+import jsonschema
 
 source = pathlib.Path(os.environ.get("CLEARANCE_SOURCE", ".")).resolve()
 

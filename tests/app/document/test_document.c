@@ -86,7 +86,7 @@ static bool is_well_formed(const char *text) {
 
 TEST(texts_are_made_plain) {
     Document document = document_begin("");
-    CHECK_TEXT(document_text(&document, "a\x01\tb\x7f"), "a\xef\xbf\xbd b\xef\xbf\xbd");
+    CHECK_TEXT(document_text(&document, "a\x01\tb\x7f"), "a\\u0001 b\\u007f");
     CHECK_TEXT(document_text(&document, "%s", "\xff\xc3"), "\xef\xbf\xbd\xef\xbf\xbd");
     CHECK_TEXT(document_text(&document, "%s", "\xef\xbf\xbe"), "\xef\xbf\xbd");
     CHECK_TEXT(document_text(&document, "%s", "\xef\xb7\x90"), "\xef\xbf\xbd");

@@ -281,9 +281,10 @@ TEST(a_name_stays_inside_what_it_names_and_turns_when_it_must) {
     scene_clear(&scene);
 }
 
-/* Writes a picture under /tmp and returns its bytes. */
+/* Writes a picture to a temporary file and returns its bytes. */
 static char *painted(const Scene *scene, CairoFileKind kind, size_t *size) {
-    char path[] = "/tmp/clearance-scene-XXXXXX";
+    char path[CHECK_PATH];
+    check_temporary(path, "scene-XXXXXX");
     int file = mkstemp(path);
     CHECK(file >= 0);
     close(file);
@@ -320,7 +321,8 @@ TEST(a_picture_that_cannot_be_says_why) {
 }
 
 TEST(codes_that_are_no_letters_do_no_harm) {
-    static const char path[] = "/tmp/clearance-codes.pdf";
+    char path[CHECK_PATH];
+    check_temporary(path, "codes.pdf");
     Scene scene = plain_scene();
     scene.name = "a\x01\xef\xbf\xbf\xef\xb7\x90\xff";
     scene_add_label(&scene, ROLE_TEXT, 17, vec2(3, 2), scene.name);
@@ -421,7 +423,7 @@ enum { MEMBERS = 40 };
 
 /* A crowd of 40 and a chair before two exits: all have left except three who are blocked, two of them side by side,
  * and one whose time ran out. */
-static Scene crowd_scene(Census *census) {
+static Scene crowd_scene(Census *census, bool interrupted) {
     static TraceColumn columns[TRACE_COLUMNS];
     static char names[MEMBERS][24];
     Profile profiles[] = {chair, adult};
@@ -436,7 +438,7 @@ static Scene crowd_scene(Census *census) {
                    .person_count = MEMBERS + 1};
     house.plan.exit_count = 2;
     house.outline.box = (Box){{0, 0}, {10, 6}};
-    Observation observation = {.people = observed, .person_count = MEMBERS + 1, .time = 60};
+    Observation observation = {.people = observed, .person_count = MEMBERS + 1, .time = 60, .interrupted = interrupted};
     trace_init(&observation.trace, columns, TRACE_COLUMNS);
     for (int i = 0; i <= MEMBERS; i++) {
         bool rides = i == MEMBERS;
@@ -477,7 +479,7 @@ static const Primitive *find_label(const Scene *scene, const char *text) {
 
 TEST(a_census_sums_crowds_and_puts_together_who_is_stopped_at_one_place) {
     Census census;
-    Scene scene = crowd_scene(&census);
+    Scene scene = crowd_scene(&census, false);
     CHECK(census.people == MEMBERS + 1 && census.out == MEMBERS - 3 && census.stuck == 4);
     CHECK(census.party_count == 2);
     CHECK_TEXT(census.parties[0].crowd->id, "adults");
@@ -492,9 +494,18 @@ TEST(a_census_sums_crowds_and_puts_together_who_is_stopped_at_one_place) {
     scene_clear(&scene);
 }
 
+TEST(a_picture_of_an_interrupted_run_does_not_say_that_people_are_not_out) {
+    Census census;
+    Scene scene = crowd_scene(&census, true);
+    CHECK_TEXT(scene.title, "Interrupted at 60.0 s: of 41 people, 37 are out so far");
+    CHECK_TEXT(scene.rows[scene.row_count - 1].cells[0], "still inside");
+    census_clear(&census);
+    scene_clear(&scene);
+}
+
 TEST(a_picture_of_a_crowd_names_nobody_and_counts_everybody) {
     Census census;
-    Scene scene = crowd_scene(&census);
+    Scene scene = crowd_scene(&census, false);
     CHECK_TEXT(scene.title, "4 of 41 are not out");
     CHECK_TEXT(
         scene.detail,
@@ -518,7 +529,7 @@ TEST(a_picture_of_a_crowd_names_nobody_and_counts_everybody) {
 
 TEST(loci_of_a_crowd_are_thinned_but_end_where_they_end) {
     Census census;
-    Scene scene = crowd_scene(&census);
+    Scene scene = crowd_scene(&census, false);
     int loci = 0;
     for (size_t i = 0; i < scene.count; i++) {
         const Primitive *line = &scene.primitives[i];

@@ -35,7 +35,8 @@ static void check_file(const char *path, int picture) {
 }
 
 TEST(pictures_are_written_in_any_number_of_threads) {
-    char directory[] = "/tmp/clearance-png-XXXXXX", path[64];
+    char directory[CHECK_PATH], path[CHECK_PATH + 16];
+    check_temporary(directory, "png-XXXXXX");
     CHECK(mkdtemp(directory));
     for (int threads = 1; threads <= 4; threads++) {
         PngWriter *writer = png_writer_create(WIDTH, HEIGHT, threads);

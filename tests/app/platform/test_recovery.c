@@ -1,5 +1,6 @@
 /* Tests recovery of unsaved edits: a recovery file is found once its process has ended, and never before. */
 
+#include "base/file_write.h"
 #include "platform/recovery.h"
 
 #include <stdlib.h>
@@ -95,7 +96,7 @@ TEST(without_what_is_about_it_the_house_speaks_for_itself) {
     RecoveryFound *found = recovery_find(recovery, &count);
     for (int broken = 0; count == 1 && broken < 2; broken++) {
         if (broken)
-            CHECK(text_write_file(found->about_path, "{\"edits\": -3, \"na", 17) == 0);
+            CHECK(file_write_bytes(found->about_path, "{\"edits\": -3, \"na", 17) == 0);
         else
             unlink(found->about_path);
         RecoveryFound *now = recovery_find(recovery, &count);

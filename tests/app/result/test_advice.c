@@ -67,8 +67,8 @@ TEST(one_answer_far_from_trouble_is_said_for_a_beam_and_for_a_house) {
 TEST(a_steep_answer_says_how_steep_and_where_the_nearest_trouble_is) {
     Types types = make_types(TYPES_II, TYPES_STEEP_ANSWER);
     types.parameters[0].sensitivity = HUGE_VAL;
-    types.parameters[0].above = (Neighbour){.found = true, .value = 1.1e-4, .share = 0.1};
-    types.parameters[1].below = (Neighbour){.found = true, .value = 1.9, .share = -0.05};
+    types.parameters[0].above = (Neighbour){.answer = NEIGHBOUR_FOUND, .value = 1.1e-4, .share = 0.1};
+    types.parameters[1].below = (Neighbour){.answer = NEIGHBOUR_FOUND, .value = 1.9, .share = -0.05};
     types.neighbour_runs = 40;
     check_advice("beam", &types, 0,
                  "Type II: run it here only with close tolerances. It is periodic throughout, but its largest force "
@@ -81,7 +81,7 @@ TEST(several_answers_are_listed_with_their_starts) {
     Types types = make_types(TYPES_II, TYPES_SEVERAL);
     types.parameter_count = 1;
     types.worst = 1;
-    types.parameters[0].below.found = true;
+    types.parameters[0].below.answer = NEIGHBOUR_FOUND;
     types.parameters[0].below.value = 9e-5;
     types.parameters[0].below.share = -0.1;
     check_advice(
@@ -107,7 +107,7 @@ TEST(a_point_that_is_not_regular_says_from_how_many_starts_and_what_would_help) 
         "Not all people leave with one of these changed alone by up to 20 % either: clearance or speed.\n" BASIS);
     types.worst = 1;
     types.points[1].irregular = 3;
-    types.parameters[1].above = (Neighbour){.found = true, .value = 2.2, .share = 0.1};
+    types.parameters[1].above = (Neighbour){.answer = NEIGHBOUR_FOUND, .value = 2.2, .share = 0.1};
     check_advice("beam", &types, 0,
                  "Type III: do not run it here. It is not periodic at clearance 0.099 mm, from 3 of 16 starts.\n"
                  "With one number changed alone it is periodic again at speed 2.2 (10 % above).\n" BASIS);
@@ -125,9 +125,11 @@ TEST(an_undecided_type_names_the_remedy_unless_it_was_stopped) {
         "larger run.until may decide it.\n"
         "This rests on 80 runs from 16 starts within 1 % of here. Repeated with the full analysis: 4 of them.\n");
     types.stopped = true;
+    types.kind = TYPES_KIND_INTERRUPTED;
+    types.reason = TYPES_INTERRUPTED;
     check_advice(
         "beam", &types, 0,
-        "The type is undecided. It is undecided whether it is periodic right here, from 5 of 16 starts.\n"
+        "The search for the type was interrupted.\n"
         "This rests on 80 runs from 16 starts within 1 % of here. Repeated with the full analysis: 4 of them. The "
         "search was stopped before it was complete.\n");
 }

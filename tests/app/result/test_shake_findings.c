@@ -78,7 +78,7 @@ TEST(the_picture_and_the_plot_say_it) {
     Case made;
     open_case(&made, CORRIDOR "'people': [{'id': 'p1', 'profile': 'manual-chair', 'at': [1, 0.6]}]}", 8, 1);
     shake_findings_run_calm(&made.findings, SIZE_MAX, 1, NULL);
-    CHECK(made.findings.calm_out && made.findings.calm_time > 0);
+    CHECK(made.findings.calm == SHAKE_CALM_OUT && made.findings.calm_time > 0);
     Scene scene;
     char text[64];
     shake_scene_make(&scene, &made.findings);

@@ -132,6 +132,15 @@ TEST(where_no_run_has_the_measure_there_is_no_best) {
     study_clear(&study);
 }
 
+TEST(an_interrupted_type_is_neither_decided_nor_undecided) {
+    Types types = {.kind = TYPES_KIND_INTERRUPTED, .reason = TYPES_INTERRUPTED, .stopped = true};
+    ResultTable kind = result_types_kind(&types);
+    CHECK_TEXT(result_find(&kind, 0, "type")->text, "interrupted");
+    CHECK_TEXT(result_at(&kind, 0, 1)->text, "interrupted");
+    CHECK_TEXT(result_find(&kind, 0, "reason")->text, "interrupted");
+    result_clear(&kind);
+}
+
 TEST(a_parameter_of_a_type_has_the_same_rows_in_a_table_and_in_json) {
     Types types = {.kind = TYPES_UNRESOLVED,
                    .reason = TYPES_UNDECIDED,
@@ -140,7 +149,7 @@ TEST(a_parameter_of_a_type_has_the_same_rows_in_a_table_and_in_json) {
                    .points = {{.parameter = 1, .value = NAN, .possible = true, .undecided = 2, .answer_count = 1}},
                    .point_count = 1};
     types.parameters[0].below.reached = 0.2;
-    types.parameters[0].above = (Neighbour){.found = true, .value = 0.84, .share = 0.05, .reached = 0.05};
+    types.parameters[0].above = (Neighbour){.answer = NEIGHBOUR_FOUND, .value = 0.84, .share = 0.05, .reached = 0.05};
     ResultTable kind = result_types_kind(&types), parameters = result_types_parameters(&types, &house);
     ResultTable points = result_types_points(&types, &house);
     CHECK_TEXT(result_find(&kind, 0, "type")->text, "unresolved");

@@ -130,7 +130,7 @@ static void check_picture(const char *name, const unsigned char *pixels) {
     cairo_surface_destroy(kept);
     CHECK(mean <= MEAN_MOST && share <= SHARE_MOST);
     if (mean > MEAN_MOST || share > SHARE_MOST) {
-        snprintf(made, sizeof made, "/tmp/clearance-golden-%s.png", name);
+        snprintf(made, sizeof made, "golden-%s.png", name);
         png_write(made, pixels, WIDTH, HEIGHT);
         printf("%s: differs by %.2f of 255, seen in %.2f %% of the picture; now it is %s\n", path, mean, 100 * share,
                made);

@@ -139,6 +139,7 @@ found = act("save", "until complete", "set door.d4.width 0.85", "until complete"
 path = found[0]["message"].partition(": ")[2]
 saved = json.loads(open(path).read())
 check([d["width"] for d in saved["doors"] if d["id"] == "d4"] == [0.85], "Ctrl+S saves a copy with the changed number")
-check(mine.read_text() == "mine" and "already" in found[1]["message"], "never over another file", found[1]["message"])
+check(mine.read_text() == "mine" and f"{mine} already exists" in found[1]["message"], "never over another file",
+      found[1]["message"])
 
 stage.end()

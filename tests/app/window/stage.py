@@ -1,6 +1,7 @@
 """Helpers of the window tests: an empty home folder, pictures, and the window itself, with a script under SDL's
 offscreen driver or with a real mouse and keyboard under Xvfb."""
 
+import atexit
 import json
 import os
 import pathlib
@@ -14,6 +15,7 @@ import time
 source = pathlib.Path(os.environ.get("CLEARANCE_SOURCE", ".")).resolve()
 program = pathlib.Path(sys.argv[1]).resolve()
 folder = pathlib.Path(tempfile.mkdtemp(prefix="clearance-window-"))
+atexit.register(shutil.rmtree, folder, ignore_errors=True)
 failed = []
 PATIENCE = 300  # s, longest wait for a state, even on a busy machine
 
@@ -33,7 +35,6 @@ def check(good, what, detail=""):
 
 
 def end():
-    shutil.rmtree(folder, ignore_errors=True)
     print(f"{len(failed)} failures")
     sys.exit(len(failed) != 0)
 
@@ -124,12 +125,14 @@ class Screen:
         self.log_read, self.log_count, self.last = 0, 0, {}  # bytes and lines read so far, last state
         self.sent = 0  # number of presses and releases sent
         script = self.place / "script"
-        script.write_text(f"wait 1\nstate {self.log}\n" * int(minutes * 60 * 30) + "quit\n")
+        script.write_text(f"wait 1\nstate {self.log.name}\n" * int(minutes * 60 * 30) + "quit\n")
         self.env = environment(self.place / "home", DISPLAY=self.display, SDL_MOUSE_DOUBLE_CLICK_TIME="0")
         self.errors = open(self.place / "errors", "w")
         self.program = subprocess.Popen([program, "open", *arguments, "--script", str(script)], cwd=self.place,
                                         env=self.env, stdout=self.errors, stderr=self.errors)
         self.until(lambda s: True)
+        if self.program.poll() is not None:
+            sys.exit(f"the window does not open: {(self.place / 'errors').read_text()}")
         self.window = self.tool("search", "--sync", "--onlyvisible", "--name", "clearance").stdout.split()[0]
         self.tool("windowfocus", "--sync", self.window)
 

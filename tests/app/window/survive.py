@@ -2,34 +2,15 @@
 """Tests that the window survives random keys, clicks, drags, wheel steps, sizes and files, and still responds: check 25
 of the window's conventions in a short form."""
 
+import json
+import os
+import pathlib
 import random
-import re
 import subprocess
 
 import stage
+from chance import anything
 from stage import act, check
-
-table = (stage.source / "app" / "window" / "keys.c").read_text()
-keys = [key.replace("\\\\", "\\") for key in re.findall(r'\{ACTION_\w+,\s*KEY_\w+,\s*"((?:[^"\\]|\\.)+)"', table)]
-keys = [key for key in keys if key not in ("Ctrl+Q", "Shift+F9", "F9")] + ["Return", "Delete", "PageUp", "PageDown", "F6"]
-files = [stage.house("corner-0.90-0.90"), stage.house("closed-door"), stage.beam("ibs-r"), stage.house("there-is-none"),
-         str(stage.source / "README.md")]
-sizes = ["800 600", "1280 720", "1024 600", "1920 1080"]
-
-
-def quoted(words):
-    return '"' + words.replace("\\", "\\\\").replace('"', '\\"') + '"'
-
-
-def anything(chance):
-    x, y, other, down = (chance.randrange(limit) for limit in (1280, 720, 1280, 720))
-    return chance.choice(
-        [f"key {quoted(chance.choice(keys))}"] * 8 +
-        [f"click {x} {y}", f"click {x} {y} double", f"click {x} {y} right", f"drag {x} {y} {other} {down}",
-         f"wheel {chance.choice([-3, -1, 1, 2])}", f'type {quoted(chance.choice(["1.25", "abc", "1e400", "-", "0,9"]))}',
-         "wait 3", f"seek {chance.uniform(0, 30):.2f}"] +
-        ([f'open "{chance.choice(files)}"', f"resize {chance.choice(sizes)}"] if chance.random() < 0.2 else []))
-
 
 for seed in range(2):
     chance = random.Random(seed)
@@ -46,6 +27,20 @@ for place, name in ((".config", "settings.json"), (".local/state", "state.json")
     (home / place / "clearance" / name).write_text('{"theme": "pink", "width": -5, "recent": 3')
 found = act("broken-home", "until complete", "state STATE")
 check(found and found[0]["theme"] == "paper" and found[0]["messages"] >= 1, "broken settings are said, and put aside")
+
+# pipes that nobody writes must not hold the window up: as a picture to trace, as settings, as a file, beside files
+place = stage.folder / "pipes"
+settings = place / "home" / ".config" / "clearance" / "settings.json"
+settings.parent.mkdir(parents=True)
+for pipe in (settings, place / "picture.png", place / "house.json"):
+    os.mkfifo(pipe)
+plan = json.loads(pathlib.Path(stage.house("corner-1.20-1.20")).read_text())
+plan["background"] = {"image": "picture.png", "at": [0, 0], "width": 4}
+(place / "traced.json").write_text(json.dumps(plan))
+found = act("pipes", f'open "{place / "traced.json"}"', "until complete", "wait 5", "state STATE",
+            f'open "{place / "house.json"}"', "wait 5", "key F4", "wait 20", "state STATE")
+check(len(found) == 2 and "traced" in found[0]["file"], "a house whose picture to trace is a pipe is shown", found)
+check(len(found) == 2 and found[1]["messages"] > found[0]["messages"], "a pipe that is opened is refused", found)
 
 # without a display the program prints a sentence, with exit code 2
 done = subprocess.run([stage.program, "open"], capture_output=True, text=True, timeout=600,

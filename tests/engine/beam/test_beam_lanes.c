@@ -1,6 +1,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/stop.h"
 #include "beam/lanes.h"
 #include "check.h"
 #include "oscillator.h"
@@ -79,7 +80,7 @@ TEST(a_lane_has_the_bits_of_a_motion_alone) {
 
 TEST(lanes_that_are_stopped_say_how_far_they_came) {
     Rig rig = oscillator_beam_rig("ibs", "beam.modes=4");
-    volatile sig_atomic_t stop = 1;
+    Stop stop = {1};
     LanesRun runs[20];
     for (size_t i = 0; i < 20; i++)
         runs[i] =

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/stop.h"
 #include "beam/response.h"
 #include "check.h"
 #include "oscillator.h"
@@ -16,15 +17,15 @@ static void check_derivative(const char *setting, int release) {
     double start[STATES_MOST], along[STATES_MOST], up[STATES_MOST], down[STATES_MOST];
     double *derivative = memory_zeroed(states * states, sizeof *derivative);
     oscillator_start(&rig, 3, start);
-    CHECK(orbit_map(&rig, start, 40, NULL, NULL));
+    CHECK(orbit_map(&rig, start, 40, NULL, NULL) == ORBIT_GOOD);
     oscillator_start(&rig, 4, along);
     const double small = 1e-6;
     for (size_t i = 0; i < states; i++) {
         up[i] = start[i] + small * along[i];
         down[i] = start[i] - small * along[i];
     }
-    CHECK(orbit_map(&rig, start, 3, derivative, NULL) && orbit_map(&rig, up, 3, NULL, NULL) &&
-          orbit_map(&rig, down, 3, NULL, NULL));
+    CHECK(orbit_map(&rig, start, 3, derivative, NULL) == ORBIT_GOOD);
+    CHECK(orbit_map(&rig, up, 3, NULL, NULL) == ORBIT_GOOD && orbit_map(&rig, down, 3, NULL, NULL) == ORBIT_GOOD);
     double apart = 0, length = 0;
     for (size_t i = 0; i < states; i++) {
         double exact = 0, difference = (up[i] - down[i]) / (2 * small);
@@ -51,13 +52,13 @@ TEST(newtons_orbit_is_found_from_nearby_and_repeats) {
     Rig rig = oscillator_beam_rig("ibs", "drive.frequency=290");
     double start[STATES_MOST], again[STATES_MOST];
     oscillator_start(&rig, 1, start);
-    CHECK(orbit_map(&rig, start, 100, NULL, NULL));
+    CHECK(orbit_map(&rig, start, 100, NULL, NULL) == ORBIT_GOOD);
     Orbit orbit;
-    CHECK(orbit_find(&orbit, &rig, start, 1, NULL));
+    CHECK(orbit_find(&orbit, &rig, start, 1, NULL) == ORBIT_GOOD);
     CHECK(orbit.error < 1e-11);
     CHECK(orbit_is_stable(&orbit));
     memcpy(again, orbit.point, orbit.states * sizeof *again);
-    CHECK(orbit_map(&rig, again, 5, NULL, NULL));
+    CHECK(orbit_map(&rig, again, 5, NULL, NULL) == ORBIT_GOOD);
     CHECK_NEAR(orbit_distance(&orbit, &rig, again), 0, 1e-10);
     orbit_clear(&orbit);
     rig_clear(&rig);
@@ -66,11 +67,11 @@ TEST(newtons_orbit_is_found_from_nearby_and_repeats) {
 TEST(a_search_that_is_stopped_finds_nothing) {
     Rig rig = oscillator_beam_rig("ibs", "drive.frequency=290");
     double state[STATES_MOST] = {0};
-    CHECK(orbit_map(&rig, state, 100, NULL, NULL));
-    sig_atomic_t stop = 1;
+    CHECK(orbit_map(&rig, state, 100, NULL, NULL) == ORBIT_GOOD);
+    Stop stop = {1};
     Orbit orbit;
-    CHECK(!orbit_find(&orbit, &rig, state, 1, &stop) && !orbit.point);
-    CHECK(!orbit_map(&rig, state, 1, NULL, &stop));
+    CHECK(orbit_find(&orbit, &rig, state, 1, &stop) == ORBIT_INTERRUPTED && !orbit.point);
+    CHECK(orbit_map(&rig, state, 1, NULL, &stop) == ORBIT_INTERRUPTED);
     rig_clear(&rig);
 }
 
@@ -78,14 +79,14 @@ TEST(a_search_that_is_stopped_finds_nothing) {
 TEST(the_largest_multiplier_is_how_fast_the_orbit_is_approached) {
     Rig rig = oscillator_beam_rig("ibs", "drive.frequency=20");
     double state[STATES_MOST] = {0};
-    CHECK(orbit_map(&rig, state, 300, NULL, NULL));
+    CHECK(orbit_map(&rig, state, 300, NULL, NULL) == ORBIT_GOOD);
     Orbit orbit;
-    CHECK(orbit_find(&orbit, &rig, state, 2, NULL));
+    CHECK(orbit_find(&orbit, &rig, state, 2, NULL) == ORBIT_GOOD);
     for (size_t i = 0; i < orbit.states; i++)
         state[i] = orbit.point[i] * (1 + 1e-4);
-    CHECK(orbit_map(&rig, state, 6, NULL, NULL)); /* until only the slowest is left */
+    CHECK(orbit_map(&rig, state, 6, NULL, NULL) == ORBIT_GOOD); /* until only the slowest is left */
     double before = orbit_distance(&orbit, &rig, state);
-    CHECK(orbit_map(&rig, state, 4, NULL, NULL));
+    CHECK(orbit_map(&rig, state, 4, NULL, NULL) == ORBIT_GOOD);
     CHECK_NEAR(orbit_distance(&orbit, &rig, state) / before, orbit.largest * orbit.largest, 0.05 * orbit.largest);
     orbit_clear(&orbit);
     rig_clear(&rig);
@@ -137,10 +138,10 @@ TEST(a_beam_without_a_force_rests_and_one_that_does_not_reach_the_joint_does_not
 TEST(a_response_that_is_stopped_says_nothing_of_periods) {
     Beam beam = oscillator_beam("ibs", NULL);
     Rig rig = oscillator_beam_rig("ibs", NULL);
-    sig_atomic_t stop = 1;
+    Stop stop = {1};
     Response response;
     response_run(&response, &rig, &beam, NULL, &stop);
-    CHECK(response.verdict == RESPONSE_UNRESOLVED);
+    CHECK(response.verdict == RESPONSE_INTERRUPTED);
     CHECK(response.section.count == 0 && response.trace.rows == 0);
     response_clear(&response);
     rig_clear(&rig);

@@ -5,6 +5,7 @@
 
 #include "check.h"
 #include "scratch.h"
+#include "base/stop.h"
 
 enum { TRIALS = 24, NAMES_MOST = 3 };
 
@@ -208,7 +209,7 @@ TEST(modes_and_cycles_are_numbers_too_and_whole) {
 
 TEST(a_stop_leaves_trials_undone) {
     Experiment experiment = open_beam("ibs", NULL);
-    const volatile sig_atomic_t stop = 1;
+    const Stop stop = {1};
     Batch batch;
     batch_init(&batch);
     experiment.run(experiment.given, NULL, 0, batch.trials, 3, false, &stop);

@@ -7,6 +7,7 @@
 
 #include "check.h"
 #include "scratch.h"
+#include "base/stop.h"
 #include "house/run.h"
 #include "study/study.h"
 #include "study/summary.h"
@@ -254,7 +255,7 @@ TEST(a_run_that_is_stopped_is_not_done) {
     open_case(&made, corridor);
     Study study = sweep(&made, "door.d1.width", 0.9, 1, 2);
     study_begin(&study);
-    const volatile sig_atomic_t stop = 1;
+    const Stop stop = {1};
     made.experiment.run(made.experiment.given, study.names, 1, study.trials, 2, false, &stop);
     CHECK(study_done(&study) == 0);
     study_clear(&study);

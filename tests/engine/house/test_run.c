@@ -8,6 +8,7 @@
 
 #include "case.h"
 #include "check.h"
+#include "house/observer.h"
 #include "house/step.h"
 #include "house/world.h"
 
@@ -150,6 +151,29 @@ TEST(numbers_that_diverge_stop_the_run_and_name_the_person) {
     CHECK(step_world(&world, &who) == STEP_DIVERGED);
     CHECK(who == 0 && world.phase[0] == PHASE_STUCK && world.reason[0] == REASON_DIVERGED);
     CHECK(world.centre[0].x == good.x && world.centre[0].y == good.y); /* the last valid state */
+    world_destroy(&world);
+    journey_free_all(&journeys);
+    house_free(&house);
+}
+
+TEST(when_one_person_diverges_the_others_are_not_called_interrupted) {
+    House house;
+    json_t *plan = case_corridor(2);
+    case_add_person(plan, "manual-chair", 1, 0, 0);
+    case_add_person(plan, "manual-chair", 3, 0, 0);
+    case_made(&house, plan, -1, NULL);
+    Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
+    World world = world_create(&house, journeys.of, NULL);
+    PersonObservation people[2] = {{.took_part = false}};
+    Observer observer;
+    observer_init(&observer, &world, people);
+    step_world(&world, NULL);
+    world.velocity[0] = vec2(1e12, 0);
+    CHECK(step_world(&world, NULL) == STEP_DIVERGED);
+    observer_end(&observer, REASON_OTHER_DIVERGED);
+    CHECK(people[0].reason == REASON_DIVERGED && people[1].reason == REASON_OTHER_DIVERGED);
+    CHECK_TEXT(observation_reason(people[1].reason), "another person diverged");
+    observer_clear(&observer);
     world_destroy(&world);
     journey_free_all(&journeys);
     house_free(&house);

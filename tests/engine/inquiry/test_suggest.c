@@ -7,6 +7,7 @@
 
 #include "check.h"
 #include "scratch.h"
+#include "base/stop.h"
 #include "house/run.h"
 #include "inquiry/suggest_change.h"
 
@@ -198,7 +199,7 @@ TEST(the_tries_are_bounded_and_a_flag_ends_them) {
     SuggestTask task = {.path = made.path, .options = &made.options, .jobs = 1, .most_tries = 4};
     CHECK(suggest_find(&list, &task, &fault) && list.exhausted && list.tries <= 4 && list.count == 0);
     suggest_clear(&list);
-    volatile sig_atomic_t stop = 1;
+    Stop stop = {1};
     task = (SuggestTask){.path = made.path, .options = &made.options, .jobs = 1, .stop = &stop};
     CHECK(suggest_find(&list, &task, &fault) && list.stopped && list.count == 0);
     suggest_clear(&list);

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
+#include "base/stop.h"
 #include "check.h"
 #include "scratch.h"
 #include "base/text.h"
@@ -93,7 +94,7 @@ TEST(a_ratio_compares_a_variant_with_another_and_does_not_depend_on_jobs) {
 }
 
 TEST(what_is_stopped_is_not_run) {
-    static const volatile sig_atomic_t stop = 1;
+    static const Stop stop = {1};
     Verification verification = {.path = NULL};
     draft_case(&verification, "{'measure': 'out', 'low': 1, 'unit': '1'}");
     CaseRunOptions options = *options_of(1);

@@ -1,6 +1,7 @@
 #include "check.h"
 
 #include <math.h>
+#include <stdint.h>
 
 #include "mechanics/spectrum.h"
 
@@ -50,4 +51,39 @@ TEST(a_constant_is_at_frequency_0) {
 
 TEST(one_sample_has_no_spectrum) {
     CHECK(spectrum_make(&samples[0][0], 1, 2, 1).count == 0);
+}
+
+/* Returns the amplitude of element k by the defining sum, in extended precision. */
+static double direct(const double *signal, size_t count, size_t k) {
+    long double real = 0, imaginary = 0, sum = 0;
+    for (size_t j = 0; j < count; j++) {
+        long double weight = (1 - cosl(2 * M_PIl * j / count)) / 2, angle = 2 * M_PIl * (j * k % count) / count;
+        real += weight * signal[j] * cosl(angle);
+        imaginary -= weight * signal[j] * sinl(angle);
+        sum += weight;
+    }
+    return (double)((k == 0 || 2 * k == count ? 1 : 2) * hypotl(real, imaginary) / sum);
+}
+
+TEST(each_element_is_that_of_the_defining_sum) {
+    static const size_t counts[] = {2,  3,  4,  5,   6,   7,   8,   9,   12,   13,  16,
+                                    25, 64, 97, 100, 128, 210, 243, 251, 1001, 1024};
+    double signal[1024];
+    uint64_t state = 7;
+    for (size_t c = 0; c < sizeof counts / sizeof counts[0]; c++) {
+        double largest = 0, off = 0;
+        for (size_t j = 0; j < counts[c]; j++) {
+            state = state * 6364136223846793005u + 1442695040888963407u;
+            signal[j] = (double)(int64_t)state / 9.3e18;
+        }
+        Spectrum spectrum = spectrum_make(signal, counts[c], 1, 1);
+        CHECK(spectrum.count == counts[c] / 2 + 1);
+        for (size_t k = 0; k < spectrum.count; k++) {
+            double expected = direct(signal, counts[c], k);
+            largest = fmax(largest, expected);
+            off = fmax(off, fabs(spectrum.amplitude[k] - expected));
+        }
+        CHECK_NEAR(off / largest, 0, 1e-14 * sqrt((double)counts[c]));
+        spectrum_clear(&spectrum);
+    }
 }

@@ -46,8 +46,52 @@ TEST(a_disc_passes_a_door_a_centimetre_wider_and_no_narrower_one) {
     route = route_round(&fixture.query);
     CHECK(route.answer == ROUTE_CANNOT_PASS);
     CHECK_TEXT(route.blockage.what, "door d1");
-    CHECK_NEAR(route.blockage.has, 0.62, 0.005);
-    CHECK_NEAR(route.blockage.needs, 0.63, 0.01);
+    CHECK_NEAR(route.blockage.has, 0.62, 1e-6);
+    CHECK_NEAR(route.blockage.needs, 0.63, 1e-12);
     route_free(&route);
     rooms_free(&fixture);
+}
+
+/* Returns the blockage of a disc of 0.63 m that meets two pieces of furniture `gap` m apart, in rooms that are
+ * turned by `angle` and shifted. */
+static Blockage blockage_between_pieces(double gap, double angle, Vec2 shift) {
+    Rooms fixture;
+    rooms_make_two(&fixture, 0.63, 1.2, DOOR_OPEN);
+    rooms_free(&fixture);
+    Vec2 axis = vec2_heading(angle);
+    for (size_t i = 0; i < 16; i++)
+        fixture.points[i] = vec2_add(vec2_turn(fixture.points[i], axis), shift);
+    fixture.exits[0].from = vec2_add(vec2_turn(fixture.exits[0].from, axis), shift);
+    fixture.exits[0].to = vec2_add(vec2_turn(fixture.exits[0].to, axis), shift);
+    double depth = (3 - 0.12 - gap) / 2; /* of two pieces that stand against the walls */
+    for (int k = 0; k < 2; k++) {
+        Vec2 centre = vec2(4, k ? 2.94 - depth / 2 : 0.06 + depth / 2);
+        fixture.furniture[k] = (Furniture){.id = k ? "b" : "a",
+                                           .name = "piece",
+                                           .centre = vec2_add(vec2_turn(centre, axis), shift),
+                                           .size = {0.4, depth},
+                                           .angle = degrees(angle)};
+    }
+    fixture.plan.furniture_count = 2;
+    fixture.query.at = vec2_add(vec2_turn(vec2(1, 1.5), axis), shift);
+    rooms_build(&fixture);
+    Route route = route_round(&fixture.query);
+    CHECK(route.answer == ROUTE_CANNOT_PASS);
+    Blockage blockage = route.blockage;
+    blockage.at = vec2_unturn(vec2_sub(blockage.at, shift), axis);
+    route_free(&route);
+    rooms_free(&fixture);
+    return blockage;
+}
+
+TEST(the_width_of_a_refused_disc_is_that_of_a_tape) {
+    static const double gaps[] = {0.11, 0.2, 0.451, 0.6, 0.615}, angles[] = {0, 0.13, 0.5, M_PI_4, 1.4};
+    for (size_t g = 0; g < sizeof gaps / sizeof *gaps; g++)
+        for (size_t a = 0; a < sizeof angles / sizeof *angles; a++) {
+            Blockage blockage = blockage_between_pieces(gaps[g], angles[a], vec2(0.017 * (double)a, -3.301));
+            CHECK_NEAR(blockage.has, gaps[g], 1e-3);
+            CHECK_NEAR(blockage.needs, 0.63, 1e-12);
+            CHECK_NEAR(blockage.at.x, 4, 0.25);
+            CHECK_NEAR(blockage.at.y, 1.5, 5e-3);
+        }
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/random.h"
+#include "base/stop.h"
 #include "rooms.h"
 
 TEST(a_chair_drives_round_corners_along_free_poses) {
@@ -49,6 +50,20 @@ TEST(the_same_question_has_the_same_answer) {
     route_free(&one);
     route_free(&other);
     rooms_free(&fixture);
+}
+
+TEST(an_interrupted_search_says_neither_yes_nor_no) {
+    const double doors[] = {0.90, 0.60};
+    const Stop stop = {1};
+    for (size_t i = 0; i < sizeof doors / sizeof *doors; i++) {
+        Rooms fixture;
+        rooms_make_two(&fixture, 0.63, doors[i], DOOR_OPEN);
+        fixture.query.stop = &stop;
+        Route driven = route_drive(&fixture.query);
+        CHECK(driven.answer == ROUTE_INTERRUPTED && !driven.poses && !*driven.blockage.what);
+        CHECK_NEAR(driven.blockage.needs, 0, 0);
+        rooms_free(&fixture);
+    }
 }
 
 TEST(a_door_narrower_than_the_body_is_named_with_its_widths) {

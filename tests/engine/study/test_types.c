@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "check.h"
+#include "base/stop.h"
 
 /* Tests types on synthetic experiments, whose results are formulas of two parameters and the seed. */
 typedef struct Told {
@@ -35,10 +36,10 @@ static double nominal(const void *given, const char *name) {
 }
 
 static void run(const void *given, const char *const *names, size_t name_count, Trial *trials, size_t count, bool carry,
-                const volatile sig_atomic_t *stop) {
+                const Stop *stop) {
     const Made *made = given;
     CHECK(!carry);
-    for (size_t i = 0; i < count && !(stop && *stop); i++) {
+    for (size_t i = 0; i < count && !stop_requested(stop); i++) {
         double values[3] = {nominals[0], nominals[1], nominals[2]};
         for (size_t n = 0; n < name_count; n++)
             values[find_row(given, names[n]) - rows] = trials[i].at[n];
@@ -99,7 +100,7 @@ TEST(one_answer_that_changes_slowly_is_type_one_and_its_sensitivities_are_its_po
     CHECK(types.answers == 1 && types.point_count == 5);
     CHECK(types.runs == 5 * TYPES_STARTS && types.thorough == 0);
     CHECK(types.points[0].answers[0].starts == TYPES_STARTS);
-    CHECK(!types.parameters[0].above.found && !types.parameters[0].below.found);
+    CHECK(types.parameters[0].above.answer == NEIGHBOUR_NONE && types.parameters[0].below.answer == NEIGHBOUR_NONE);
     CHECK_NEAR(types.parameters[0].above.reached, 0.2, 1e-12);
     CHECK(types.neighbour_runs == 4 * NEIGHBOURS_STEPS * NEIGHBOURS_STARTS);
     CHECK_TEXT(types_kind_name(types.kind), "I");
@@ -211,10 +212,10 @@ TEST(what_cannot_be_told_is_unresolved_unless_something_else_is_irregular) {
 TEST(from_an_irregular_point_the_nearest_regular_ones_are_sought) {
     Types types = tell(chaos_here);
     CHECK(types.kind == TYPES_III && types.worst == 0 && types.sought == NEIGHBOURS_REGULAR);
-    CHECK(types.parameters[0].below.found && !types.parameters[0].above.found);
+    CHECK(types.parameters[0].below.answer == NEIGHBOUR_FOUND && types.parameters[0].above.answer == NEIGHBOUR_NONE);
     CHECK_NEAR(types.parameters[0].below.share, -0.05, 1e-12);
     CHECK_NEAR(types.parameters[0].below.value, 1.9, 1e-12);
-    CHECK(!types.parameters[1].below.found && isnan(types.parameters[0].sensitivity));
+    CHECK(types.parameters[1].below.answer == NEIGHBOUR_NONE && isnan(types.parameters[0].sensitivity));
 }
 
 static Told trouble_further(double a, double b, uint64_t seed) {
@@ -232,7 +233,7 @@ TEST(from_a_regular_point_the_nearest_trouble_is_sought_in_steps_of_a_half_and_o
 
 TEST(where_values_are_out_of_range_the_search_ends_and_says_how_far_it_came) {
     Types types = tell_with(power, NULL, 2.25, 1);
-    CHECK(!types.parameters[0].above.found);
+    CHECK(types.parameters[0].above.answer == NEIGHBOUR_NONE);
     CHECK_NEAR(types.parameters[0].above.reached, 0.12, 1e-12);
     CHECK_NEAR(types.parameters[0].below.reached, 0.2, 1e-12);
     types = tell_with(power, NULL, 2.01, 1); /* the end of the window is out of range and is ignored */
@@ -288,7 +289,7 @@ TEST(a_parameter_that_is_nothing_has_no_window) {
     Fault fault = {0};
     CHECK(types_classify(&types, &task, &fault));
     CHECK(types.kind == TYPES_I && types.point_count == 1 && isnan(types.parameters[0].sensitivity));
-    CHECK(!types.parameters[0].below.found && types.neighbour_runs == 0);
+    CHECK(types.parameters[0].below.answer == NEIGHBOUR_NONE && types.neighbour_runs == 0);
 }
 
 static Told steeper_beyond(double a, double b, uint64_t seed) {
@@ -354,10 +355,13 @@ TEST(names_that_are_no_parameters_are_a_fault) {
 TEST(stopped_it_says_nothing) {
     Made made = {power, 10};
     Experiment experiment = make(&made);
-    sig_atomic_t stop = 1;
+    Stop stop = {1};
     TypesTask task = {.experiment = &experiment, .names = names, .name_count = 2, .jobs = 2, .stop = &stop};
     Types types;
     Fault fault = {0};
     CHECK(types_classify(&types, &task, &fault));
-    CHECK(types.kind == TYPES_UNRESOLVED && types.stopped && types.runs == 0);
+    CHECK(types.kind == TYPES_KIND_INTERRUPTED && types.stopped && types.runs == 0);
+    CHECK_TEXT(types_kind_name(types.kind), "interrupted");
+    CHECK(types.reason == TYPES_INTERRUPTED && types.point_count == 0);
+    CHECK(types.parameters[0].below.answer == NEIGHBOUR_INTERRUPTED && isnan(types.parameters[0].below.reached));
 }

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
+#include "base/stop.h"
 #include "beam/lanes.h"
 #include "beam/response.h"
 #include "check.h"
@@ -48,7 +49,7 @@ TEST(the_record_goes_through_the_state_in_which_the_response_is_recorded) {
     Fault fault = {0};
     BeamTape tape;
     Response response;
-    volatile sig_atomic_t stop = 0;
+    Stop stop = {0};
     beam.cycles = 1;
     response_run(&response, &rig, &beam, NULL, &stop);
     CHECK(beam_tape_open(&tape, &beam, "ibs-r", &fault));

@@ -224,10 +224,10 @@ TEST(what_is_measured_stays_until_it_is_deleted) {
 }
 
 /* The first bytes of a picture of 200 by 100 pixels. */
-static void write_picture(char path[64]) {
+static void write_picture(char path[CHECK_PATH]) {
     static const unsigned char bytes[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0,   0, 0, 13, 'I', 'H', 'D',
                                           'R',  0,   0,   0,   200,  0,    0,    0,    100, 8, 2, 0,  0,   0};
-    strcpy(path, "/tmp/clearance-picture-XXXXXX");
+    check_temporary(path, "picture-XXXXXX");
     FILE *stream = fdopen(mkstemp(path), "w");
     fwrite(bytes, sizeof bytes, 1, stream);
     fclose(stream);
@@ -236,7 +236,7 @@ static void write_picture(char path[64]) {
 TEST(a_picture_to_trace_over_gets_its_scale_and_is_made_level) {
     void *session = editing_open(NULL);
     Fault fault = {0};
-    char path[64];
+    char path[CHECK_PATH];
     write_picture(path);
     CHECK(!editor_set_image(laboratory->editor(session), "/nowhere/at-all.png", &fault) && fault.count == 1);
     CHECK(!editor_set_image(laboratory->editor(session), check_source(), &fault) && fault.count == 2);

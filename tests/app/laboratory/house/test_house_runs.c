@@ -5,6 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/file_write.h"
 #include "base/text.h"
 #include "check.h"
 #include "running_house.h"
@@ -103,7 +104,7 @@ static void *open_made(const char *path, const char *members) {
                 "{\"format\": \"clearance-house\", \"version\": 1, \"walls\": [{\"id\": \"w1\", \"points\": [[0, 0], "
                 "[9, 0]]}]%s}",
                 members);
-    CHECK(text_write_file(path, text.text, text.used) == 0);
+    CHECK(file_write_bytes(path, text.text, text.used) == 0);
     memory_free(text.text);
     char profiles[4096];
     snprintf(profiles, sizeof profiles, "%s/assets/profiles", check_source());
@@ -115,7 +116,8 @@ static void *open_made(const char *path, const char *members) {
 }
 
 TEST(a_house_that_cannot_be_run_says_why) {
-    char path[] = "/tmp/clearance-live-XXXXXX";
+    char path[CHECK_PATH];
+    check_temporary(path, "live-XXXXXX");
     close(mkstemp(path));
     void *session = open_made(path, ", \"people\": [{\"id\": \"p1\", \"profile\": \"nobody\", \"at\": [1, 1]}]");
     unsigned changed = running_house_finish(session, 0);

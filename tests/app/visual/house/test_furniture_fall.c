@@ -177,7 +177,8 @@ static const char furnished[] =
                                                                                                     "}";
 
 static void *open_house(void) {
-    char path[] = "/tmp/clearance-fall-XXXXXX", profiles[4096], text[sizeof furnished];
+    char path[CHECK_PATH], profiles[4096], text[sizeof furnished];
+    check_temporary(path, "fall-XXXXXX");
     for (size_t i = 0; i < sizeof furnished; i++)
         text[i] = furnished[i] == '\'' ? '"' : furnished[i];
     FILE *stream = fdopen(mkstemp(path), "w");

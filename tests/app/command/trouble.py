@@ -1,0 +1,113 @@
+#!/usr/bin/env python3
+"""Tests trouble with files: pipes that nobody writes, full disks, long names, processes that are killed.
+
+trouble.py CLEARANCE
+"""
+
+import os
+import pathlib
+import signal
+import subprocess
+import tempfile
+import time
+
+from program import check, end, program, source
+
+corridor = source / "houses/straight-corridor.json"
+SECONDS = 60  # for a process that must end by itself
+
+
+def run(*arguments, **options):
+    return subprocess.run([program, *map(str, arguments)], capture_output=True, timeout=SECONDS, text=True, **options)
+
+
+def waits(pid):
+    """True if the process handles SIGTERM and sleeps, as it does in open or read."""
+    try:
+        lines = dict(line.split(":", 1) for line in pathlib.Path(f"/proc/{pid}/status").read_text().splitlines())
+    except FileNotFoundError:
+        return False
+    return int(lines["SigCgt"], 16) >> (signal.SIGTERM - 1) & 1 and lines["State"].split()[0] == "S"
+
+
+def check_pipes(out):
+    pipe = out / "pipe.json"
+    os.mkfifo(pipe)
+    os.mkfifo(out / "plan.wkt")
+    reading, writing = os.pipe()  # a standard input that stays open
+    for number in (signal.SIGTERM, signal.SIGINT):
+        for words, standard_input in ((["check", pipe], None), (["run", pipe], None), (["study", pipe], None),
+                                      (["cases", pipe], None), (["check", "/dev/stdin"], reading),
+                                      (["import", out / "plan.wkt", out / "new.json"], None)):
+            process = subprocess.Popen([program, *map(str, words)], stdin=standard_input, stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.PIPE, text=True, cwd=out)
+            while not waits(process.pid) and process.poll() is None:
+                time.sleep(0.01)
+            process.send_signal(number)
+            try:
+                error = process.communicate(timeout=SECONDS)[1]
+                check(process.returncode == 2 and "cannot be read: interrupted" in error, f"{words} ends at signal {number}",
+                      f"{process.returncode} {error}")
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.communicate()
+                check(False, f"{words} survives signal {number}")
+    os.close(reading)
+    os.close(writing)
+    done = run("check", "/dev/stdin", input=corridor.read_text())
+    check(done.returncode == 0, "a house from a pipe", done.stderr)
+
+
+def check_names(out):
+    """Names of the most bytes that the system allows, and what a killed process leaves."""
+    for letter in ("x", "\u00e9", "\u20ac"):
+        name = letter * ((255 - len(".json")) // len(letter.encode()))
+        house = out / f"{name}.json"
+        house.write_text(corridor.read_text())
+        exported = out / f"{name}.wkt"[-255:]
+        for words in (["check", house], ["run", house, "--to", "1", "--out", out / name[:120]],
+                      ["export", house, "--out", exported], ["import", exported, out / f"{name[1:]}.json"]):
+            done = run(*words)
+            check(done.returncode == 0, f"{words[0]} with a name of {len(house.name.encode())} bytes",
+                  f"{done.returncode} {done.stderr[:300]}")
+        check(not [path for path in out.glob(".*")], "nothing is left")
+    folder = out / "killed"
+    folder.mkdir()
+    left = folder / ".clearance-1-1.part"
+    left.write_text("left by a killed process")
+    check(run("run", corridor, "--to", "1", "--out", folder).returncode == 0 and not left.exists(), "what is left is swept")
+
+
+def check_full(out):
+    """Standard output and the files of --out on a full disk, which a limit and a device stand in for."""
+    with open("/dev/full", "w") as full:
+        done = subprocess.run([program, "check", corridor], stdout=full, stderr=subprocess.PIPE, text=True)
+    check(done.returncode == 3 and "the answer cannot be written: the disk is full" in done.stderr, "a full disk",
+          f"{done.returncode} {done.stderr}")
+    written = out / "corridor.wkt"
+    with written.open("w") as file:
+        done = subprocess.run([program, "export", corridor, "--out", "/dev/stdout"], stdout=file, stderr=subprocess.PIPE,
+                              text=True, timeout=SECONDS)
+    check(done.returncode == 0 and written.read_text() == run("export", corridor).stdout, "an export to /dev/stdout in a file",
+          f"{done.returncode} {done.stderr}")
+    done = run("export", corridor, "--out", "/dev/full")
+    check(done.returncode == 2 and "/dev/full cannot be written: the disk is full" in done.stderr, "a full device",
+          f"{done.returncode} {done.stderr}")
+
+
+def check_fonts(out):
+    """Without fonts there is one warning, before pictures are written or the window opens."""
+    fonts = out / "fonts.conf"
+    fonts.write_text('<?xml version="1.0"?><!DOCTYPE fontconfig SYSTEM "fonts.dtd"><fontconfig></fontconfig>')
+    (out / "script").write_text("quit\n")
+    for words in (["run", corridor, "--to", "1", "--out", out / "plan"],
+                  ["export", corridor, "--to", "svg", "--out", out / "plan.svg"],
+                  ["open", corridor, "--script", out / "script"]):
+        done = run(*words, env=os.environ | {"FONTCONFIG_FILE": str(fonts), "SDL_VIDEODRIVER": "offscreen", "HOME": str(out)})
+        check(done.returncode == 0 and done.stderr.count("no font is installed") == 1, f"a warning of {words[0]}", done.stderr)
+
+
+for part in (check_fonts, check_pipes, check_names, check_full):
+    with tempfile.TemporaryDirectory() as folder:
+        part(pathlib.Path(folder))
+end()
