@@ -1,13 +1,10 @@
-/* Pictures that cairo paints into memory: without memory it would leave parts of them out, and say so only when asked.
- */
+/* Pictures that cairo paints into memory: it leaves out what it has no memory for, and says so only when asked. */
 #pragma once
 
-struct _cairo; /* cairo's own names */
-struct _cairo_surface;
+struct _cairo; /* cairo's own name of cairo_t */
 
-/* End the program as memory_end does if there was no memory for something that was painted, or for the surface. */
+/* Ends the program as memory_end does if there was no memory for something that was painted. */
 void cairo_memory_check(struct _cairo *cairo);
-void cairo_memory_check_surface(struct _cairo_surface *surface);
 
-/* Checks the memory and releases the context. */
+/* Does the same and releases the context. */
 void cairo_memory_end(struct _cairo *cairo);

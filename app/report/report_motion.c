@@ -3,7 +3,7 @@
 #include <cairo.h>
 #include <string.h>
 
-#include "draw/cairo_memory.h"
+#include "base/memory.h"
 #include "visual/house/house_plots.h"
 #include "visual/house/plan_scene.h"
 
@@ -28,7 +28,8 @@ static void release_image(void *context) {
 
 void report_motion_add_raised(Document *document, const RaisedPicture *picture, const char *name) {
     cairo_surface_t *image = cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture->width, picture->height);
-    cairo_memory_check_surface(image);
+    if (cairo_surface_status(image) != CAIRO_STATUS_SUCCESS)
+        memory_end();
     cairo_surface_flush(image);
     size_t row = 4 * (size_t)picture->width;
     for (int y = 0; y < picture->height; y++)

@@ -108,7 +108,7 @@ void *editing_open_text(const char *text) {
     void *session = laboratory->open(path, &options, &fault);
     check_say(&fault);
     unlink(path);
-    for (int i = 0; i < 2000 && !laboratory->span(session).complete; i++) {
+    while (!laboratory->span(session).complete) {
         laboratory->update(session, 0);
         nanosleep(&(struct timespec){.tv_nsec = 2000000}, NULL);
     }

@@ -189,7 +189,7 @@ TEST(a_cancelled_export_ends_soon_and_keeps_what_is_whole) {
     const char *words[] = {"run", scratch_source("houses/ube-techno-house.json")};
     const char *options[] = {"--frames", "1000", "--size", "640x400"};
     Export *export = begin(words, 2, options, 4, "run");
-    for (int i = 0; i < 4000 && !strstr(export_update(export)->doing, "picture "); i++)
+    while (export_update(export)->stage == EXPORT_RUNNING && !strstr(export_update(export)->doing, "picture "))
         usleep(5000);
     CHECK(export_update(export)->stage == EXPORT_RUNNING);
     export_cancel(export);

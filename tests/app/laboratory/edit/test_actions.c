@@ -168,7 +168,7 @@ TEST(a_change_that_lets_everybody_out_is_proposed_and_taken) {
     const char *doing = "";
     editor_ask_proposals(laboratory->editor(session));
     const Proposal *proposals = editor_proposals(laboratory->editor(session), &count, &doing);
-    for (int i = 0; i < 20000 && doing && !count; i++) {
+    while (doing && !count) {
         nanosleep(&(struct timespec){.tv_nsec = 2000000}, NULL);
         proposals = editor_proposals(laboratory->editor(session), &count, &doing);
     }
