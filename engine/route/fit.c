@@ -5,142 +5,103 @@
 #include "base/heap.h"
 #include "base/key_table.h"
 #include "base/memory.h"
+#include "base/real.h"
 #include "base/stop.h"
 
-/* The widest path (maximin; Pollack 1960) of the rectangle's growth over a lattice of the body's middle and heading,
- * six neighbours a node: the growth of a path is the least on it, and the search always goes on from the node with the
- * largest, so that the first arrival is the best. Growth above a cap counts as the cap; of equal nodes the one nearer
- * to the goal goes first.
+/* Certified subdivision of the poses (x, y, heading) of the body's middle (Brooks and Lozano-Perez 1985).
  *
- * The lattice starts coarse. Where its path is tight, the lattice is halved repeatedly in a tube of one coarse cell
- * about the path; the nodes of each lattice are nodes of the next, so that the margin can only grow. The margin is low
- * by about half a cell, 1.5 mm on the finest lattice. If the margin of a path becomes negative, the path is blocked at
- * its tightest place and another one is searched, as long as the coarse lattice allows a better one. */
+ * A cell is a box of half sides h, h and d. With the half sides A and B of the body, its heading u in the middle of the
+ * cell, and t = h (|u_x| + |u_y|), the body in the cell's middle with half sides
+ *
+ *     A + t + B sin d, B + t + A sin d   contains every placement of the cell,
+ *     A - t - B sin d, B - t - A sin d   is contained in every placement.
+ *
+ * The body grows by m on every side until it touches something. If the first of the two may grow by g, all placements
+ * may grow by at least g / (1 + sin d); if the second may grow by g, none may grow by more than g / (1 - sin d): those
+ * are the cell's bounds `low` and `high`. Where the second has no area left, it proves nothing below that growth.
+ *
+ * The widest path (maximin; Pollack 1960) over the bounds `high` shows that no path is wider. The cells on it, and
+ * their neighbours, whose bounds are apart are split in eight, and the search is repeated until the path's `low`
+ * confirms it within FIT_RESOLUTION. A body and its half turn are one placement, so the headings span half a turn, and
+ * a goal is reached if either of the two axles can reach it. Any rigid motion may be undone, so that several goals can
+ * be passed in order if each one can be reached from the start. */
 
-#define FINEST_CELL 0.004 /* m: the lattice is halved while its cell is larger */
-#define ALMOST 0.006      /* m, missing margin */
-#define COARSE_CELL 0.1   /* m */
-#define COARSE_TURNS 24   /* in a full turn */
-#define BLOCKED_REACH 0.2 /* m, about a tightest place that is too tight */
+#define ROOT_HALF 0.08         /* m, half a side of the largest cells */
+#define ROOT_TURN (M_PI / 12)  /* rad, half of their headings */
+#define ON_THE_LINE 1e-6       /* m, so that rounding does not decide what lies on a cell's face */
+#define DEEPEST (-0.2)         /* m: a path that is narrower by this margin is none that could be widened */
+#define UNDECIDED_LENGTH 30.0F /* 1, factor on the lengths of cells with an open answer: others are preferred */
 
-enum { MOST_STATES = 4000000, MOST_ALTERNATIVES = 3, KEY_OFFSET = 1 << 24 };
+enum { ROOT_TURNS = 6, MOST_LEVEL = 9, MOST_CELLS = 1 << 21, KEY_OFFSET = 1 << 20 };
 
-typedef struct State {
-    int x, y, turn; /* lattice, from the start's middle and heading */
-    float growth;   /* m */
-    float widest;   /* m, widest growth along the path to here */
-    float length;   /* m, length of the path to here, with turns counted by the motion of the body's ends */
-    int parent;     /* -1: the start */
-} State;
+typedef struct Cell {
+    int x, y, turn;  /* place among the cells of its level */
+    int level;       /* 0: largest; a cell of the next level is half as large in each of the three directions */
+    int child;       /* first of eight, 0: not split */
+    int root;        /* the largest cell around it */
+    Vec2 at;         /* m, its middle */
+    float low, high; /* m, bounds of the growth of all placements */
+    unsigned seen;   /* last search that entered the cell */
+    float widest;    /* m, least bound on its path from the start */
+    float length;    /* m, of that path */
+    int from;        /* the cell before it, -1: the start */
+} Cell;
 
-typedef struct Slot {
+typedef struct Root {
     uint64_t key; /* 0: empty */
-    int state;
-} Slot;
+    int cell;
+} Root;
 
-/* A state from which the search continues. */
+/* A cell from which the search continues. */
 typedef struct Frontier {
     float widest; /* m */
     float whole;  /* m, length of the path to here plus the least remaining length */
-    int state;
+    int cell;
 } Frontier;
 
-/* States by their lattice coordinates. */
-typedef struct Table {
-    Slot *slots;
-    size_t count, capacity;
-} Table;
-
-typedef struct Lattice {
+typedef struct Tree {
     const RouteQuery *query;
     const Rectangle *body;
     const Goal *goal;
-    Vec2 origin;         /* m */
-    double bearing;      /* rad */
-    double cell;         /* m */
-    int turns;           /* in a full turn */
-    double cap;          /* m */
-    const Table *tube;   /* cells of the lattice twice as coarse that may be entered, or NULL */
-    const State *end;    /* state of that lattice that replaces `goal`, or NULL */
-    const Vec2 *blocked; /* (blocked_count) m */
-    size_t blocked_count;
-    State *states;
-    size_t state_count, state_capacity;
+    Vec2 origin;    /* m */
+    double bearing; /* rad, of the tree's x axis */
+    Vec2 axis;      /* its unit vector */
+    double cap;     /* m: more growth than this counts as this */
+    double floor;   /* m: cells with less are never entered */
+    Cell *cells;    /* [0] is not used */
+    size_t count, capacity;
+    Root *roots;
+    size_t root_count, root_capacity;
     Frontier *heap;
     size_t heap_count, heap_capacity;
-    Table table;
-} Lattice;
+    unsigned search; /* number of the current search */
+    double turned;   /* rad, the body's heading at the start in the tree's frame, 0 to half a turn */
+} Tree;
 
-static uint64_t key_of(int x, int y, int turn) {
-    return ((uint64_t)(x + KEY_OFFSET) << 38) ^ ((uint64_t)(y + KEY_OFFSET) << 12) ^ (uint64_t)turn ^
-           ((uint64_t)1 << 63);
+KEY_TABLE_DEFINE(root, Root)
+
+static double half_side(const Cell *cell) {
+    return ROOT_HALF / (1 << cell->level);
 }
 
-KEY_TABLE_DEFINE(slot, Slot)
-
-/* Returns the slot of a key; `*fresh` is true if the slot is new. */
-static Slot *table_take(Table *table, uint64_t key, bool *fresh) {
-    return slot_enter(&table->slots, &table->count, &table->capacity, key, fresh);
+static double half_turn(const Cell *cell) {
+    return ROOT_TURN / (1 << cell->level);
 }
 
-static bool table_holds(const Table *table, uint64_t key) {
-    return table->capacity && slot_find(table->slots, table->capacity, key)->key == key;
+/* Returns a place in the tree's frame, m. */
+static Vec2 in_frame(const Tree *tree, Vec2 at) {
+    return vec2_unturn(vec2_sub(at, tree->origin), tree->axis);
 }
 
-static void table_clear(Table *table) {
-    memory_free(table->slots);
-    *table = (Table){0};
+static Vec2 middle_of(const Tree *tree, const Cell *cell) {
+    double side = 2 * half_side(cell);
+    return vec2_add(tree->origin, vec2_turn(vec2((cell->x + 0.5) * side, (cell->y + 0.5) * side), tree->axis));
 }
 
-static int wrapped(int turn, int turns) {
-    return turn < 0 ? turn + turns : turn >= turns ? turn - turns : turn;
+static double heading_of(const Tree *tree, const Cell *cell) {
+    return tree->bearing + (2 * cell->turn + 1) * half_turn(cell);
 }
 
-static Vec2 centre_of(const Lattice *lattice, int x, int y) {
-    return vec2(lattice->origin.x + x * lattice->cell, lattice->origin.y + y * lattice->cell);
-}
-
-static double heading_of(const Lattice *lattice, int turn) {
-    return lattice->bearing + turn * (2 * M_PI / lattice->turns);
-}
-
-static double growth_at(const Lattice *lattice, Vec2 centre, double heading, int *face) {
-    return freespace_growth(lattice->query->space, centre, vec2_heading(heading), lattice->body->half_length,
-                            lattice->body->half_width, lattice->cap, face);
-}
-
-/* Returns a lower bound of the distance to the goal, m. */
-static double distance_to_go(const Lattice *lattice, Vec2 at) {
-    if (lattice->end)
-        return vec2_distance(at, vec2(lattice->origin.x + 2 * lattice->cell * lattice->end->x,
-                                      lattice->origin.y + 2 * lattice->cell * lattice->end->y));
-    if (lattice->goal->radius > 0)
-        return vec2_distance(at, lattice->goal->at);
-    const Plan *plan = lattice->query->plan;
-    double nearest = HUGE_VAL;
-    for (size_t e = 0; e < plan->exit_count; e++)
-        if (field_exit_usable(lattice->goal, plan, e))
-            nearest =
-                fmin(nearest, vec2_distance(at, vec2_nearest_on_segment(at, plan->exits[e].from, plan->exits[e].to)));
-    return nearest;
-}
-
-static bool before(Frontier a, Frontier b) {
-    if (a.widest > b.widest || a.widest < b.widest)
-        return a.widest > b.widest;
-    return a.whole < b.whole || (a.whole <= b.whole && a.state > b.state);
-}
-
-HEAP_DEFINE(heap, Frontier, before)
-
-static bool is_blocked(const Lattice *lattice, Vec2 centre) {
-    for (size_t i = 0; i < lattice->blocked_count; i++)
-        if (vec2_distance(lattice->blocked[i], centre) < BLOCKED_REACH)
-            return true;
-    return false;
-}
-
-/* Enters a lattice point for the first time, along a widest path, which is also its best one. */
 /* True if the place is on the grid of distances. Beyond the grid all space is free and leads nowhere. */
 static bool is_on_the_grid(const FreeSpace *space, Vec2 at) {
     Vec2 from = vec2_sub(at, space->origin);
@@ -148,232 +109,354 @@ static bool is_on_the_grid(const FreeSpace *space, Vec2 at) {
            from.y <= space->cell * (space->ny - 1);
 }
 
-static void enter(Lattice *lattice, int x, int y, int turn, int parent, double step) {
-    if (lattice->tube && !table_holds(lattice->tube, key_of(x >> 1, y >> 1, turn >> 1)))
+static double growth(const Tree *tree, Vec2 centre, Vec2 axis, double half_length, double half_width, double reach) {
+    return freespace_growth(tree->query->space, centre, axis, half_length, half_width, reach, NULL);
+}
+
+/* Sets the bounds of a cell, which are never farther apart than those of the cell around it. */
+static void bound(const Tree *tree, Cell *cell, const Cell *around) {
+    const Rectangle *body = tree->body;
+    double heading = heading_of(tree, cell), swing = real_sin(half_turn(cell)), half = half_side(cell);
+    Vec2 axis = vec2_heading(heading), own = vec2_unturn(axis, tree->axis);
+    cell->at = middle_of(tree, cell);
+    if (!is_on_the_grid(tree->query->space, cell->at)) {
+        cell->low = cell->high = -HUGE_VALF;
         return;
-    bool fresh;
-    Slot *slot = table_take(&lattice->table, key_of(x, y, turn), &fresh);
-    if (!fresh)
-        return;
-    Vec2 centre = centre_of(lattice, x, y);
-    if (!is_on_the_grid(lattice->query->space, centre) || (lattice->blocked_count && is_blocked(lattice, centre)))
-        return;
-    size_t index = lattice->state_count;
-    slot->state = (int)index;
-    lattice->states = memory_reserve(lattice->states, &lattice->state_capacity, index + 1, sizeof(State));
-    State state = {x, y, turn, (float)growth_at(lattice, centre, heading_of(lattice, turn), NULL), 0, 0, parent};
-    state.widest = state.growth;
-    if (parent >= 0) {
-        state.widest = fminf(state.growth, lattice->states[parent].widest);
-        state.length = lattice->states[parent].length + (float)step;
     }
-    lattice->states[index] = state;
-    lattice->state_count++;
-    heap_put(&lattice->heap, &lattice->heap_count, &lattice->heap_capacity,
-             (Frontier){state.widest, state.length + (float)distance_to_go(lattice, centre), (int)index});
+    double shift = half * (fabs(own.x) + fabs(own.y));
+    double longer = shift + body->half_width * swing, wider = shift + body->half_length * swing;
+    double low =
+        growth(tree, cell->at, axis, body->half_length + longer, body->half_width + wider, tree->cap * (1 + swing)) /
+        (1 + swing);
+    double high = tree->cap;
+    if (low < tree->cap) {
+        double short_by = fmax(fmax(longer - body->half_length, wider - body->half_width), 0);
+        high = (growth(tree, cell->at, axis, fmax(body->half_length - longer, 0), fmax(body->half_width - wider, 0),
+                       tree->cap * (1 - swing)) +
+                short_by) /
+               (1 - swing);
+        double none = fmax(wider - body->half_width, longer - body->half_length) / (1 - swing);
+        high = fmin(fmax(high, none), tree->cap);
+    }
+    cell->low = (float)fmin(low, tree->cap) - 1e-7F;
+    cell->high = (float)high + 1e-7F;
+    if (around) {
+        cell->low = fmaxf(cell->low, around->low);
+        cell->high = fminf(cell->high, around->high);
+    }
 }
 
-/* True if the path to this state ends there. */
-static bool arrived(const Lattice *lattice, const State *state) {
-    if (lattice->end)
-        return state->x == 2 * lattice->end->x && state->y == 2 * lattice->end->y &&
-               state->turn == 2 * lattice->end->turn;
-    const State *from = state->parent >= 0 ? &lattice->states[state->parent] : state;
-    double ahead = lattice->body->ahead;
-    Vec2 before_it =
-        vec2_along(centre_of(lattice, from->x, from->y), -ahead, vec2_heading(heading_of(lattice, from->turn)));
-    Vec2 here =
-        vec2_along(centre_of(lattice, state->x, state->y), -ahead, vec2_heading(heading_of(lattice, state->turn)));
-    size_t exit;
-    return field_goal_reached(lattice->goal, lattice->query->plan, before_it, here, &exit);
+static int add_cell(Tree *tree, const Cell *cell) {
+    tree->cells = memory_reserve(tree->cells, &tree->capacity, tree->count + 1, sizeof *tree->cells);
+    tree->cells[tree->count] = *cell;
+    return (int)tree->count++;
 }
 
-/* Returns the last state of the widest path from a lattice point to the goal, or -1. */
-static int widest_way(Lattice *lattice, int x, int y, int turn) {
-    double swing = 2 * M_PI / lattice->turns * lattice->body->half_length, cell = lattice->cell;
-    enter(lattice, x, y, turn, -1, 0);
-    const Stop *stop = lattice->query->stop;
-    while (lattice->heap_count > 0 && lattice->state_count < MOST_STATES && !stop_requested(stop)) {
-        int index = heap_take(lattice->heap, &lattice->heap_count).state;
-        State state = lattice->states[index];
-        if (arrived(lattice, &state))
+static int root_of(Tree *tree, int x, int y, int turn) {
+    bool fresh;
+    uint64_t key =
+        ((uint64_t)(x + KEY_OFFSET) << 32) ^ ((uint64_t)(y + KEY_OFFSET) << 4) ^ (uint64_t)turn ^ ((uint64_t)1 << 63);
+    Root *root = root_enter(&tree->roots, &tree->root_count, &tree->root_capacity, key, &fresh);
+    if (fresh) {
+        Cell cell = {.x = x, .y = y, .turn = turn};
+        bound(tree, &cell, NULL);
+        cell.root = (int)tree->count;
+        root->cell = add_cell(tree, &cell);
+    }
+    return root->cell;
+}
+
+static void split(Tree *tree, int index) {
+    Cell parent = tree->cells[index];
+    int first = 0;
+    for (int part = 0; part < 8; part++) {
+        Cell cell = {.x = 2 * parent.x + (part & 1),
+                     .y = 2 * parent.y + (part >> 1 & 1),
+                     .turn = 2 * parent.turn + (part >> 2 & 1),
+                     .level = parent.level + 1,
+                     .root = parent.root};
+        bound(tree, &cell, &parent);
+        int added = add_cell(tree, &cell);
+        first = first ? first : added;
+    }
+    tree->cells[index].child = first;
+}
+
+/* Returns the cell at a place of a level within a root, or the larger one around it that is not split. */
+static int cell_within(const Tree *tree, int root, int x, int y, int turn, int level) {
+    int cell = root;
+    for (int l = level - 1; l >= 0 && tree->cells[cell].child; l--)
+        cell = tree->cells[cell].child + ((x >> l & 1) | (y >> l & 1) << 1 | (turn >> l & 1) << 2);
+    return cell;
+}
+
+/* Returns the cell of the start, which is the tree's origin. */
+static int start_cell(Tree *tree) {
+    int turns = ROOT_TURNS << MOST_LEVEL, turn = (int)(tree->turned / ldexp(2 * ROOT_TURN, -MOST_LEVEL));
+    turn = turn < turns ? turn : turns - 1;
+    return cell_within(tree, root_of(tree, 0, 0, turn >> MOST_LEVEL), 0, 0, turn, MOST_LEVEL);
+}
+
+/* The steps to the neighbours of a cell. */
+static const struct Step {
+    int x, y, turn;
+} steps[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+
+static int neighbour(Tree *tree, int index, const struct Step *step) {
+    Cell cell = tree->cells[index];
+    int level = cell.level, turns = ROOT_TURNS << level, root = cell.root;
+    int x = cell.x + step->x, y = cell.y + step->y, turn = (cell.turn + step->turn + turns) % turns;
+    const Cell *around = &tree->cells[root];
+    if (x >> level != around->x || y >> level != around->y || turn >> level != around->turn)
+        root = root_of(tree, x >> level, y >> level, turn >> level);
+    return cell_within(tree, root, x, y, turn, level);
+}
+
+static bool is_undecided(const Cell *cell, double width) {
+    return (double)cell->low < width && cell->level < MOST_LEVEL &&
+           (double)(cell->high - cell->low) > FIT_RESOLUTION / 2;
+}
+
+/* The goal -----------------------------------------------------------------------------------------------------------
+ */
+
+typedef enum Reach { REACH_NOT, REACH_PERHAPS, REACH_SURELY } Reach;
+
+/* True if a segment meets the square about `centre` with sides of 2 `half`. */
+static bool meets_square(Vec2 from, Vec2 to, Vec2 centre, double half) {
+    double first = 0, last = 1;
+    for (int axis = 0; axis < 2; axis++) {
+        double at = axis ? from.y - centre.y : from.x - centre.x, along = axis ? to.y - from.y : to.x - from.x;
+        if (along == 0 && fabs(at) > half)
+            return false;
+        if (along != 0) {
+            double one = (-half - at) / along, other = (half - at) / along;
+            first = fmax(first, fmin(one, other));
+            last = fmin(last, fmax(one, other));
+        }
+    }
+    return first <= last;
+}
+
+/* Tells whether a cell has a placement with an axle on the exit's line. */
+static Reach reach_line(const Cell *cell, Vec2 axle, double sway, Vec2 from, Vec2 to) {
+    double half = half_side(cell) + ON_THE_LINE;
+    if (!meets_square(from, to, axle, half + sway))
+        return REACH_NOT;
+    return meets_square(from, to, axle, half) ? REACH_SURELY : REACH_PERHAPS;
+}
+
+static Reach reach_point(const Cell *cell, Vec2 axle, double sway, Vec2 at, double radius) {
+    double half = half_side(cell) + ON_THE_LINE;
+    Vec2 apart = vec2_sub(at, axle);
+    Vec2 rest = {fmax(fabs(apart.x) - half, 0), fmax(fabs(apart.y) - half, 0)};
+    double least = vec2_length(rest);
+    return least <= radius ? REACH_SURELY : least <= radius + sway ? REACH_PERHAPS : REACH_NOT;
+}
+
+/* Returns a lower bound of the distance to the goal, m. */
+static double distance_to_go(const Tree *tree, Vec2 at) {
+    if (tree->goal->radius > 0)
+        return fmax(vec2_distance(at, tree->goal->at) - tree->goal->radius, 0);
+    const Plan *plan = tree->query->plan;
+    double nearest = HUGE_VAL;
+    for (size_t e = 0; e < plan->exit_count; e++)
+        if (field_exit_usable(tree->goal, plan, e))
+            nearest =
+                fmin(nearest, vec2_distance(at, vec2_nearest_on_segment(at, plan->exits[e].from, plan->exits[e].to)));
+    return nearest;
+}
+
+static Reach reach_goal(const Tree *tree, const Cell *cell) {
+    const Plan *plan = tree->query->plan;
+    const Goal *goal = tree->goal;
+    Reach best = REACH_NOT;
+    double ahead = fabs(tree->body->ahead), sway = ahead * half_turn(cell);
+    if (distance_to_go(tree, cell->at) > ahead + sway + 2 * half_side(cell))
+        return REACH_NOT;
+    Vec2 middle = in_frame(tree, cell->at), axis = vec2_unturn(vec2_heading(heading_of(tree, cell)), tree->axis);
+    for (int end = -1; end <= 1; end += 2) {
+        Vec2 axle = vec2_along(middle, end * ahead, axis);
+        Reach reach = REACH_NOT;
+        if (goal->radius > 0)
+            reach = reach_point(cell, axle, sway, in_frame(tree, goal->at), goal->radius);
+        for (size_t e = 0; !(goal->radius > 0) && e < plan->exit_count; e++)
+            if (field_exit_usable(goal, plan, e)) {
+                Reach line = reach_line(cell, axle, sway, in_frame(tree, plan->exits[e].from),
+                                        in_frame(tree, plan->exits[e].to));
+                reach = line > reach ? line : reach;
+            }
+        best = reach > best ? reach : best;
+    }
+    return best;
+}
+
+/* The search ---------------------------------------------------------------------------------------------------------
+ */
+
+static bool before(Frontier a, Frontier b) {
+    if (a.widest > b.widest || a.widest < b.widest)
+        return a.widest > b.widest;
+    return a.whole < b.whole || (a.whole <= b.whole && a.cell > b.cell);
+}
+
+HEAP_DEFINE(heap, Frontier, before)
+
+/* Enters a cell for the first time in this search, along a widest path. */
+static void enter(Tree *tree, int index, int from) {
+    Cell *cell = &tree->cells[index];
+    if (cell->seen == tree->search || (double)cell->high < tree->floor)
+        return;
+    cell->seen = tree->search;
+    cell->from = from;
+    cell->widest = fminf(cell->high, (float)tree->cap);
+    cell->length = 0;
+    if (from >= 0) {
+        const Cell *last = &tree->cells[from];
+        float step = (float)vec2_distance(cell->at, last->at);
+        if (cell->turn != last->turn || cell->level != last->level)
+            step += (float)((half_turn(cell) + half_turn(last)) * tree->body->half_length);
+        cell->widest = fminf(cell->widest, last->widest);
+        cell->length = last->length + step * ((double)cell->low < tree->cap - FIT_RESOLUTION ? UNDECIDED_LENGTH : 1);
+    }
+    heap_put(&tree->heap, &tree->heap_count, &tree->heap_capacity,
+             (Frontier){cell->widest, cell->length + (float)distance_to_go(tree, cell->at), index});
+}
+
+/* Enters all cells that are not split within a cell, on the side that a step comes from. */
+static void enter_side(Tree *tree, int index, const struct Step *step, int from) {
+    int child = tree->cells[index].child;
+    if (!child) {
+        enter(tree, index, from);
+        return;
+    }
+    if ((double)tree->cells[index].high < tree->floor)
+        return;
+    for (int part = 0; part < 8; part++) {
+        int x = part & 1, y = part >> 1 & 1, turn = part >> 2 & 1;
+        if (step->x * (2 * x - 1) <= 0 && step->y * (2 * y - 1) <= 0 && step->turn * (2 * turn - 1) <= 0)
+            enter_side(tree, child + part, step, from);
+    }
+}
+
+/* Returns the last cell of the widest path, or -1. */
+static int widest_way(Tree *tree) {
+    tree->search++;
+    tree->heap_count = 0;
+    enter(tree, start_cell(tree), -1);
+    while (tree->heap_count > 0 && tree->count < MOST_CELLS && !stop_requested(tree->query->stop)) {
+        int index = heap_take(tree->heap, &tree->heap_count).cell;
+        Reach reach = reach_goal(tree, &tree->cells[index]);
+        if (reach == REACH_SURELY || (reach == REACH_PERHAPS && tree->cells[index].level == MOST_LEVEL))
             return index;
-        enter(lattice, state.x + 1, state.y, state.turn, index, cell);
-        enter(lattice, state.x - 1, state.y, state.turn, index, cell);
-        enter(lattice, state.x, state.y + 1, state.turn, index, cell);
-        enter(lattice, state.x, state.y - 1, state.turn, index, cell);
-        enter(lattice, state.x, state.y, wrapped(state.turn + 1, lattice->turns), index, swing);
-        enter(lattice, state.x, state.y, wrapped(state.turn - 1, lattice->turns), index, swing);
+        if (reach == REACH_PERHAPS) {
+            split(tree, index);
+            int from = tree->cells[index].from, child = tree->cells[index].child;
+            for (int part = 0; part < 8; part++)
+                enter(tree, child + part, from);
+            continue;
+        }
+        for (int s = 0; s < 6; s++)
+            enter_side(tree, neighbour(tree, index, &steps[s]), &steps[s], index);
     }
     return -1;
 }
 
-static void lattice_clear(Lattice *lattice) {
-    memory_free(lattice->states);
-    memory_free(lattice->heap);
-    table_clear(&lattice->table);
-}
-
-/* A path on one lattice. */
-typedef struct Way {
-    State *states; /* (count), from the start */
-    size_t count;
-    float widest;
-    bool cut; /* True if the path ends before the goal, where the rest is wide enough */
-} Way;
-
-static Way way_take(const Lattice *lattice, int last) {
-    Way way = {.widest = lattice->states[last].widest};
-    for (int s = last; s >= 0; s = lattice->states[s].parent)
-        way.count++;
-    way.states = memory_zeroed(way.count, sizeof *way.states);
-    size_t place = way.count;
-    for (int s = last; s >= 0; s = lattice->states[s].parent)
-        way.states[--place] = lattice->states[s];
-    return way;
-}
-
-/* Returns the cells within one cell of a path. */
-static Table tube_about(const State *states, size_t count, int turns) {
-    Table tube = {0};
-    bool fresh;
+/* Splits the cells of a path that may be narrower than it, and their neighbours. Returns false if there is none. */
+static bool refine(Tree *tree, int last) {
+    double width = (double)tree->cells[last].widest - FIT_RESOLUTION;
+    int *path = NULL;
+    size_t count = 0, capacity = 0;
+    for (int cell = last; cell >= 0; cell = tree->cells[cell].from) {
+        if (!is_undecided(&tree->cells[cell], width))
+            continue;
+        path = memory_reserve(path, &capacity, count + 1, sizeof *path);
+        path[count++] = cell;
+    }
     for (size_t i = 0; i < count; i++) {
-        const State *at = &states[i], *last = &states[i > 0 ? i - 1 : 0];
-        /* One step from the last state, only the side that faces forwards is new. */
-        int x = at->x - last->x, y = at->y - last->y, turn = at->turn - last->turn;
-        turn = turn > 1 ? -1 : turn < -1 ? 1 : turn;
-        for (int n = 0; n < 27; n++) {
-            int dx = n % 3 - 1, dy = n / 3 % 3 - 1, dt = n / 9 - 1;
-            if (i == 0 || dx * x + dy * y + dt * turn > 0)
-                table_take(&tube, key_of(at->x + dx, at->y + dy, wrapped(at->turn + dt, turns)), &fresh);
+        int level = tree->cells[path[i]].level;
+        for (int s = 0; s < 6; s++) {
+            int beside = neighbour(tree, path[i], &steps[s]);
+            const Cell *cell = &tree->cells[beside];
+            if (!cell->child && cell->level <= level && is_undecided(cell, width) && (double)cell->high >= tree->floor)
+                split(tree, beside);
+        }
+        if (!tree->cells[path[i]].child)
+            split(tree, path[i]);
+    }
+    memory_free(path);
+    return count > 0;
+}
+
+/* Lowers `place` to the tightest cell of a path. */
+static void note_tightest(const Tree *tree, int last, FitPlace *place) {
+    int tightest = last;
+    for (int cell = last; cell >= 0; cell = tree->cells[cell].from)
+        if (tree->cells[cell].high < tree->cells[tightest].high)
+            tightest = cell;
+    const Cell *cell = &tree->cells[tightest];
+    place->centre = cell->at;
+    place->heading = heading_of(tree, cell);
+    place->margin = (double)tree->cells[last].widest;
+    freespace_growth(tree->query->space, place->centre, vec2_heading(place->heading), tree->body->half_length,
+                     tree->body->half_width, FREESPACE_FARTHEST, &place->face);
+}
+
+/* Finds the tightest place on the way to one goal, if it is tighter than the cap. */
+static void fit_goal(Tree *tree, const Goal *goal, FitPlace *tightest) {
+    tree->goal = goal;
+    for (;;) {
+        int last = widest_way(tree);
+        if (stop_requested(tree->query->stop))
+            return;
+        if (last < 0) {
+            tightest->margin = tree->count < MOST_CELLS ? -HUGE_VAL : tightest->margin;
+            return;
+        }
+        if (!refine(tree, last)) {
+            if ((double)tree->cells[last].widest < tree->cap)
+                note_tightest(tree, last, tightest);
+            return;
         }
     }
-    return tube;
 }
 
-/* Halves the lattice about the tight stretch of a path and replaces the path by the widest one there. The lattice then
- * has the new cell size. */
-static bool refine(Lattice *lattice, Way *way) {
-    double swing = 2 * M_PI / lattice->turns * lattice->body->half_length;
-    double cap = fmin(FIT_MOST, (double)way->widest + 0.75 * lattice->cell + 0.5 * swing);
-    size_t low = 0, high = way->count - 1;
-    while (low < high && (double)way->states[low].growth >= cap)
-        low++;
-    while (high > low && (double)way->states[high].growth >= cap)
-        high--;
-    low = low >= 2 ? low - 2 : 0;
-    high = high + 2 < way->count ? high + 2 : way->count - 1;
-    Table tube = tube_about(way->states + low, high - low + 1, lattice->turns);
-    Lattice fine = {.query = lattice->query,
-                    .body = lattice->body,
-                    .goal = lattice->goal,
-                    .origin = lattice->origin,
-                    .bearing = lattice->bearing,
-                    .cell = lattice->cell / 2,
-                    .turns = lattice->turns * 2,
-                    .cap = cap,
-                    .tube = &tube,
-                    .end = high + 1 < way->count || way->cut ? &way->states[high] : NULL};
-    const State *start = &way->states[low];
-    int last = widest_way(&fine, 2 * start->x, 2 * start->y, 2 * start->turn);
-    if (last >= 0) {
-        Way better = way_take(&fine, last);
-        better.cut = fine.end != NULL;
-        memory_free(way->states);
-        *way = better;
-        lattice->cell = fine.cell;
-        lattice->turns = fine.turns;
-    }
-    lattice_clear(&fine);
-    table_clear(&tube);
-    return last >= 0;
-}
-
-static void note_tightest(const Lattice *lattice, const Way *way, FitPlace *place) {
-    const State *tightest = &way->states[0];
-    for (size_t i = 1; i < way->count; i++)
-        if (way->states[i].growth < tightest->growth)
-            tightest = &way->states[i];
-    place->centre = centre_of(lattice, tightest->x, tightest->y);
-    place->heading = heading_of(lattice, tightest->turn);
-    place->margin = growth_at(lattice, place->centre, place->heading, &place->face);
-}
-
-/* Computes the margin on a lattice of `cell` and `turns`, halved down to FINEST_CELL. Returns false if the coarse
- * lattice already excludes `needed`. The leg's end is returned in `centre` and `heading`. */
-static bool fit_from(const RouteQuery *query, const Rectangle *body, const Goal *goal, double cell, int turns,
-                     const Vec2 *blocked, size_t blocked_count, double needed, Vec2 *centre, double *heading,
-                     FitPlace *place) {
-    Lattice lattice = {.query = query,
-                       .body = body,
-                       .goal = goal,
-                       .origin = *centre,
-                       .bearing = *heading,
-                       .cell = cell,
-                       .turns = turns,
-                       .cap = FIT_MOST,
-                       .blocked = blocked,
-                       .blocked_count = blocked_count};
-    int last = widest_way(&lattice, 0, 0, 0);
-    double slack = 0.75 * cell + 0.5 * (2 * M_PI / turns) * body->half_length;
-    bool promising = last >= 0 && (double)lattice.states[last].widest + slack > needed;
-    if (promising) {
-        Way way = way_take(&lattice, last);
-        const State *end = &way.states[way.count - 1];
-        *centre = centre_of(&lattice, end->x, end->y);
-        *heading = heading_of(&lattice, end->turn);
-        note_tightest(&lattice, &way, place);
-        while (lattice.cell > FINEST_CELL && place->margin < FIT_MOST && refine(&lattice, &way))
-            note_tightest(&lattice, &way, place);
-        memory_free(way.states);
-    }
-    lattice_clear(&lattice);
-    return promising;
-}
-
-/* Computes one leg from a pose of the body's middle, and moves the pose to the leg's end. */
-static FitPlace fit_leg(const RouteQuery *query, const Rectangle *body, const Goal *goal, Vec2 *centre,
-                        double *heading) {
-    FitPlace best = {*centre, *heading, -HUGE_VAL, -1};
-    Vec2 blocked[MOST_ALTERNATIVES], end = *centre;
-    double final = *heading;
-    for (size_t attempt = 0; attempt < MOST_ALTERNATIVES && best.margin < 0; attempt++) {
-        FitPlace place = best;
-        /* If the margin is almost sufficient, retry from a lattice twice as fine, whose tube may lie better. */
-        for (int halved = 0;
-             halved < 2 && (!halved || (place.margin < 0 && place.margin > -ALMOST && place.margin >= best.margin));
-             halved++) {
-            Vec2 there = *centre;
-            double turned = *heading;
-            if (!fit_from(query, body, goal, COARSE_CELL / (1 + halved), COARSE_TURNS * (1 + halved), blocked, attempt,
-                          best.margin, &there, &turned, &place))
-                break;
-            if (place.margin > best.margin) {
-                best = place;
-                end = there;
-                final = turned;
-            }
+/* Returns the heading of the longest planned face, nearest to `heading` in quarter turns: cells parallel to the walls
+ * are few. */
+static double bearing_of(const Outline *outline, double heading) {
+    double longest = 0;
+    Vec2 along = vec2_heading(heading);
+    for (size_t f = 0; f < outline->face_count; f++) {
+        const Face *face = &outline->faces[f];
+        double length = vec2_distance(face->a, face->b);
+        if (outline_planned(face->presence) && length > longest) {
+            longest = length;
+            along = vec2_sub(face->b, face->a);
         }
-        if (!(place.margin > -HUGE_VAL))
-            break;
-        blocked[attempt] = place.centre;
     }
-    *centre = end;
-    *heading = final;
-    return best;
+    double turn = vec2_wrap_angle(real_atan2(along.y, along.x) - heading);
+    return heading + turn - M_PI_2 * round(turn / M_PI_2);
 }
 
-FitAnswer fit_margin(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
+FitAnswer fit_margin(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count, double most,
                      FitPlace *tightest) {
-    Vec2 centre = vec2_along(query->at, body->ahead, vec2_heading(query->heading));
-    double heading = query->heading;
-    *tightest = (FitPlace){centre, heading, FIT_MOST, -1};
-    for (size_t g = 0; g < goal_count; g++) {
-        FitPlace place = fit_leg(query, body, &goals[g], &centre, &heading);
-        if (place.margin < tightest->margin)
-            *tightest = place;
-        if (!(place.margin > -HUGE_VAL))
-            break; /* the house is too large to decide */
+    Vec2 axis = vec2_heading(query->heading), centre = vec2_along(query->at, body->ahead, axis);
+    *tightest = (FitPlace){centre, query->heading, most, -1};
+    tightest->margin =
+        freespace_growth(query->space, centre, axis, body->half_length, body->half_width, most, &tightest->face);
+    Tree tree = {.query = query, .body = body, .origin = centre, .cap = tightest->margin, .count = 1};
+    tree.bearing = bearing_of(query->space->outline, query->heading);
+    tree.axis = vec2_heading(tree.bearing);
+    tree.turned = query->heading - tree.bearing;
+    tree.turned -= M_PI * floor(tree.turned / M_PI);
+    tree.floor = fmax(DEEPEST, -0.8 * fmin(body->half_length, body->half_width));
+    tree.cells = memory_reserve(NULL, &tree.capacity, 1024, sizeof *tree.cells);
+    for (size_t g = 0; g < goal_count && tightest->margin > -HUGE_VAL; g++) {
+        fit_goal(&tree, &goals[g], tightest);
+        tree.cap = tightest->margin;
     }
+    memory_free(tree.cells);
+    memory_free(tree.roots);
+    memory_free(tree.heap);
     return stop_requested(query->stop) ? FIT_INTERRUPTED : FIT_KNOWN;
 }

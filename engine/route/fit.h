@@ -1,14 +1,15 @@
-/* Computes by how much a body fits: see fit.c. */
+/* Computes by how much a body fits, with proof: see fit.c. */
 #pragma once
 
 #include "route/route.h"
 #include "route/search.h"
 
-/* The tightest place of the widest path. */
+/* The tightest place of the widest path. No path is wider than `margin`; unless the search gave up, one is at least
+ * `margin` - FIT_RESOLUTION wide. */
 typedef struct FitPlace {
     Vec2 centre;    /* m, of the body */
-    double heading; /* rad */
-    double margin;  /* m */
+    double heading; /* rad, of the body or its opposite */
+    double margin;  /* m, -HUGE_VAL: no passage that could be widened */
     int face;       /* the planned face that decides, or -1 */
 } FitPlace;
 
@@ -17,12 +18,10 @@ typedef enum FitAnswer {
     FIT_INTERRUPTED, /* the tightest place is not known */
 } FitAnswer;
 
-/* Finds the tightest place of the widest path. Its margin is the largest growth, up to FIT_MOST, with which the body
- * passes the goals in order by any rigid motion. */
+/* Finds the tightest place of the widest path. Its margin is the largest growth, up to `most` m, with which the body
+ * passes each goal and leaves by any rigid motion. */
 __attribute__((warn_unused_result)) FitAnswer fit_margin(const RouteQuery *query, const Rectangle *body,
-                                                         const Goal *goals, size_t goal_count, FitPlace *tightest);
+                                                         const Goal *goals, size_t goal_count, double most,
+                                                         FitPlace *tightest);
 
-#define FIT_MOST 0.1 /* m */
-
-/* The lattice of fit_margin ends at 3.1 mm, so the margin is low by half of that. */
-#define FIT_BIAS 0.0015 /* m */
+#define FIT_RESOLUTION 0.003 /* m */

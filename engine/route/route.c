@@ -38,10 +38,9 @@ static const double end_lengths[] = {4, 3, 2, 1};
 enum { ROOMIER_NODES = 50000 };
 
 /* m: amounts by which bodies are shrunk on every side to find where the true body sticks. */
-static const double shrinkings[] = {0.0075, 0.015, 0.025, 0.035, 0.05, 0.08, 0.12};
+static const double shrinkings[] = {0.0075, 0.015, 0.025, 0.035, 0.05, 0.065, 0.08, 0.1, 0.12};
 
-/* m: the lattice's margin is never this far below the true one. */
-#define FIT_SURELY 0.02
+#define FIT_MOST 0.1 /* m: a body with this margin has room enough */
 
 #define EASED_STEP 0.002    /* m */
 enum { MOST_EASINGS = 12 }; /* steps to push the start pose clear of each obstacle in turn */
@@ -257,7 +256,7 @@ static bool explain_not_drivable(Route *route, const RouteQuery *query, const Le
     SearchTrack track = {0};
     SearchAnswer answer = SEARCH_NONE;
     for (size_t i = 0; i < sizeof shrinkings / sizeof *shrinkings; i++) {
-        if (shrinkings[i] + margin < -FIT_SURELY)
+        if (shrinkings[i] + margin < 0)
             continue; /* a body that cannot be carried through cannot be driven through */
         Rectangle smaller = shrunk(body, shrinkings[i]);
         answer = search_legs(query, legs, &smaller, &grains[2], &track, pins);
@@ -266,8 +265,15 @@ static bool explain_not_drivable(Route *route, const RouteQuery *query, const Le
     }
     if (answer == SEARCH_FOUND)
         blockage_of_track(&route->blockage, query, body, &track);
-    else
+    else if (answer != SEARCH_INTERRUPTED && tightest->margin < 0)
         blockage_of_fit(&route->blockage, query, body, tightest);
+    else if (answer != SEARCH_INTERRUPTED) {
+        FitPlace place;
+        if (fit_margin(query, body, legs->goals, legs->count, FIT_MOST, &place) == FIT_KNOWN)
+            blockage_of_fit(&route->blockage, query, body, &place);
+        else
+            answer = SEARCH_INTERRUPTED;
+    }
     search_track_clear(&track);
     memory_free(pins);
     return answer != SEARCH_INTERRUPTED;
@@ -344,8 +350,8 @@ static void search_drive(Route *route, const RouteQuery *query, const Legs *legs
     SearchAnswer answer = search_legs(query, legs, body, &grains[0], &track, pins);
     bool quick = answer == SEARCH_FOUND;
     if (answer == SEARCH_NONE || answer == SEARCH_GAVE_UP) {
-        whole = fit_margin(query, body, legs->goals, legs->count, &tightest) == FIT_KNOWN;
-        route->fits = whole && tightest.margin + FIT_BIAS >= 0;
+        whole = fit_margin(query, body, legs->goals, legs->count, 0, &tightest) == FIT_KNOWN;
+        route->fits = whole && tightest.margin >= 0;
         answer = whole ? search_finer(route, query, legs, body, &track, pins) : SEARCH_INTERRUPTED;
     }
     switch (answer) {

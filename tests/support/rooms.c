@@ -83,6 +83,17 @@ void rooms_make_two(Rooms *fixture, double width, double door, int state) {
     rooms_build(fixture);
 }
 
+void rooms_turn(Rooms *fixture, double angle, Vec2 shift) {
+    Vec2 axis = vec2_heading(angle), *ends[] = {&fixture->exits[0].from, &fixture->exits[0].to, &fixture->query.at};
+    for (size_t i = 0; i < sizeof fixture->points / sizeof *fixture->points; i++)
+        fixture->points[i] = vec2_add(vec2_turn(fixture->points[i], axis), shift);
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++)
+        *ends[i] = vec2_add(vec2_turn(*ends[i], axis), shift);
+    fixture->query.heading += angle;
+    rooms_free(fixture);
+    rooms_build(fixture);
+}
+
 void rooms_check_path(const Rooms *fixture, const Route *route) {
     const Profile *profile = &fixture->profile;
     double least = HUGE_VAL, slip = 0, farthest = 0, turned = 0, length = 0;
@@ -128,6 +139,6 @@ double rooms_fit_margin(const Rooms *fixture) {
     Rectangle body = search_body(query->profile);
     Goal goal = field_exit_goal(query->plan, query->exit, query->time, query->open_first);
     FitPlace tightest;
-    CHECK(fit_margin(query, &body, &goal, 1, &tightest) == FIT_KNOWN);
-    return fmin(tightest.margin + FIT_BIAS, FIT_MOST);
+    CHECK(fit_margin(query, &body, &goal, 1, 0.05, &tightest) == FIT_KNOWN);
+    return tightest.margin - FIT_RESOLUTION / 2;
 }

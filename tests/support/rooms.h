@@ -33,10 +33,13 @@ void rooms_make_two(Rooms *fixture, double width, double door, int state);
 /* Builds the outline and the free space again, after rooms_free, once the plan has been changed. */
 void rooms_build(Rooms *fixture);
 
+/* Turns the house about the origin by `angle` rad, then shifts it. */
+void rooms_turn(Rooms *fixture, double angle, Vec2 shift);
+
 /* Releases either house. */
 void rooms_free(Rooms *fixture);
 
-/* Returns the largest growth on every side, m, with which the body still gets from the start to an exit. */
+/* Returns the largest growth on every side, m, up to 0.05, with which the body still gets from the start to an exit. */
 double rooms_fit_margin(const Rooms *fixture);
 
 /* Checks that every pose is free, and every motion between poses is along the heading or a turn on the spot. */
