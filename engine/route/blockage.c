@@ -10,13 +10,13 @@
 
 /* The width of a passage is the shortest chord from obstacle to obstacle across both long sides of the body, at most 30
  * degrees from square, or the distance between the two faces at its ends where that is about the same. A body that
- * lacks a margin m on either side needs 2 m more than that; a disc needs its own width. Without any passage,
- * a wall blocks the path or a door is locked: then the path through the fewest solids, which prefers locked doors to
- * walls, names the place. */
+ * lacks a margin m on either side needs 2 m more than that, and its own width at least; a disc needs its own width.
+ * Without any passage, a wall blocks the path or a door is locked: then the path through the fewest solids, which
+ * prefers locked doors to walls, names the place. */
 
-#define RAY_REACH 20.0     /* m: a passage wider than this has no width worth reporting */
-#define CHORD_SPACING 0.05 /* m, along the body's axis */
-#define NO_PASSAGE 0.2     /* m: with this margin missing on either side, another passage is needed, not a wider one */
+#define RAY_REACH 20.0      /* m: a passage wider than this has no width worth reporting */
+#define DEEPEST_OVERLAP 0.2 /* m, of a track */
+#define CHORD_SPACING 0.05  /* m, along the body's axis */
 
 /* Cost per metre through free space, through a locked door and through any other solid, 1: a locked door is better than
  * any detour in a house, and a wall is worse than any number of doors. */
@@ -247,18 +247,10 @@ static bool find_breach(const RouteQuery *query, Vec2 *at) {
 }
 
 void blockage_of_fit(Blockage *blockage, const RouteQuery *query, const Rectangle *body, const FitPlace *place) {
-    *blockage = (Blockage){.at = place->centre};
-    Vec2 at;
-    if (place->margin < -NO_PASSAGE && find_breach(query, &at)) {
-        blockage->at = at;
-        blockage->needs = 2 * body->half_width;
-    } else {
-        double missing = fmax(-place->margin, 0);
-        Chord chord = chord_at(query, body, place);
-        blockage->at = chord.middle;
-        blockage->has = chord.width;
-        blockage->needs = blockage->has > 0 ? blockage->has + 2 * missing : 2 * body->half_width;
-    }
+    double missing = fmax(FIT_RESOLUTION - place->margin, 0), own = 2 * body->half_width;
+    Chord chord = chord_at(query, body, place);
+    *blockage = (Blockage){.at = chord.middle, .has = chord.width};
+    blockage->needs = blockage->has > 0 ? fmax(blockage->has + 2 * missing, own) : own;
     outline_place_name(query->space->outline, query->plan, blockage->at, blockage->what, sizeof blockage->what);
 }
 
@@ -291,6 +283,6 @@ void blockage_of_track(Blockage *blockage, const RouteQuery *query, const Rectan
         if (margin < place.margin)
             place = (FitPlace){centre, pose->heading, margin, face};
     }
-    place.margin = fmax(place.margin, -NO_PASSAGE);
+    place.margin = fmax(place.margin, -DEEPEST_OVERLAP);
     blockage_of_fit(blockage, query, body, &place);
 }

@@ -8,7 +8,7 @@
 /* Fills in the place where the body overlaps something at the start. */
 void blockage_of_start(Blockage *blockage, const RouteQuery *query, const Rectangle *body);
 
-/* Fills in the tightest place of a body that does not fit (margin negative), or only just fits. */
+/* Fills in the tightest place of a body that lacks a margin there, or only just fits. */
 void blockage_of_fit(Blockage *blockage, const RouteQuery *query, const Rectangle *body, const FitPlace *place);
 
 /* Fills in the neck of a disc's way. A disc needs its own width, exactly. Returns false, with the blockage unchanged,

@@ -29,7 +29,8 @@
 #define ROOT_HALF 0.08         /* m, half a side of the largest cells */
 #define ROOT_TURN (M_PI / 12)  /* rad, half of their headings */
 #define ON_THE_LINE 1e-6       /* m, so that rounding does not decide what lies on a cell's face */
-#define DEEPEST (-0.2)         /* m: a path that is narrower by this margin is none that could be widened */
+#define DEEPEST 0.2            /* m: a path that lacks this margin needs another passage, not a wider one */
+#define THINNEST 0.8           /* 1, of the lesser half side: a body shrunk by more hardly has an area to prove with */
 #define UNDECIDED_LENGTH 30.0F /* 1, factor on the lengths of cells with an open answer: others are preferred */
 
 enum { ROOT_TURNS = 6, MOST_LEVEL = 9, MOST_CELLS = 1 << 21, KEY_OFFSET = 1 << 20 };
@@ -449,7 +450,7 @@ FitAnswer fit_margin(const RouteQuery *query, const Rectangle *body, const Goal 
     tree.axis = vec2_heading(tree.bearing);
     tree.turned = query->heading - tree.bearing;
     tree.turned -= M_PI * floor(tree.turned / M_PI);
-    tree.floor = fmax(DEEPEST, -0.8 * fmin(body->half_length, body->half_width));
+    tree.floor = -fmin(DEEPEST, THINNEST * fmin(body->half_length, body->half_width));
     tree.cells = memory_reserve(NULL, &tree.capacity, 1024, sizeof *tree.cells);
     for (size_t g = 0; g < goal_count && tightest->margin > -HUGE_VAL; g++) {
         fit_goal(&tree, &goals[g], tightest);

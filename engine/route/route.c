@@ -323,6 +323,8 @@ static bool explain_drive(Route *route, const RouteQuery *query, const Legs *leg
                           const FitPlace *tightest) {
     if (route->fits && !query->brief)
         return explain_not_drivable(route, query, legs, body, tightest->margin, tightest);
+    if (!(tightest->margin > -HUGE_VAL))
+        return blockage_of_disc(&route->blockage, query, body->half_width, legs->goals, legs->count);
     blockage_of_fit(&route->blockage, query, body, tightest);
     return query->brief || ask_for_driving(route, query, legs, body, tightest->margin, tightest);
 }
