@@ -3,24 +3,14 @@
 #include <stdint.h>
 
 #include "house/observation.h"
-
-/* True if the reference point has crossed the exit's line between two places. */
-static bool crosses(const Exit *exit, Vec2 before, Vec2 after) {
-    Vec2 line = vec2_sub(exit->to, exit->from), way = vec2_sub(after, before);
-    double a = vec2_cross(line, vec2_sub(before, exit->from)), b = vec2_cross(line, vec2_sub(after, exit->from));
-    if ((a < 0) == (b < 0))
-        return false;
-    double turn = vec2_cross(way, line);
-    double along = vec2_cross(way, vec2_sub(exit->from, before));
-    return turn != 0 && -along / turn >= 0 && -along / turn <= 1;
-}
+#include "plan/plan_geometry.h"
 
 bool phase_leave(World *world, size_t i, Vec2 before, Vec2 after) {
     const Plan *plan = &world->house->plan;
     double time = (double)(world->clock.step + 1) * world->clock.dt;
     for (size_t e = 0; e < plan->exit_count; e++) {
         const Exit *exit = &plan->exits[e];
-        if (time >= exit->opens && time <= exit->closes && crosses(exit, before, after)) {
+        if (time >= exit->opens && time <= exit->closes && plan_geometry_leads_out(exit, before, after)) {
             world->phase[i] = PHASE_OUT;
             world->exit[i] = e;
             world->ended[i] = time;

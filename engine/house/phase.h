@@ -11,8 +11,7 @@
  * that have been stalled for longer than the run's patience. Walkers give up by their own decision (walk.c). */
 void phase_update(World *world);
 
-/* Lets person i, who has moved from `before` to `after`, leave if an open exit's line was crossed. Returns true then.
- */
+/* Lets person i, who has moved from `before` to `after`, leave if that leads out by an open exit. Returns true then. */
 bool phase_leave(World *world, size_t i, Vec2 before, Vec2 after);
 
 /* Ends the motion of person i for a Reason. */

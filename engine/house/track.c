@@ -62,19 +62,11 @@ static void decelerate(Track *track, double deceleration) {
     }
 }
 
-/* True if the path from one point to the next meets the line from a to b. */
-static bool crosses(Vec2 from, Vec2 to, Vec2 a, Vec2 b) {
-    Vec2 line = vec2_sub(b, a), way = vec2_sub(to, from);
-    double sides = vec2_cross(line, vec2_sub(from, a)) * vec2_cross(line, vec2_sub(to, a));
-    double ends = vec2_cross(way, vec2_sub(a, from)) * vec2_cross(way, vec2_sub(b, from));
-    return sides <= 0 && ends <= 0 && vec2_dot(way, way) > 0;
-}
-
 /* Measures the whole track, and where it last crosses the exit. */
 static void mark_exit(Track *track, const Exit *exit) {
     track->length = track->exit_s = track->points[track->count - 1].s;
     for (size_t i = 0; i + 1 < track->count; i++)
-        if (crosses(track->points[i].at, track->points[i + 1].at, exit->from, exit->to))
+        if (plan_geometry_leads_out(exit, track->points[i].at, track->points[i + 1].at))
             track->exit_s = track->points[i].s;
 }
 

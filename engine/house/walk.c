@@ -238,7 +238,8 @@ static bool exit_is_shut(const World *world, Vec2 at, Vec2 way, double reach) {
     double time = clock_time(&world->clock);
     for (size_t e = 0; e < plan->exit_count; e++) {
         const Exit *exit = &plan->exits[e];
-        if ((time < exit->opens || time > exit->closes) && leads_across(at, way, reach, exit->from, exit->to))
+        if ((time < exit->opens || time > exit->closes) &&
+            plan_geometry_leads_out(exit, at, vec2_along(at, reach, way)))
             return true;
     }
     return false;

@@ -1,4 +1,4 @@
-/* Positions that follow from a plan's numbers: the ends of doors and the corners of furniture. */
+/* What follows from a plan's numbers: the ends of doors, the corners of furniture, and who is out. */
 #pragma once
 
 #include "plan/plan.h"
@@ -8,3 +8,8 @@ void plan_geometry_door_ends(const Plan *plan, const Door *door, Vec2 *from, Vec
 
 /* Fills in the four corners of a piece of furniture as it stands or lies, counter-clockwise. */
 void plan_geometry_corners(const Furniture *piece, Vec2 corners[4]);
+
+/* True if a straight motion leads out: it crosses the exit's line, or one of its ends lies on the line and the other
+ * one beside it. The line belongs to neither side, so it matters neither on which side a motion begins nor in which
+ * direction the line is drawn. A motion along the line does not lead out, nor does a turn on the spot. */
+bool plan_geometry_leads_out(const Exit *exit, Vec2 from, Vec2 to);

@@ -190,9 +190,9 @@ static int breach_search(Breach *breach) {
         int point = breach_take(breach);
         int i = point % space->nx, j = point / space->nx;
         size_t exit;
-        if (breach->parent[point] >= 0 &&
-            field_goal_reached(&goal, breach->query->plan, breach_place(breach, breach->parent[point]),
-                               breach_place(breach, point), &exit))
+        int from = breach->parent[point];
+        Vec2 before = from >= 0 && from != start ? breach_place(breach, from) : breach->query->at;
+        if (field_goal_reached(&goal, breach->query->plan, before, breach_place(breach, point), &exit))
             return point;
         for (int s = 0; s < 4; s++) {
             int to_x = i + steps[s][0], to_y = j + steps[s][1], to = to_y * space->nx + to_x;

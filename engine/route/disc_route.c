@@ -1,5 +1,7 @@
 #include "route/disc_route.h"
 
+#include <stdint.h>
+
 #include "base/memory.h"
 #include "base/real.h"
 
@@ -182,6 +184,39 @@ static void line_replace(Line *line, Line by) {
     *line = by;
 }
 
+/* Returns the shortest line with poses' spacing into which a line can be pulled. */
+static Line tautened(const Line *line, const FreeSpace *space, double radius) {
+    Line taut = spaced(line);
+    for (int pass = 0; pass < PASSES; pass++) { /* alternately forwards and backwards */
+        line_replace(&taut, pulled(&taut, space, radius));
+        line_replace(&taut, line_reversed(&taut));
+        line_replace(&taut, spaced(&taut));
+    }
+    return taut;
+}
+
+/* Returns the exit that a line crosses last, or SIZE_MAX. */
+static size_t exit_crossed(const Line *line, const Plan *plan, const Goal *goal) {
+    size_t crossed = SIZE_MAX, exit;
+    for (size_t i = 1; i < line->count; i++)
+        if (field_goal_reached(goal, plan, line->at[i - 1], line->at[i], &exit))
+            crossed = exit;
+    return crossed;
+}
+
+/* Tautens a line that ends across an exit. If it would then pass beside the exit, only the part before the last motion,
+ * which crosses the exit, is tautened. */
+static void tauten_across(Line *line, const FreeSpace *space, const Plan *plan, const Goal *goal, double radius) {
+    Line taut = tautened(line, space, radius);
+    if (exit_crossed(&taut, plan, goal) == SIZE_MAX) {
+        Vec2 out = line->at[--line->count];
+        line_replace(&taut, tautened(line, space, radius));
+        line_add(&taut, out);
+        line_replace(&taut, spaced(&taut));
+    }
+    line_replace(line, taut);
+}
+
 static void write_poses(SearchTrack *track, const Line *line, const FreeSpace *space, double radius) {
     double heading = track->poses[track->count - 1].heading;
     for (size_t i = 1; i < line->count; i++) {
@@ -201,17 +236,13 @@ bool disc_route_leg(SearchTrack *track, Fields *fields, const Plan *plan, const 
     bool found =
         walk_down(field, start, radius, &line) && (goal->radius > 0 || cross_exit(&line, space, plan, goal, radius));
     if (found) {
-        for (int pass = 0; pass < PASSES; pass++) { /* alternately forwards and backwards */
-            line_replace(&line, spaced(&line));
-            line_replace(&line, pulled(&line, space, radius));
-            line_replace(&line, line_reversed(&line));
+        if (goal->radius > 0) {
+            line_replace(&line, tautened(&line, space, radius));
+        } else {
+            tauten_across(&line, space, plan, goal, radius);
+            track->exit = exit_crossed(&line, plan, goal);
         }
-        line_replace(&line, spaced(&line));
         write_poses(track, &line, space, radius);
-        size_t exit;
-        for (size_t i = 1; i < line.count; i++)
-            if (goal->radius <= 0 && field_goal_reached(goal, plan, line.at[i - 1], line.at[i], &exit))
-                track->exit = exit;
     }
     memory_free(line.at);
     fields_release(fields, field);

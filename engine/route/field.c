@@ -12,6 +12,9 @@
 /* Cells on either side of a closed door's line that are examined more closely. */
 #define DOOR_BAND 2.5
 
+/* m: nobody leaves nearer than this to an end of an exit's line, where a step straight across could miss the line. */
+#define EXIT_END 1e-3
+
 /* The lowest speed assumed by the search, m/s, which keeps times finite. */
 #define SLOWEST 0.02
 
@@ -80,8 +83,8 @@ void field_ground_clear(Ground *ground) {
     *ground = (Ground){0};
 }
 
-/* True if the motion from one place to another crosses the line. A motion that ends on the line does not cross it; the
- * next one does. */
+/* True if the motion from one place to another crosses a door's line. The line belongs to its left side: a path that
+ * has a point on it crosses it once. */
 static bool crosses(Vec2 from, Vec2 to, Vec2 a, Vec2 b) {
     Vec2 line = vec2_sub(b, a), motion = vec2_sub(to, from);
     double before = vec2_cross(line, vec2_sub(from, a)), after = vec2_cross(line, vec2_sub(to, a));
@@ -131,7 +134,7 @@ bool field_goal_reached(const Goal *goal, const Plan *plan, Vec2 from, Vec2 to, 
     if (goal->radius > 0)
         return vec2_distance(to, goal->at) <= goal->radius;
     for (size_t e = 0; e < plan->exit_count; e++)
-        if (field_exit_usable(goal, plan, e) && crosses(from, to, plan->exits[e].from, plan->exits[e].to)) {
+        if (field_exit_usable(goal, plan, e) && plan_geometry_leads_out(&plan->exits[e], from, to)) {
             *exit = e;
             return true;
         }
@@ -179,8 +182,8 @@ static void seed_point(const Field *field, Queue *queue, int i, int j) {
     }
 }
 
-/* Seeds the points within `reach` m of a line. */
-static void seed_line(const Field *field, Queue *queue, Vec2 from, Vec2 to, double reach) {
+/* Seeds the points within `reach` m of a line, on it and on both sides, that lie at least `end` m before its ends. */
+static void seed_line(const Field *field, Queue *queue, Vec2 from, Vec2 to, double reach, double end) {
     const FreeSpace *space = field->ground->space;
     Box box = box_expand(box_include(box_include(box_empty(), from), to), reach);
     double nx = space->nx, ny = space->ny;
@@ -191,9 +194,18 @@ static void seed_line(const Field *field, Queue *queue, Vec2 from, Vec2 to, doub
     for (int j = first_y; j <= last_y; j++)
         for (int i = first_x; i <= last_x; i++) {
             Vec2 at = {space->origin.x + i * space->cell, space->origin.y + j * space->cell};
-            if (vec2_distance(at, vec2_nearest_on_segment(at, from, to)) <= reach)
+            Vec2 on = vec2_nearest_on_segment(at, from, to);
+            if (vec2_distance(at, on) <= reach && vec2_distance(on, from) >= end && vec2_distance(on, to) >= end)
                 seed_point(field, queue, i, j);
         }
+}
+
+/* Seeds the points about an exit's line, but none that are beyond its ends, unless the line may be too short to have
+ * others. */
+static void seed_exit(const Field *field, Queue *queue, const Exit *exit) {
+    double cell = field->ground->space->cell;
+    bool is_short = vec2_distance(exit->from, exit->to) < 2 * cell;
+    seed_line(field, queue, exit->from, exit->to, cell, is_short ? 0 : EXIT_END);
 }
 
 static const signed char moves[16][2] = {{1, 0}, {-1, 0}, {0, 1},  {0, -1},  {1, 1}, {-1, 1}, {1, -1}, {-1, -1},
@@ -259,10 +271,10 @@ void field_init(Field *field, const Ground *ground, const Goal *goal) {
     for (size_t b = 0; b < queue.bucket_count; b++)
         queue.heads[b] = -1;
     if (goal->radius > 0)
-        seed_line(field, &queue, goal->at, goal->at, fmax(goal->radius / 2, space->cell));
+        seed_line(field, &queue, goal->at, goal->at, fmax(goal->radius / 2, space->cell), 0);
     for (size_t e = 0; goal->radius <= 0 && e < plan->exit_count; e++)
         if (field_exit_usable(goal, plan, e))
-            seed_line(field, &queue, plan->exits[e].from, plan->exits[e].to, space->cell);
+            seed_exit(field, &queue, &plan->exits[e]);
     for (size_t b = 0; queue.held > 0; b = (b + 1) % queue.bucket_count)
         while (queue.heads[b] >= 0) {
             int place = queue.heads[b];

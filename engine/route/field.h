@@ -66,7 +66,8 @@ Goal field_exit_goal(const Plan *plan, size_t exit, double time, bool open_first
 /* True if the exit is or will be open for a person who starts at the goal's time. */
 bool field_exit_usable(const Goal *goal, const Plan *plan, size_t exit);
 
-/* True if a straight motion ends the leg. `*exit` is the exit crossed (SIZE_MAX: none). */
+/* True if a straight motion ends the leg: it ends near the point, or plan_geometry_leads_out says that it leads out.
+ * `*exit` tells where (SIZE_MAX: nowhere). */
 bool field_goal_reached(const Goal *goal, const Plan *plan, Vec2 from, Vec2 to, size_t *exit);
 
 /* Computes the time to the goal from every place. field_clear releases it. */

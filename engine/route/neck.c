@@ -182,8 +182,9 @@ static NeckAnswer leg_neck(Neck *neck, const RouteQuery *query, const Goal *goal
     bool stopped = false;
     for (int point; end < 0 && !(stopped = stop_requested(query->stop)) && (point = ways_advance(&ways)) >= 0;) {
         size_t exit;
-        int from = ways.parent[point] >= 0 ? ways.parent[point] : point;
-        if (field_goal_reached(goal, query->plan, place(&ways, from), place(&ways, point), &exit))
+        int from = ways.parent[point];
+        Vec2 before_it = from >= 0 && from != start ? place(&ways, from) : *at; /* not the point nearest to the start */
+        if (field_goal_reached(goal, query->plan, before_it, place(&ways, point), &exit))
             end = point;
     }
     if (end >= 0) {
