@@ -262,6 +262,10 @@ static void set_direction(FloorField *field, size_t point, Vec2 direction) {
     field->directions[point][1] = (signed char)lrint(UNIT * direction.y);
 }
 
+static bool is_directed(const FloorField *field, size_t point) {
+    return field->directions[point][0] || field->directions[point][1];
+}
+
 static void find_directions(FloorField *field, const FastMarching *front) {
     for (int j = 0; j < field->ny; j++)
         for (int i = 0; i < field->nx; i++) {
@@ -285,7 +289,7 @@ static Vec2 across(const FloorFieldExit *exit, Vec2 frame) {
 }
 
 static void direct_exit(FloorField *field, const FloorFieldExit *exit) {
-    double beyond = exit->outward ? FLOOR_FIELD_BEYOND : 0, reach = fmax(beyond, field->cell);
+    double beyond = exit->outward ? FLOOR_FIELD_BEYOND : 0, seeded = SEEDED * field->cell, reach = fmax(beyond, seeded);
     Range range = range_about(field, exit->from, vec2_along(exit->from, exit->length, exit->along), reach);
     for (int j = range.first_y; j <= range.last_y; j++)
         for (int i = range.first_x; i <= range.last_x; i++) {
@@ -298,6 +302,9 @@ static void direct_exit(FloorField *field, const FloorFieldExit *exit) {
                           sees(field->space, vec2_along(exit->from, frame.x, exit->along), at, field->cell);
             if (passed) {
                 field->time[point] = (float)(-behind / field->speed);
+                set_direction(field, point, across(exit, frame));
+            } else if (!is_directed(field, point) && fabs(frame.y) <= seeded) {
+                /* Its time was given, and no passable point is nearer to the line. */
                 set_direction(field, point, across(exit, frame));
             }
             if (fabs(frame.y) <= field->cell) {

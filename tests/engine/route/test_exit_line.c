@@ -275,6 +275,32 @@ TEST(walkers_leave_by_an_exit_on_the_points_of_the_grid) {
     }
 }
 
+/* Beside the jamb of the door the points next to the line are too narrow for the walker, those before them are not. */
+TEST(walkers_beside_an_exits_line_know_the_way_next_to_a_corner) {
+    int lost = 0, found = 0;
+    for (int n = 0; n < 40; n++) {
+        Rooms fixture;
+        rooms_make_two(&fixture, 0.5, 1.0, DOOR_OPEN);
+        double y = on_grid(fixture.space.origin.y, fixture.space.cell, 1.1) + (n / 2 - 10) * fixture.space.cell / 10;
+        fixture.exits[0].from = vec2(n % 2 ? 3 : 6, y);
+        fixture.exits[0].to = vec2(n % 2 ? 6 : 3, y);
+        FloorField field;
+        Goal goal = {.exit = SIZE_MAX};
+        CHECK(floor_field_init(&field, &fixture.plan, &fixture.space, 0.23, 1.34, &goal));
+        for (int k = 0; k < 2000; k++) {
+            Vec2 at = {2.8 + 0.01 * (k % 50), 0.9 + 0.01 * (int)(k / 50)};
+            if (!(freespace_distance(&fixture.space, at) > 0.15))
+                continue;
+            found++;
+            lost += isfinite(floor_field_time(&field, at)) && !(vec2_length(floor_field_direction(&field, at)) > 0.99);
+        }
+        floor_field_clear(&field);
+        rooms_free(&fixture);
+    }
+    CHECK(found > 10000);
+    CHECK_NEAR(lost, 0, 0);
+}
+
 /* The exit of the corridor lies across x = 18; a shift puts people or the line beside. */
 static void check_run(double from_x, double line_x, bool swapped, const char *profile, int driving, double heading) {
     json_t *plan = case_corridor(2);
