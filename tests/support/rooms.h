@@ -39,7 +39,10 @@ void rooms_turn(Rooms *fixture, double angle, Vec2 shift);
 /* Releases either house. */
 void rooms_free(Rooms *fixture);
 
-/* Returns the largest growth on every side, m, up to 0.05, with which the body still gets from the start to an exit. */
+#define ROOMS_FIT_MOST 0.05 /* m */
+
+/* Returns the largest growth on every side, m, up to ROOMS_FIT_MOST, with which the body still gets from the start to
+ * an exit. */
 double rooms_fit_margin(const Rooms *fixture);
 
 /* Checks that every pose is free, and every motion between poses is along the heading or a turn on the spot. */

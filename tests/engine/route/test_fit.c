@@ -51,7 +51,7 @@ LONG_TEST(fits_flips_within_a_centimetre_of_the_closed_form) {
 /* Returns the margin of the chair in a corner of two passages of one width: grown by m on every side,
  * l + 2 m = 2 (sqrt(2) W - w - 2 m). At its start it has 5 cm. */
 static double margin_in_corner(double passage) {
-    return fmin((2 * (M_SQRT2 * passage - 0.63) - 1.1) / 6, 0.05);
+    return fmin((2 * (M_SQRT2 * passage - 0.63) - 1.1) / 6, ROOMS_FIT_MOST);
 }
 
 TEST(fits_margin_in_a_corner_has_a_closed_form) {
