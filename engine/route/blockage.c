@@ -247,7 +247,7 @@ static bool find_breach(const RouteQuery *query, Vec2 *at) {
 }
 
 void blockage_of_fit(Blockage *blockage, const RouteQuery *query, const Rectangle *body, const FitPlace *place) {
-    double missing = fmax(FIT_RESOLUTION - place->margin, 0), own = 2 * body->half_width;
+    double missing = fmax(-place->margin, 0), own = 2 * body->half_width;
     Chord chord = chord_at(query, body, place);
     *blockage = (Blockage){.at = chord.middle, .has = chord.width};
     blockage->needs = blockage->has > 0 ? fmax(blockage->has + 2 * missing, own) : own;

@@ -459,5 +459,6 @@ FitAnswer fit_margin(const RouteQuery *query, const Rectangle *body, const Goal 
     memory_free(tree.cells);
     memory_free(tree.roots);
     memory_free(tree.heap);
+    tightest->margin -= FIT_RESOLUTION;
     return stop_requested(query->stop) ? FIT_INTERRUPTED : FIT_KNOWN;
 }

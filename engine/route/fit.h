@@ -4,8 +4,8 @@
 #include "route/route.h"
 #include "route/search.h"
 
-/* The tightest place of the widest path. No path is wider than `margin`; unless the search gave up, one is at least
- * `margin` - FIT_RESOLUTION wide. */
+/* The tightest place of the widest path. There is a path with this margin, unless the search gave up, and none with
+ * more than `margin` + FIT_RESOLUTION. */
 typedef struct FitPlace {
     Vec2 centre;    /* m, of the body */
     double heading; /* rad, of the body or its opposite */

@@ -256,7 +256,7 @@ static bool explain_not_drivable(Route *route, const RouteQuery *query, const Le
     SearchTrack track = {0};
     SearchAnswer answer = SEARCH_NONE;
     for (size_t i = 0; i < sizeof shrinkings / sizeof *shrinkings; i++) {
-        if (shrinkings[i] + margin < 0)
+        if (shrinkings[i] + margin + FIT_RESOLUTION < 0)
             continue; /* a body that cannot be carried through cannot be driven through */
         Rectangle smaller = shrunk(body, shrinkings[i]);
         answer = search_legs(query, legs, &smaller, &grains[2], &track, pins);
@@ -265,7 +265,7 @@ static bool explain_not_drivable(Route *route, const RouteQuery *query, const Le
     }
     if (answer == SEARCH_FOUND)
         blockage_of_track(&route->blockage, query, body, &track);
-    else if (answer != SEARCH_INTERRUPTED && tightest->margin < 0)
+    else if (answer != SEARCH_INTERRUPTED && tightest->margin < -FIT_RESOLUTION)
         blockage_of_fit(&route->blockage, query, body, tightest);
     else if (answer != SEARCH_INTERRUPTED) {
         FitPlace place;
@@ -353,7 +353,7 @@ static void search_drive(Route *route, const RouteQuery *query, const Legs *legs
     bool quick = answer == SEARCH_FOUND;
     if (answer == SEARCH_NONE || answer == SEARCH_GAVE_UP) {
         whole = fit_margin(query, body, legs->goals, legs->count, 0, &tightest) == FIT_KNOWN;
-        route->fits = whole && tightest.margin >= 0;
+        route->fits = whole && tightest.margin >= -FIT_RESOLUTION;
         answer = whole ? search_finer(route, query, legs, body, &track, pins) : SEARCH_INTERRUPTED;
     }
     switch (answer) {

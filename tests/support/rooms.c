@@ -140,5 +140,5 @@ double rooms_fit_margin(const Rooms *fixture) {
     Goal goal = field_exit_goal(query->plan, query->exit, query->time, query->open_first);
     FitPlace tightest;
     CHECK(fit_margin(query, &body, &goal, 1, ROOMS_FIT_MOST, &tightest) == FIT_KNOWN);
-    return tightest.margin < ROOMS_FIT_MOST ? tightest.margin - FIT_RESOLUTION / 2 : ROOMS_FIT_MOST;
+    return fmin(tightest.margin + FIT_RESOLUTION / 2, ROOMS_FIT_MOST);
 }

@@ -153,7 +153,7 @@ TEST(a_chair_leaves_by_an_exit_on_the_points_of_the_grid) {
         lay_exit(&fixture, n / 2 % LIE_COUNT, n / 2 / LIE_COUNT, 0, n % 2);
         Route route = route_drive(&fixture.query);
         CHECK(route.answer == ROUTE_FOUND && leads_out(&fixture, route.exit, route.poses[route.count - 1].at));
-        CHECK_NEAR(rooms_fit_margin(&fixture), ROOMS_FIT_MOST, 1e-12);
+        CHECK_NEAR(rooms_fit_margin(&fixture), ROOMS_FIT_MOST, FIT_RESOLUTION);
         route_free(&route);
         rooms_free(&fixture);
     }
