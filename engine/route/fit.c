@@ -29,7 +29,6 @@
 #define ROOT_HALF 0.08         /* m, half a side of the largest cells */
 #define ROOT_TURN (M_PI / 12)  /* rad, half of their headings */
 #define ON_THE_LINE 1e-6       /* m, so that rounding does not decide what lies on a cell's face */
-#define DEEPEST 0.2            /* m: a path that lacks this margin needs another passage, not a wider one */
 #define THINNEST 0.8           /* 1, of the lesser half side: a body shrunk by more hardly has an area to prove with */
 #define UNDECIDED_LENGTH 30.0F /* 1, factor on the lengths of cells with an open answer: others are preferred */
 
@@ -439,8 +438,8 @@ static double bearing_of(const Outline *outline, double heading) {
     return heading + turn - M_PI_2 * round(turn / M_PI_2);
 }
 
-FitAnswer fit_margin(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count, double most,
-                     FitPlace *tightest) {
+FitAnswer fit_margin(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count, double least,
+                     double most, FitPlace *tightest) {
     Vec2 axis = vec2_heading(query->heading), centre = vec2_along(query->at, body->ahead, axis);
     *tightest = (FitPlace){centre, query->heading, most, -1};
     tightest->margin =
@@ -450,7 +449,7 @@ FitAnswer fit_margin(const RouteQuery *query, const Rectangle *body, const Goal 
     tree.axis = vec2_heading(tree.bearing);
     tree.turned = query->heading - tree.bearing;
     tree.turned -= M_PI * floor(tree.turned / M_PI);
-    tree.floor = -fmin(DEEPEST, THINNEST * fmin(body->half_length, body->half_width));
+    tree.floor = fmax(least, -THINNEST * fmin(body->half_length, body->half_width));
     tree.cells = memory_reserve(NULL, &tree.capacity, 1024, sizeof *tree.cells);
     for (size_t g = 0; g < goal_count && tightest->margin > -HUGE_VAL; g++) {
         fit_goal(&tree, &goals[g], tightest);

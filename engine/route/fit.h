@@ -9,7 +9,7 @@
 typedef struct FitPlace {
     Vec2 centre;    /* m, of the body */
     double heading; /* rad, of the body or its opposite */
-    double margin;  /* m, -HUGE_VAL: no passage that could be widened */
+    double margin;  /* m, -HUGE_VAL: not known */
     int face;       /* the planned face that decides, or -1 */
 } FitPlace;
 
@@ -19,9 +19,9 @@ typedef enum FitAnswer {
 } FitAnswer;
 
 /* Finds the tightest place of the widest path. Its margin is the largest growth, up to `most` m, with which the body
- * passes each goal and leaves by any rigid motion. */
+ * passes each goal and leaves by any rigid motion; -HUGE_VAL if that is less than `least`. A deep one takes long. */
 __attribute__((warn_unused_result)) FitAnswer fit_margin(const RouteQuery *query, const Rectangle *body,
-                                                         const Goal *goals, size_t goal_count, double most,
-                                                         FitPlace *tightest);
+                                                         const Goal *goals, size_t goal_count, double least,
+                                                         double most, FitPlace *tightest);
 
 #define FIT_RESOLUTION 0.003 /* m */

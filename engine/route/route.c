@@ -41,6 +41,8 @@ enum { ROOMIER_NODES = 50000 };
 static const double shrinkings[] = {0.0075, 0.015, 0.025, 0.035, 0.05, 0.065, 0.08, 0.1, 0.12};
 
 #define FIT_MOST 0.1 /* m: a body with this margin has room enough */
+#define SHALLOW 0.05 /* m: a body that lacks less margin than this is told by how much */
+#define DEEPEST 0.2  /* m: a body that lacks more needs another passage, not a wider one */
 
 #define EASED_STEP 0.002    /* m */
 enum { MOST_EASINGS = 12 }; /* steps to push the start pose clear of each obstacle in turn */
@@ -269,7 +271,7 @@ static bool explain_not_drivable(Route *route, const RouteQuery *query, const Le
         blockage_of_fit(&route->blockage, query, body, tightest);
     else if (answer != SEARCH_INTERRUPTED) {
         FitPlace place;
-        if (fit_margin(query, body, legs->goals, legs->count, FIT_MOST, &place) == FIT_KNOWN)
+        if (fit_margin(query, body, legs->goals, legs->count, 0, FIT_MOST, &place) == FIT_KNOWN)
             blockage_of_fit(&route->blockage, query, body, &place);
         else
             answer = SEARCH_INTERRUPTED;
@@ -323,10 +325,19 @@ static bool explain_drive(Route *route, const RouteQuery *query, const Legs *leg
                           const FitPlace *tightest) {
     if (route->fits && !query->brief)
         return explain_not_drivable(route, query, legs, body, tightest->margin, tightest);
-    if (!(tightest->margin > -HUGE_VAL))
-        return blockage_of_disc(&route->blockage, query, body->half_width, legs->goals, legs->count);
-    blockage_of_fit(&route->blockage, query, body, tightest);
-    return query->brief || ask_for_driving(route, query, legs, body, tightest->margin, tightest);
+    FitPlace place = *tightest;
+    if (!(place.margin > -HUGE_VAL)) {
+        if (!blockage_of_disc(&route->blockage, query, body->half_width, legs->goals, legs->count))
+            return false;
+        if (route->blockage.needs > 0)
+            return true; /* it is too narrow for the body's width, whatever its length */
+        if (fit_margin(query, body, legs->goals, legs->count, -DEEPEST, 0, &place) != FIT_KNOWN)
+            return false;
+        if (!(place.margin > -HUGE_VAL))
+            return true;
+    }
+    blockage_of_fit(&route->blockage, query, body, &place);
+    return query->brief || ask_for_driving(route, query, legs, body, place.margin, &place);
 }
 
 /* Searches at the finer grains, as long as the body fits. */
@@ -352,7 +363,7 @@ static void search_drive(Route *route, const RouteQuery *query, const Legs *legs
     SearchAnswer answer = search_legs(query, legs, body, &grains[0], &track, pins);
     bool quick = answer == SEARCH_FOUND;
     if (answer == SEARCH_NONE || answer == SEARCH_GAVE_UP) {
-        whole = fit_margin(query, body, legs->goals, legs->count, 0, &tightest) == FIT_KNOWN;
+        whole = fit_margin(query, body, legs->goals, legs->count, -SHALLOW, 0, &tightest) == FIT_KNOWN;
         route->fits = whole && tightest.margin >= -FIT_RESOLUTION;
         answer = whole ? search_finer(route, query, legs, body, &track, pins) : SEARCH_INTERRUPTED;
     }

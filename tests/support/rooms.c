@@ -139,6 +139,6 @@ double rooms_fit_margin(const Rooms *fixture) {
     Rectangle body = search_body(query->profile);
     Goal goal = field_exit_goal(query->plan, query->exit, query->time, query->open_first);
     FitPlace tightest;
-    CHECK(fit_margin(query, &body, &goal, 1, ROOMS_FIT_MOST, &tightest) == FIT_KNOWN);
+    CHECK(fit_margin(query, &body, &goal, 1, -0.1, ROOMS_FIT_MOST, &tightest) == FIT_KNOWN);
     return fmin(tightest.margin + FIT_RESOLUTION / 2, ROOMS_FIT_MOST);
 }

@@ -83,7 +83,7 @@ TEST(a_body_fits_where_it_can_be_driven_by_via_points) {
     Goal goals[] = {
         {.at = {1, 2.2}, .radius = 0.55, .exit = SIZE_MAX}, {.at = {4, 2.2}, .radius = 0.55, .exit = SIZE_MAX}, exit};
     FitPlace tightest;
-    CHECK(fit_margin(&fixture.query, &body, goals, 3, 0.1, &tightest) == FIT_KNOWN);
+    CHECK(fit_margin(&fixture.query, &body, goals, 3, -0.1, 0.1, &tightest) == FIT_KNOWN);
     CHECK_NEAR(tightest.margin + FIT_RESOLUTION / 2, 0.035, 0.002);
     CHECK_NEAR(vec2_distance(tightest.centre, vec2(3, 1.5)), 0, 0.7);
     rooms_free(&fixture);
