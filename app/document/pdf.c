@@ -7,7 +7,7 @@
 #include "base/file_write.h"
 #include "document/pdf_table.h"
 #include "document/sheet.h"
-#include "paint/bytes.h"
+#include "paint/cairo_file.h"
 
 /* pt */
 #define PARAGRAPH_GAP 6.0
@@ -326,7 +326,9 @@ static int paint_pages(Bytes *bytes, const Document *document, time_t created) {
     status = status ? status : cairo_surface_status(press.surface);
     cairo_surface_destroy(press.surface);
     memory_free(press.page_of);
-    return status == CAIRO_STATUS_SUCCESS ? 0 : status == CAIRO_STATUS_NO_MEMORY ? ENOMEM : EINVAL;
+    if (status == CAIRO_STATUS_SUCCESS)
+        return cairo_file_pdf_is_whole(bytes) ? 0 : ENOMEM;
+    return status == CAIRO_STATUS_NO_MEMORY ? ENOMEM : EINVAL;
 }
 
 int pdf_write(const Document *document, const char *path, time_t created) {

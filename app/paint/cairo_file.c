@@ -3,6 +3,8 @@
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/file_write.h"
@@ -46,6 +48,28 @@ static int status_error(cairo_status_t status) {
     return status == CAIRO_STATUS_SUCCESS ? 0 : status == CAIRO_STATUS_NO_MEMORY ? ENOMEM : EINVAL;
 }
 
+bool cairo_file_pdf_is_whole(const Bytes *pdf) {
+    /* "startxref", the table's offset, "%%EOF"; the table: "xref", "0 COUNT", and 20 bytes for each object */
+    static const char start[] = "startxref\n", head[] = "xref\n0 ";
+    const size_t tail = 40, entry = 20;
+    const char *found = pdf->size > tail ? strstr(pdf->at + pdf->size - tail, start) : NULL;
+    size_t table = found ? strtoul(found + strlen(start), NULL, 10) : pdf->size;
+    if (table >= pdf->size || strncmp(pdf->at + table, head, strlen(head)) != 0)
+        return false;
+    char *entries;
+    size_t count = strtoul(pdf->at + table + strlen(head), &entries, 10);
+    if (*entries != '\n' || count > (pdf->size - (size_t)(entries + 1 - pdf->at)) / entry)
+        return false;
+    for (size_t i = 1; i < count; i++) {
+        size_t at = strtoul(entries + 1 + entry * i, NULL, 10);
+        char name[32];
+        int length = snprintf(name, sizeof name, "%zu 0 obj", i);
+        if (at >= pdf->size || strncmp(pdf->at + at, name, (size_t)length) != 0)
+            return false;
+    }
+    return true;
+}
+
 /* Paints, and makes cairo write all of its output. */
 static int paint_surface(CairoFileKind kind, cairo_surface_t *surface, Bytes *bytes, Vec2 page, double unit,
                          CairoFilePaint *paint, const void *what) {
@@ -57,7 +81,8 @@ static int paint_surface(CairoFileKind kind, cairo_surface_t *surface, Bytes *by
     if (!error && kind == CAIRO_FILE_PNG)
         error = status_error(cairo_surface_write_to_png_stream(surface, store_bytes, bytes));
     cairo_surface_finish(surface);
-    return error ? error : status_error(cairo_surface_status(surface));
+    error = error ? error : status_error(cairo_surface_status(surface));
+    return !error && kind == CAIRO_FILE_PDF && !cairo_file_pdf_is_whole(bytes) ? ENOMEM : error;
 }
 
 int cairo_file_bytes(CairoFileKind kind, Bytes *bytes, int width, int height, double unit, CairoFilePaint *paint,

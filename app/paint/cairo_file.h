@@ -2,6 +2,8 @@
  * earlier pictures are taken out of cairo's output. Files are written to a temporary file, then renamed. */
 #pragma once
 
+#include <stdbool.h>
+
 #include "base/vec2.h"
 #include "paint/bytes.h"
 
@@ -22,3 +24,7 @@ int cairo_file_write(CairoFileKind kind, const char *path, int width, int height
 /* Does the same into empty bytes. */
 int cairo_file_bytes(CairoFileKind kind, Bytes *bytes, int width, int height, double unit, CairoFilePaint *paint,
                      const void *what);
+
+/* True if a PDF by cairo holds every object that its table names. cairo leaves out a font for which it has no memory,
+ * and reports success. */
+bool cairo_file_pdf_is_whole(const Bytes *pdf);

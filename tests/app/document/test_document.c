@@ -11,6 +11,9 @@
 #include "document/html.h"
 #include "document/pdf.h"
 #include "scratch.h"
+#include "paint/cairo_file.h"
+#include "draw/text.h"
+#include "base/memory.h"
 
 static const char NASTY[] = "<b>&\"'</b> ]]> -->";
 
@@ -228,4 +231,24 @@ TEST(a_place_that_cannot_be_written_is_told) {
     CHECK(html_write(&document, "/nowhere/report.html", THEME_PAPER) == ENOENT);
     CHECK(pdf_write(&document, "/nowhere/report.pdf", 0) == ENOENT);
     document_clear(&document);
+}
+
+static void paint_letters(cairo_t *cairo, Vec2 page, const void *what) {
+    text_show(cairo, what, 12, false, vec2_scale(page, 0.5));
+}
+
+TEST(a_pdf_that_lacks_an_object_is_seen_not_to_be_whole) {
+    Bytes pdf = {0};
+    CHECK(cairo_file_bytes(CAIRO_FILE_PDF, &pdf, 200, 100, 1, paint_letters, "letters") == 0);
+    CHECK(cairo_file_pdf_is_whole(&pdf));
+    for (char *entry = strstr(pdf.at + pdf.size - 40, "startxref"); entry > pdf.at; entry--) {
+        if (strncmp(entry, " 00000 n", 8) != 0)
+            continue;
+        entry[-1] ^= 1; /* its place is another one, as that of a font that was left out */
+        CHECK(!cairo_file_pdf_is_whole(&pdf));
+        entry[-1] ^= 1;
+    }
+    pdf.size /= 2;
+    CHECK(!cairo_file_pdf_is_whole(&pdf));
+    memory_free(pdf.at);
 }
