@@ -18,9 +18,8 @@
 /* The lowest speed assumed by the search, m/s, which keeps times finite. */
 #define SLOWEST 0.02
 
-/* Below COMFORT (m) of clearance, time counts up to 1 + DISCOMFORT times: chosen so that a chair keeps some 5 cm off a
- * wall where there is room, without detours of more than a few metres. */
-#define COMFORT 0.10
+/* Below FIELD_COMFORT of clearance, time counts up to 1 + DISCOMFORT times: chosen so that a chair keeps some 5 cm off
+ * a wall where there is room, without detours of more than a few metres. */
 #define DISCOMFORT 2.0
 
 double field_speed(const Profile *profile, double distance) {
@@ -31,7 +30,7 @@ double field_speed(const Profile *profile, double distance) {
 }
 
 double field_discomfort(double clearance) {
-    double lack = fmin(fmax(1 - clearance / COMFORT, 0), 1);
+    double lack = fmin(fmax(1 - clearance / FIELD_COMFORT, 0), 1);
     return 1 + DISCOMFORT * lack * lack;
 }
 

@@ -53,7 +53,9 @@ void field_ground_clear(Ground *ground);
 /* Returns the speed of the steering law, m/s, where the nearest obstacle is `distance` m from the body's middle. */
 double field_speed(const Profile *profile, double distance);
 
-/* Returns the factor, at least 1, by which time counts more at a clearance (m). */
+#define FIELD_COMFORT 0.10 /* m */
+
+/* Returns the factor, at least 1, by which time counts more at a clearance (m) below FIELD_COMFORT. */
 double field_discomfort(double clearance);
 
 /* Returns the delay of closed doors on the straight line between two places, s. */

@@ -7,20 +7,14 @@
 #include "base/memory.h"
 #include "base/real.h"
 #include "route/blockage.h"
+#include "route/decide.h"
 #include "route/fit.h"
 #include "route/search.h"
 #include "route/smooth.h"
 #include "route/disc_route.h"
 
-/* Search grains: the first is quick on easy routes, but cannot prove that there is none; the next ones are finer, each
- * limited to about as many nodes as take a second. */
-static const SearchGrain grains[] = {
-    {.cell = 0.10, .turn = M_PI / 18, .step = 0.15, .weight = 1.5, .most_nodes = 60000},
-    {.cell = 0.05, .turn = M_PI / 36, .step = 0.10, .weight = 1.5, .most_nodes = 150000},
-    {.cell = 0.025, .turn = M_PI / 72, .step = 0.06, .weight = 2.0, .most_nodes = 150000},
-    {.cell = 0.0125, .turn = M_PI / 144, .step = 0.03, .weight = 2.0, .most_nodes = 300000},
-};
-enum { GRAINS = sizeof grains / sizeof *grains };
+/* The grain at which smaller bodies are searched for. */
+static const SearchGrain grain = {.cell = 0.025, .turn = M_PI / 72, .step = 0.06, .weight = 2.0, .most_nodes = 150000};
 
 /* m: a chair that crosses the exit's line continues straight for this distance, as far as the space is free. */
 #define BEYOND_EXIT 0.3
@@ -33,9 +27,6 @@ static const double end_lengths[] = {4, 3, 2, 1};
 #define END_CURVATURE 1.5
 
 #define SAME_PLACE 0.5 /* m: largest distance between two findings about one obstacle */
-
-#define SCRAPE 0.02 /* m: a quick path with less clearance than this is improved */
-enum { ROOMIER_NODES = 50000 };
 
 /* m: amounts by which bodies are shrunk on every side to find where the true body sticks. */
 static const double shrinkings[] = {0.0075, 0.015, 0.025, 0.035, 0.05, 0.065, 0.08, 0.1, 0.12};
@@ -85,25 +76,6 @@ static bool exit_usable(const RouteQuery *query, const Goal *goal, Route *route)
         snprintf(route->blockage.what, sizeof route->blockage.what, "no exit");
     }
     return false;
-}
-
-/* Searches all legs in order; `pins` are the poses at which they end. */
-static SearchAnswer search_legs(const RouteQuery *query, const Legs *legs, const Rectangle *body,
-                                const SearchGrain *grain, SearchTrack *track, size_t *pins) {
-    /* A disc about the axle that never leaves the body. */
-    double radius = fmin(body->half_width, body->half_length - fabs(body->ahead));
-    FieldKey key = {query->plan, query->space, query->profile, radius, .stop = query->stop};
-    search_track_clear(track);
-    search_track_add(track, (Pose){query->at, query->heading, 0, 0});
-    SearchAnswer answer = SEARCH_FOUND;
-    for (size_t leg = 0; leg < legs->count && answer == SEARCH_FOUND; leg++) {
-        key.goal = legs->goals[leg];
-        const Field *field = fields_acquire(query->fields, &key);
-        answer = search_leg(track, field, &legs->goals[leg], body, grain, query->most_reversals);
-        pins[leg] = track->count - 1;
-        fields_release(query->fields, field);
-    }
-    return answer;
 }
 
 /* Returns the pose at which a body that comes straight from `from` crosses the exit: at a right angle, 2 cm behind the
@@ -254,14 +226,15 @@ static Rectangle shrunk(const Rectangle *body, double by) {
  * false if interrupted. */
 static bool explain_not_drivable(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
                                  double margin, const FitPlace *tightest) {
-    size_t *pins = memory_zeroed(legs->count, sizeof *pins);
     SearchTrack track = {0};
     SearchAnswer answer = SEARCH_NONE;
     for (size_t i = 0; i < sizeof shrinkings / sizeof *shrinkings; i++) {
         if (shrinkings[i] + margin + FIT_RESOLUTION < 0)
             continue; /* a body that cannot be carried through cannot be driven through */
         Rectangle smaller = shrunk(body, shrinkings[i]);
-        answer = search_legs(query, legs, &smaller, &grains[2], &track, pins);
+        double radius = fmin(smaller.half_width, smaller.half_length - fabs(smaller.ahead));
+        answer =
+            search_legs(query, legs->goals, legs->count, &smaller, radius, &grain, query->most_reversals, &track, NULL);
         if (answer == SEARCH_FOUND || answer == SEARCH_INTERRUPTED)
             break;
     }
@@ -277,32 +250,6 @@ static bool explain_not_drivable(Route *route, const RouteQuery *query, const Le
             answer = SEARCH_INTERRUPTED;
     }
     search_track_clear(&track);
-    memory_free(pins);
-    return answer != SEARCH_INTERRUPTED;
-}
-
-/* Searches a roomier path at the next grain, with a few more nodes, if a quick path has too little clearance. Returns
- * false if interrupted. */
-static bool try_roomier(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body) {
-    if (route->narrowest >= fmin(SCRAPE, route->poses[0].clearance))
-        return true;
-    size_t *pins = memory_zeroed(legs->count, sizeof *pins);
-    SearchGrain grain = grains[1];
-    grain.most_nodes = ROOMIER_NODES;
-    SearchTrack track = {0};
-    SearchAnswer answer = search_legs(query, legs, body, &grain, &track, pins);
-    if (answer == SEARCH_FOUND) {
-        Route other = {.exit = query->exit};
-        answer_drive(&other, query, body, &track, pins, legs->count);
-        bool better = other.narrowest > route->narrowest && other.reversals <= route->reversals;
-        Route worse = better ? *route : other;
-        if (better)
-            *route = other;
-        route_free(&worse);
-    } else {
-        search_track_clear(&track);
-    }
-    memory_free(pins);
     return answer != SEARCH_INTERRUPTED;
 }
 
@@ -340,45 +287,36 @@ static bool explain_drive(Route *route, const RouteQuery *query, const Legs *leg
     return query->brief || ask_for_driving(route, query, legs, body, place.margin, &place);
 }
 
-/* Searches at the finer grains, as long as the body fits. */
-static SearchAnswer search_finer(const Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
-                                 SearchTrack *track, size_t *pins) {
-    SearchAnswer answer = SEARCH_NONE;
-    for (int grain = 1; grain < GRAINS && route->fits; grain++) {
-        /* The finest grain cannot succeed if the previous one exhausted its nodes. */
-        if (grain == GRAINS - 1 && answer == SEARCH_GAVE_UP)
-            break;
-        answer = search_legs(query, legs, body, &grains[grain], track, pins);
-        if (answer == SEARCH_FOUND || answer == SEARCH_INTERRUPTED)
-            break;
+/* Fills in the clearances of the poses. */
+static void measure(SearchTrack *track, const RouteQuery *query, const Rectangle *body) {
+    for (size_t i = 0; i < track->count; i++) {
+        Pose *pose = &track->poses[i];
+        pose->clearance = search_clearance(query->space, body, pose->at, pose->heading, ROUTE_CLEARANCE_REACH, NULL);
     }
-    return answer;
 }
 
 static void search_drive(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body) {
-    size_t *pins = memory_zeroed(legs->count, sizeof *pins);
+    size_t *pins = memory_zeroed(legs->count, sizeof *pins), crossing;
     SearchTrack track = {0};
     FitPlace tightest;
     bool whole = true;
-    SearchAnswer answer = search_legs(query, legs, body, &grains[0], &track, pins);
-    bool quick = answer == SEARCH_FOUND;
-    if (answer == SEARCH_NONE || answer == SEARCH_GAVE_UP) {
-        whole = fit_margin(query, body, legs->goals, legs->count, -SHALLOW, 0, &tightest) == FIT_KNOWN;
-        route->fits = whole && tightest.margin >= -FIT_RESOLUTION;
-        answer = whole ? search_finer(route, query, legs, body, &track, pins) : SEARCH_INTERRUPTED;
-    }
-    switch (answer) {
-    case SEARCH_FOUND:
-        answer_drive(route, query, body, &track, pins, legs->count);
-        whole = !quick || try_roomier(route, query, legs, body);
+    switch (decide_way(query, body, legs->goals, legs->count, SHALLOW, &track, pins, &tightest)) {
+    case DECIDE_FOUND:
+        go_beyond_exit(&track, query, body, &crossing);
+        measure(&track, query, body);
+        give_poses(route, &track);
         break;
-    case SEARCH_NONE:
-    case SEARCH_GAVE_UP:
-        search_track_clear(&track);
+    case DECIDE_SEARCHED:
+        answer_drive(route, query, body, &track, pins, legs->count);
+        break;
+    case DECIDE_NONE:
+        route->fits = true;
         whole = explain_drive(route, query, legs, body, &tightest);
         break;
-    case SEARCH_INTERRUPTED:
-        search_track_clear(&track);
+    case DECIDE_TOO_NARROW:
+        whole = explain_drive(route, query, legs, body, &tightest);
+        break;
+    case DECIDE_INTERRUPTED:
         whole = false;
         break;
     }

@@ -381,3 +381,21 @@ SearchAnswer search_leg(SearchTrack *track, const Field *field, const Goal *goal
     memory_free(search.cells);
     return answer;
 }
+
+SearchAnswer search_legs(const RouteQuery *query, const Goal *goals, size_t goal_count, const Rectangle *body,
+                         double radius, const SearchGrain *grain, int most_reversals, SearchTrack *track,
+                         size_t *pins) {
+    FieldKey key = {query->plan, query->space, query->profile, radius, .stop = query->stop};
+    search_track_clear(track);
+    search_track_add(track, (Pose){query->at, query->heading, 0, 0});
+    SearchAnswer answer = SEARCH_FOUND;
+    for (size_t leg = 0; leg < goal_count && answer == SEARCH_FOUND; leg++) {
+        key.goal = goals[leg];
+        const Field *field = fields_acquire(query->fields, &key);
+        answer = search_leg(track, field, &key.goal, body, grain, most_reversals);
+        if (pins)
+            pins[leg] = track->count - 1;
+        fields_release(query->fields, field);
+    }
+    return answer;
+}

@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "route/field.h"
+#include "route/fields.h"
 #include "route/route.h"
 
 /* The exact rectangle of the body. */
@@ -52,6 +53,11 @@ double search_clearance(const FreeSpace *space, const Rectangle *body, Vec2 at, 
  * total. The track is unchanged unless SEARCH_FOUND is returned. */
 SearchAnswer search_leg(SearchTrack *track, const Field *field, const Goal *goal, const Rectangle *body,
                         const SearchGrain *grain, int most_reversals);
+
+/* Searches from the query's start through all goals in order, into `track`. `radius`: m, of a disc about the axle that
+ * never leaves the body. `pins` (goal_count; may be NULL) are the indices of the poses at which the legs end. */
+SearchAnswer search_legs(const RouteQuery *query, const Goal *goals, size_t goal_count, const Rectangle *body,
+                         double radius, const SearchGrain *grain, int most_reversals, SearchTrack *track, size_t *pins);
 
 void search_track_add(SearchTrack *track, Pose pose);
 void search_track_clear(SearchTrack *track);

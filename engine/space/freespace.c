@@ -387,6 +387,27 @@ static double rectangle_distance(Vec2 p, Vec2 q, double half_length, double half
     return sqrt(best);
 }
 
+/* Returns the clearance of a rectangle from one face, or how much it may grow; at least `best`: at least as much. */
+static inline double face_measure(const Face *face, Vec2 centre, Vec2 axis, double half_length, double half_width,
+                                  double best, bool growth) {
+    Vec2 p = vec2_unturn(vec2_sub(face->a, centre), axis);
+    Vec2 q = vec2_unturn(vec2_sub(face->b, centre), axis);
+    double along = p.x < q.x ? greatest(p.x - half_length, -half_length - q.x)
+                             : greatest(q.x - half_length, -half_length - p.x);
+    double across =
+        p.y < q.y ? greatest(p.y - half_width, -half_width - q.y) : greatest(q.y - half_width, -half_width - p.y);
+    double apart = greatest(along, across);
+    if (apart >= best)
+        return apart;
+    Vec2 normal = vec2_unturn(face->normal, axis);
+    double nx = fabs(normal.x), ny = fabs(normal.y);
+    double facing = fabs(vec2_dot(normal, p)) - (half_length * nx + half_width * ny);
+    apart = greatest(apart, growth ? facing / (nx + ny) : facing);
+    if (apart > 0 && apart < best && !growth)
+        apart = rectangle_distance(p, q, half_length, half_width);
+    return apart;
+}
+
 /* The loop of freespace_clearance and freespace_growth, which differ in their measure. */
 static inline double measure(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width,
                              double reach, int *face, bool growth) {
@@ -401,22 +422,8 @@ static inline double measure(const FreeSpace *space, Vec2 centre, Vec2 axis, dou
     for (int k = 0; k < nearby.count; k++) {
         if (nearby.near && (double)nearby.near[k] >= radius + (best > 0 ? stretch * best : growth ? 0 : best))
             break;
-        const Face *candidate = &space->outline->faces[nearby.faces[k]];
-        Vec2 p = vec2_unturn(vec2_sub(candidate->a, centre), axis);
-        Vec2 q = vec2_unturn(vec2_sub(candidate->b, centre), axis);
-        double along = p.x < q.x ? greatest(p.x - half_length, -half_length - q.x)
-                                 : greatest(q.x - half_length, -half_length - p.x);
-        double across =
-            p.y < q.y ? greatest(p.y - half_width, -half_width - q.y) : greatest(q.y - half_width, -half_width - p.y);
-        double apart = greatest(along, across);
-        if (apart >= best)
-            continue;
-        Vec2 normal = vec2_unturn(candidate->normal, axis);
-        double nx = fabs(normal.x), ny = fabs(normal.y);
-        double facing = fabs(vec2_dot(normal, p)) - (half_length * nx + half_width * ny);
-        apart = greatest(apart, growth ? facing / (nx + ny) : facing);
-        if (apart > 0 && apart < best && !growth)
-            apart = rectangle_distance(p, q, half_length, half_width);
+        double apart = face_measure(&space->outline->faces[nearby.faces[k]], centre, axis, half_length, half_width,
+                                    best, growth);
         if (apart < best) {
             best = apart;
             if (face)
@@ -438,6 +445,29 @@ double freespace_clearance(const FreeSpace *space, Vec2 centre, Vec2 axis, doubl
 double freespace_growth(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width,
                         double reach, int *face) {
     return measure(space, centre, axis, half_length, half_width, reach, face, true);
+}
+
+int freespace_faces(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width, double reach,
+                    int *faces, int most) {
+    double radius = sqrt(half_length * half_length + half_width * half_width) + reach;
+    int count = 0;
+    if (rough_distance(space, centre) - 0.71 * space->cell > radius)
+        return 0;
+    Nearby nearby = nearby_find(space, centre, radius);
+    for (int k = 0; k < nearby.count && count < most; k++) {
+        if (nearby.near && (double)nearby.near[k] >= radius)
+            break;
+        const Face *face = &space->outline->faces[nearby.faces[k]];
+        if (face_measure(face, centre, axis, half_length, half_width, reach, false) < reach)
+            faces[count++] = nearby.faces[k];
+    }
+    nearby_release(&nearby);
+    return count;
+}
+
+double freespace_face_clearance(const FreeSpace *space, int face, Vec2 centre, Vec2 axis, double half_length,
+                                double half_width, double reach) {
+    return face_measure(&space->outline->faces[face], centre, axis, half_length, half_width, reach, false);
 }
 
 bool freespace_sees(const FreeSpace *space, Vec2 from, Vec2 to) {

@@ -62,5 +62,15 @@ double freespace_clearance(const FreeSpace *space, Vec2 centre, Vec2 axis, doubl
 double freespace_growth(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width,
                         double reach, int *face);
 
+/* Fills in the planned faces, at most `most`, whose clearance from the rectangle is less than `reach` m, and returns
+ * their number. */
+int freespace_faces(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width, double reach,
+                    int *faces, int most);
+
+/* Returns the clearance of the rectangle from one face alone, m, as freespace_clearance; with `reach` m or more, at least
+ * `reach`. */
+double freespace_face_clearance(const FreeSpace *space, int face, Vec2 centre, Vec2 axis, double half_length,
+                                double half_width, double reach);
+
 /* True if there is only free space between two places. Decided on the grid, so exact to about half a cell. */
 bool freespace_sees(const FreeSpace *space, Vec2 from, Vec2 to);

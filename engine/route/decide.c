@@ -1,0 +1,218 @@
+#include "route/decide.h"
+
+#include "base/memory.h"
+#include "base/real.h"
+#include "route/hasten.h"
+#include "route/relax.h"
+#include "route/way.h"
+
+/* A coarse search proposes, continuous optimisation decides.
+ *
+ * The search (search.c) knows where a body may go only to the width of its cells, so that in a tight place it finds a
+ * way, or none, or one with a needless change of direction, by luck. Here it only proposes: it looks for the way of a
+ * body that is smaller than the true one by more than its own error (`relief`), first without a change of direction,
+ * then with some. Each proposal becomes a way whose stations move until the true body is free (relax.c) and then until
+ * no small change makes it quicker (hasten.c). A proposal that does not come free is dropped, which proves nothing. The
+ * budget is counted in expansions, proposals and sweeps, never in time, so that the answer is always the same. */
+
+#define SPACING 0.05         /* m, of the stations */
+#define ALIKE 3e-3           /* 1: ways whose times differ by less than this share are one */
+#define WORTH_HASTENING 1.15 /* 1: ways that take longer than the quickest by this factor are left */
+#define SWEPT 0.8            /* 1, share of the margin that the sweep between the poses asks for */
+#define MARGIN 0.005         /* m, kept from everything, unless the start has less */
+#define BARELY 1e-3          /* m, kept by ways for which there is no more room */
+#define HAIR 5e-4            /* m */
+
+enum { SWEEPS = 8, SURE = 2, ASK_WHETHER_IT_FITS = 2 };
+
+static const SearchGrain coarse = {.cell = 0.10, .turn = M_PI / 18, .step = 0.15, .weight = 1.5, .most_nodes = 8000};
+static const SearchGrain middle = {.cell = 0.05, .turn = M_PI / 36, .step = 0.10, .weight = 1.5, .most_nodes = 8000};
+
+typedef struct Rung {
+    const SearchGrain *grain;
+    double relief;   /* m, by which the body is smaller on every side */
+    bool turns_back; /* True if the way may change its direction */
+} Rung;
+
+static const Rung rungs[] = {
+    {&coarse, 0.040, false}, {&coarse, 0.025, false}, {&middle, 0.030, false},
+    {&middle, 0.018, false}, {&middle, 0.010, false}, {&coarse, 0.030, true},
+    {&middle, 0.020, true},  {&middle, 0.012, true},  {&middle, 0.006, true},
+};
+enum { RUNGS = sizeof rungs / sizeof *rungs };
+
+#define MOST_RELIEF 0.040 /* m */
+
+/* With the true body: each is limited to about as many nodes as take a second. */
+static const SearchGrain true_grains[] = {
+    {.cell = 0.10, .turn = M_PI / 18, .step = 0.15, .weight = 1.5, .most_nodes = 60000},
+    {.cell = 0.05, .turn = M_PI / 36, .step = 0.10, .weight = 1.5, .most_nodes = 150000},
+    {.cell = 0.025, .turn = M_PI / 72, .step = 0.06, .weight = 2.0, .most_nodes = 150000},
+    {.cell = 0.0125, .turn = M_PI / 144, .step = 0.03, .weight = 2.0, .most_nodes = 300000},
+};
+enum { TRUE_RUNGS = sizeof true_grains / sizeof *true_grains };
+
+static const double comforts[] = {20, 60};
+
+typedef struct Decide {
+    const RouteQuery *query;
+    const Rectangle *body;
+    const Goal *goals;
+    size_t goal_count;
+    double margin; /* m, that the start leaves, at most MARGIN */
+    Way best;
+    double kept;   /* m, the margin of the best */
+    double time;   /* s, of the best */
+    int confirmed; /* number of proposals that have led to about this time */
+} Decide;
+
+static Rectangle relieved(const Rectangle *body, double by) {
+    Rectangle smaller = *body;
+    smaller.half_length = fmax(body->half_length - by, 0.01);
+    smaller.half_width = fmax(body->half_width - by, 0.01);
+    return smaller;
+}
+
+/* Returns the radius of a disc about the axle that never leaves a body: the same for all bodies that are searched for,
+ * so that they share a field. */
+static double radius_within(const Rectangle *body) {
+    Rectangle least = relieved(body, MOST_RELIEF);
+    return fmin(least.half_width, least.half_length - fabs(least.ahead));
+}
+
+static SearchAnswer propose(const Decide *decide, const Rung *rung, SearchTrack *track) {
+    Rectangle body = relieved(decide->body, rung->relief - decide->margin + SEARCH_CLEARANCE);
+    return search_legs(decide->query, decide->goals, decide->goal_count, &body, radius_within(decide->body),
+                       rung->grain, rung->turns_back ? decide->query->most_reversals : 0, track, NULL);
+}
+
+/* Makes a way that keeps a margin quicker, and keeps it if it is the best: one with the whole margin goes before one
+ * that has hardly any. Takes the way over. Returns false if interrupted. */
+static bool improve(Decide *decide, Way *way, double margin) {
+    const RouteQuery *query = decide->query;
+    const FreeSpace *space = query->space;
+    double time = hasten_time(way, space, decide->body, query->profile);
+    bool whole = true;
+    if (margin > decide->kept) {
+        decide->time = HUGE_VAL;
+        decide->kept = margin;
+    }
+    if (margin == decide->kept && time < WORTH_HASTENING * decide->time) {
+        Way quick = way_copy(way);
+        whole = hasten_way(&quick, space, decide->body, query->profile, margin * SWEPT, SWEEPS, query->stop);
+        if (whole && way_swept(&quick, space, decide->body, margin * SWEPT * SWEPT)) {
+            time = hasten_time(&quick, space, decide->body, query->profile);
+            Way slow = *way;
+            *way = quick;
+            quick = slow;
+        }
+        way_free(&quick);
+    }
+    if (whole && margin == decide->kept) {
+        if (fabs(time - decide->time) < ALIKE * time)
+            decide->confirmed++;
+        else if (time < decide->time)
+            decide->confirmed = 1;
+        if (time < decide->time) {
+            way_free(&decide->best);
+            decide->best = *way;
+            decide->time = time;
+            return true;
+        }
+    }
+    way_free(way);
+    return whole;
+}
+
+/* Makes a proposal free, once for each weight of comfort, and with its turns on the spot as narrow bends. Returns false
+ * if interrupted. */
+static bool realise(Decide *decide, const SearchTrack *track) {
+    const RouteQuery *query = decide->query;
+    const Exit *exit = &query->plan->exits[track->exit];
+    Way way = way_of_track(track, exit, decide->goals, decide->goal_count - 1, SPACING);
+    bool whole = true;
+    for (int bends = 0; bends <= 1 && whole; bends++) {
+        if (!way.piece_count || (bends && !way_join(&way)))
+            break;
+        for (size_t c = 0; c < sizeof comforts / sizeof *comforts && whole && decide->confirmed < SURE; c++) {
+            Way copy = way_copy(&way);
+            RelaxOptions options = {decide->margin, BARELY, comforts[c], query->stop};
+            double kept = relax_way(&copy, query->space, decide->body, &options);
+            whole = !stop_requested(query->stop);
+            if (kept > 0 && whole)
+                whole = improve(decide, &copy, kept);
+            else
+                way_free(&copy);
+            if (!(kept > 0))
+                break;
+        }
+    }
+    way_free(&way);
+    return whole;
+}
+
+static void give_track(const Decide *decide, SearchTrack *track) {
+    const RouteQuery *query = decide->query;
+    search_track_clear(track);
+    search_track_add(track, (Pose){query->at, query->heading, 0, 0});
+    way_write(&decide->best, track);
+    track->exit = (size_t)(decide->best.exit - query->plan->exits);
+}
+
+/* Searches with the true body, ever finer: what is found is free, though not by much. */
+static SearchAnswer search_truly(const Decide *decide, SearchTrack *track, size_t *pins) {
+    const RouteQuery *query = decide->query;
+    SearchAnswer answer = SEARCH_NONE;
+    for (int t = 0; t < TRUE_RUNGS; t++) {
+        /* The finest grain cannot succeed if the previous one exhausted its nodes. */
+        if (t == TRUE_RUNGS - 1 && answer == SEARCH_GAVE_UP)
+            break;
+        answer = search_legs(query, decide->goals, decide->goal_count, decide->body, radius_within(decide->body),
+                             &true_grains[t], query->most_reversals, track, pins);
+        if (answer == SEARCH_FOUND || answer == SEARCH_INTERRUPTED)
+            break;
+    }
+    return answer;
+}
+
+DecideAnswer decide_way(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
+                        double depth, SearchTrack *track, size_t *pins, FitPlace *tightest) {
+    double clearance = search_clearance(query->space, body, query->at, query->heading, MARGIN + HAIR, NULL);
+    Decide decide = {.query = query,
+                     .body = body,
+                     .goals = goals,
+                     .goal_count = goal_count,
+                     .margin = fmax(clearance - HAIR, BARELY),
+                     .time = HUGE_VAL};
+    SearchTrack proposal = {0};
+    DecideAnswer result = DECIDE_NONE;
+    bool whole = true;
+    for (int r = 0; r < RUNGS && whole && result == DECIDE_NONE && decide.confirmed < SURE; r++) {
+        if (rungs[r].turns_back && (decide.confirmed > 0 || query->most_reversals == 0))
+            break;
+        SearchAnswer answer = propose(&decide, &rungs[r], &proposal);
+        whole = answer != SEARCH_INTERRUPTED && (answer != SEARCH_FOUND || realise(&decide, &proposal));
+        if (whole && r + 1 == ASK_WHETHER_IT_FITS && decide.confirmed == 0) {
+            whole = fit_margin(query, body, goals, goal_count, -depth, 0, tightest) == FIT_KNOWN;
+            if (whole && tightest->margin < -FIT_RESOLUTION)
+                result = DECIDE_TOO_NARROW;
+        }
+    }
+    if (whole && decide.confirmed == 0 && result == DECIDE_NONE) {
+        SearchAnswer answer = search_truly(&decide, &proposal, pins);
+        whole = answer != SEARCH_INTERRUPTED && (answer != SEARCH_FOUND || realise(&decide, &proposal));
+        if (whole && answer == SEARCH_FOUND && decide.confirmed == 0) {
+            search_track_clear(track);
+            *track = proposal;
+            proposal = (SearchTrack){0};
+            result = DECIDE_SEARCHED;
+        }
+    }
+    if (whole && decide.confirmed > 0) {
+        give_track(&decide, track);
+        result = DECIDE_FOUND;
+    }
+    search_track_clear(&proposal);
+    way_free(&decide.best);
+    return whole ? result : DECIDE_INTERRUPTED;
+}

@@ -1,0 +1,482 @@
+#include "route/hasten.h"
+
+#include <stdint.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/real.h"
+#include "route/field.h"
+#include "route/pace.h"
+
+/* Descent on the time itself. At each station the pace (pace.h) gives a limit for the speed; the largest speed that
+ * keeps it, starts from rest, rests at joints, and needs no more than the initial acceleration a_0 and the planned
+ * deceleration a_d follows by one pass from the end and one from the beginning. Then
+ *
+ *     T = sum of 2 h / (v_i + v_(i+1)) + |turns on the spot| / turn rate + changes of direction * their time
+ *
+ * plus two prices: near obstacles time counts more, as it does in the search (field_discomfort), and the change of the
+ * turn from step to step, which a curvature averaged over four steps does not see, costs ROUGHNESS.
+ *
+ * A trial moves the stations about one of them along their normals (a bump), or a joint, or the end, all faded over
+ * some stations; each place has its own length of step, which grows with success and shrinks with failure. A trial is
+ * kept when the sum falls and no clearance is below the margin, at the stations and between them. The speeds are
+ * computed again only as far as they change. */
+
+#define ROUGHNESS 5.0 /* s/rad2 */
+#define FIRST 0.01    /* m, first length of a trial */
+#define SHORTEST 2e-4 /* m: shorter ones are not tried */
+#define LONGEST 0.08  /* m */
+#define BETWEEN 0.06  /* m: with more clearance than this at both ends the motion between is not looked at */
+#define GAIN 1e-6     /* s */
+#define STRAIGHT 1e-3 /* 1/m */
+
+enum { SPAN = 2, LEVELS = 6, REACHES = 4 };
+
+static const int joint_reaches[REACHES] = {2, 4, 8, 16};
+
+/* What is known of each station; `cost` is that of the step to the next one. */
+typedef struct Speeds {
+    double *clearance;            /* m, the least of the station and the step after it */
+    double *heading;              /* rad */
+    double *limit, *back, *speed; /* m/s */
+    double *cost;                 /* s */
+} Speeds;
+
+typedef struct Hasten {
+    Way *way;
+    const FreeSpace *space;
+    const Rectangle *body;
+    const Profile *profile;
+    double margin, sight; /* m */
+    Speeds now, tried;
+    Station *kept; /* (count) */
+    double *rooms; /* memory of the speeds */
+    double sum;    /* s, of the costs */
+} Hasten;
+
+static Speeds speeds_in(double *room, size_t count) {
+    return (Speeds){room, room + count, room + 2 * count, room + 3 * count, room + 4 * count, room + 5 * count};
+}
+
+static double body_clearance(const Hasten *hasten, const Station *station, double reach) {
+    return freespace_clearance(hasten->space, vec2_along(station->at, hasten->body->ahead, station->axis),
+                               station->axis, hasten->body->half_length, hasten->body->half_width, reach, NULL);
+}
+
+static bool rests(const Way *way, size_t s) {
+    size_t k = way->stations[s].piece;
+    return s == way->pieces[k].first || (s == way->pieces[k].last && k + 1 < way->piece_count);
+}
+
+/* Returns the turn from one station to a later one of the same piece, rad. */
+static double turn_between(const double *heading, size_t a, size_t b) {
+    return vec2_wrap_angle(heading[b] - heading[a]);
+}
+
+static double mean_curvature(const Hasten *hasten, const double *heading, size_t s, size_t *low, size_t *high) {
+    const WayPiece *piece = &hasten->way->pieces[hasten->way->stations[s].piece];
+    *low = s >= piece->first + SPAN ? s - SPAN : piece->first;
+    *high = s + SPAN <= piece->last ? s + SPAN : piece->last;
+    return turn_between(heading, *low, *high) / ((double)(*high - *low) * piece->step);
+}
+
+static double limit_at(const Hasten *hasten, const Speeds *speeds, size_t s) {
+    if (rests(hasten->way, s))
+        return 0;
+    const WayPiece *piece = &hasten->way->pieces[hasten->way->stations[s].piece];
+    size_t low, high, none;
+    double bend = mean_curvature(hasten, speeds->heading, s, &low, &high);
+    double first = mean_curvature(hasten, speeds->heading, low, &none, &none);
+    double last = mean_curvature(hasten, speeds->heading, high, &none, &none);
+    double bending = (last - first) / ((double)(high - low) * piece->step);
+    return pace_at(hasten->profile, hasten->profile->free_speed, speeds->clearance[s], bend, bending, piece->direction);
+}
+
+/* Returns the cost of the step from station s to the next one. */
+static double step_cost(const Hasten *hasten, const Speeds *speeds, size_t s) {
+    const WayPiece *piece = &hasten->way->pieces[hasten->way->stations[s].piece];
+    double step = vec2_distance(hasten->way->stations[s].at, hasten->way->stations[s + 1].at);
+    double time = 2 * step / real_max(speeds->speed[s] + speeds->speed[s + 1], 1e-6);
+    double clearance = real_min(speeds->clearance[s], speeds->clearance[s + 1]);
+    double rough = 0;
+    if (s > piece->first)
+        rough = turn_between(speeds->heading, s, s + 1) - turn_between(speeds->heading, s - 1, s);
+    return time * field_discomfort(clearance) + ROUGHNESS * rough * rough;
+}
+
+static double reachable(double speed, double acceleration, double step) {
+    return sqrt(speed * speed + 2 * acceleration * step);
+}
+
+/* Takes over what a trial has not changed. */
+static void take_over(Speeds *to, const Speeds *from, size_t s) {
+    to->clearance[s] = from->clearance[s];
+    to->heading[s] = from->heading[s];
+    to->limit[s] = from->limit[s];
+}
+
+/* Computes the limits of the stations low to high anew, and then the speeds and costs as far as they change. What
+ * changes lies in [*first, *last]. `from` holds the values elsewhere. */
+static void run_through(const Hasten *hasten, const Speeds *from, Speeds *to, size_t low, size_t high, size_t *first,
+                        size_t *last) {
+    const Way *way = hasten->way;
+    const Profile *profile = hasten->profile;
+    size_t count = way->count, s;
+    for (s = low; s <= high; s++)
+        to->limit[s] = limit_at(hasten, to, s);
+    for (s = high + 1; s-- > 0;) {
+        if (s < low)
+            take_over(to, from, s);
+        double limit = to->limit[s];
+        size_t piece = way->stations[s].piece;
+        double next = s == high ? s + 1 < count ? from->back[s + 1] : limit : to->back[s + 1];
+        if (s < way->pieces[piece].last)
+            limit = real_min(limit, reachable(next, PACE_PLANNED * profile->deceleration, way->pieces[piece].step));
+        to->back[s] = limit;
+        if (s < low && limit == from->back[s])
+            break;
+    }
+    *first = s < count ? s : 0;
+    for (s = *first; s < count; s++) {
+        if (s > high) {
+            take_over(to, from, s);
+            to->back[s] = from->back[s];
+        }
+        double back = to->back[s];
+        const WayPiece *piece = &way->pieces[way->stations[s].piece];
+        double before = s == *first ? s > 0 ? from->speed[s - 1] : 0 : to->speed[s - 1];
+        to->speed[s] = s > piece->first ? real_min(back, reachable(before, profile->acceleration, piece->step)) : back;
+        if (s > high && to->speed[s] == from->speed[s])
+            break;
+    }
+    *last = s < count ? s : count - 1;
+    for (s = *first; s < *last; s++)
+        to->cost[s] = way->stations[s].piece == way->stations[s + 1].piece ? step_cost(hasten, to, s) : 0;
+}
+
+/* Returns the time that joints cost, s. */
+static double joint_time(const Hasten *hasten, size_t k) {
+    const Way *way = hasten->way;
+    const Joint *joint = &way->joints[k];
+    double time = joint->turns ? fabs(joint->out - joint->in) / hasten->profile->turn_rate : 0;
+    if (k > 0 && way->pieces[k].direction != way->pieces[k - 1].direction)
+        time += hasten->profile->reversing_time;
+    return time;
+}
+
+/* Fills in headings and clearances of the stations low to high. Returns false if one is below the margin, and was not
+ * before. */
+static bool look_at(const Hasten *hasten, Speeds *to, size_t low, size_t high) {
+    const Way *way = hasten->way;
+    for (size_t s = low; s <= high; s++) {
+        const Station *station = &way->stations[s];
+        to->clearance[s] = body_clearance(hasten, station, hasten->sight);
+        if (to->clearance[s] < hasten->margin)
+            return false;
+    }
+    for (size_t s = low; s <= high; s++) {
+        const Station *station = &way->stations[s];
+        to->heading[s] = real_atan2(station->axis.y, station->axis.x);
+        if (s == way->pieces[station->piece].last || s == high)
+            continue;
+        double least = real_min(to->clearance[s], to->clearance[s + 1]);
+        int places = least < BETWEEN ? way_places(way, s) : 0;
+        for (int i = 1; i <= places; i++) {
+            Station middle = way_between(way, s, (double)i / (places + 1));
+            least = real_min(least, body_clearance(hasten, &middle, least));
+            if (least < hasten->margin)
+                return false;
+        }
+        to->clearance[s] = real_min(to->clearance[s], least);
+    }
+    return true;
+}
+
+static bool spot_is_free(const Hasten *hasten, size_t k) {
+    const Joint *joint = &hasten->way->joints[k];
+    const Station *station = &hasten->way->stations[hasten->way->pieces[k].first];
+    int parts = (int)ceil(fabs(joint->out - joint->in) / radians(5));
+    for (int part = 1; joint->turns && part < parts; part++) {
+        Station turned = *station;
+        turned.axis = vec2_heading(joint->in + (joint->out - joint->in) * part / parts);
+        if (body_clearance(hasten, &turned, hasten->margin) < hasten->margin)
+            return false;
+    }
+    return true;
+}
+
+static void copy_speeds(Speeds *to, const Speeds *from, size_t low, size_t high) {
+    size_t size = (high - low + 1) * sizeof(double);
+    memcpy(to->clearance + low, from->clearance + low, size);
+    memcpy(to->heading + low, from->heading + low, size);
+    memcpy(to->limit + low, from->limit + low, size);
+    memcpy(to->back + low, from->back + low, size);
+    memcpy(to->speed + low, from->speed + low, size);
+    memcpy(to->cost + low, from->cost + low, size);
+}
+
+static double sum_of(const double *cost, size_t low, size_t high) {
+    double sum = 0;
+    for (size_t s = low; s < high; s++)
+        sum += cost[s];
+    return sum;
+}
+
+/* Judges a trial that has moved the stations low to high (the kept ones hold low - 1 to high + 1) and, if
+ * `joint` < piece_count, that joint. Undoes it unless it gains. */
+static bool judge(Hasten *hasten, size_t low, size_t high, size_t joint, Joint joint_before) {
+    Way *way = hasten->way;
+    size_t begin = low > 0 ? low - 1 : 0, end = high + 1 < way->count ? high + 1 : high;
+    size_t wide = begin > 2 * SPAN ? begin - 2 * SPAN : 0, farthest = way->count - 1;
+    size_t far = end + 2 * SPAN < farthest ? end + 2 * SPAN : farthest;
+    size_t first = 0, last = 0;
+    way_set_axes(way, begin, end);
+    copy_speeds(&hasten->tried, &hasten->now, wide > 2 * SPAN ? wide - 2 * SPAN : 0,
+                far + 2 * SPAN < farthest ? far + 2 * SPAN : farthest);
+    size_t look = begin > 0 ? begin - 1 : 0;
+    double spots_before = 0, spots = 0;
+    bool good = look_at(hasten, &hasten->tried, look, end < way->count - 1 ? end + 1 : end);
+    if (good && joint < way->piece_count) {
+        spots = joint_time(hasten, joint);
+        Joint now = way->joints[joint];
+        way->joints[joint] = joint_before;
+        spots_before = joint_time(hasten, joint);
+        way->joints[joint] = now;
+        good = spot_is_free(hasten, joint);
+    }
+    good =
+        good && way_passes_pins(way) && way_is_smooth(way, begin > 0 ? begin - 1 : 0, end < farthest ? end + 1 : end);
+    double gain = 0;
+    if (good) {
+        run_through(hasten, &hasten->now, &hasten->tried, wide, far, &first, &last);
+        gain = sum_of(hasten->now.cost, first, last) - sum_of(hasten->tried.cost, first, last) + spots_before - spots;
+        good = gain > GAIN;
+    }
+    if (!good) {
+        memcpy(way->stations + begin, hasten->kept + begin, (end - begin + 1) * sizeof *way->stations);
+        if (joint < way->piece_count)
+            way->joints[joint] = joint_before;
+        return false;
+    }
+    copy_speeds(&hasten->now, &hasten->tried, first, last);
+    hasten->sum -= gain;
+    return true;
+}
+
+static void keep(Hasten *hasten, size_t low, size_t high) {
+    size_t begin = low > 0 ? low - 1 : 0, end = high + 1 < hasten->way->count ? high + 1 : high;
+    memcpy(hasten->kept + begin, hasten->way->stations + begin, (end - begin + 1) * sizeof *hasten->kept);
+}
+
+static double faded(double distance, double reach) {
+    double shape = real_max(1 - distance / reach, 0);
+    return shape * shape * (3 - 2 * shape);
+}
+
+static bool try_bump(Hasten *hasten, size_t centre, int half, double by) {
+    Way *way = hasten->way;
+    const WayPiece *piece = &way->pieces[way->stations[centre].piece];
+    size_t low = centre >= piece->first + (size_t)half ? centre - (size_t)half + 1 : piece->first + 1;
+    size_t high = centre + (size_t)half <= piece->last ? centre + (size_t)half - 1 : piece->last - 1;
+    keep(hasten, low, high);
+    for (size_t s = low; s <= high; s++) {
+        double shape = faded(fabs((double)s - (double)centre), half);
+        way->stations[s].at = vec2_along(hasten->kept[s].at, by * shape, vec2_left(hasten->kept[s].axis));
+    }
+    return judge(hasten, low, high, SIZE_MAX, (Joint){0});
+}
+
+/* Moves a joint by `move` and turns its headings, and with them the stations near it. `in` and `out`: which headings.
+ */
+static bool try_joint(Hasten *hasten, size_t k, int reach, Vec2 move, double turn, bool in, bool out) {
+    Way *way = hasten->way;
+    const WayPiece *after = &way->pieces[k];
+    size_t centre = after->first, steps = (size_t)reach;
+    size_t high = centre + steps < after->last ? centre + steps : after->last - 1, low = centre;
+    if (k > 0) {
+        const WayPiece *before = &way->pieces[k - 1];
+        low = before->last - before->first > steps ? before->last - steps : before->first + 1;
+    }
+    keep(hasten, low, high);
+    Vec2 pivot = way->stations[centre].at, axis = vec2_heading(turn);
+    for (size_t s = low; s <= high; s++) {
+        bool behind = k > 0 && s < centre;
+        double away = behind ? (double)(centre - 1 - s) : (double)(s - centre), shape = faded(away, reach + 1);
+        Vec2 arm = vec2_sub(hasten->kept[s].at, pivot);
+        Vec2 turned = (behind ? in : out) ? vec2_sub(vec2_turn(arm, axis), arm) : vec2(0, 0);
+        way->stations[s].at = vec2_along(hasten->kept[s].at, shape, vec2_add(move, turned));
+    }
+    Joint before = way->joints[k];
+    way->joints[k].in += in ? turn : 0;
+    way->joints[k].out += out ? turn : 0;
+    return judge(hasten, low, high, k, before);
+}
+
+static bool try_end(Hasten *hasten, int reach, double by) {
+    Way *way = hasten->way;
+    const WayPiece *piece = &way->pieces[way->piece_count - 1];
+    size_t high = piece->last, steps = (size_t)reach;
+    size_t low = high - piece->first > steps ? high - steps : piece->first + 1;
+    Vec2 line = vec2_unit(vec2_sub(way->exit->to, way->exit->from));
+    double least, most, at = vec2_dot(vec2_sub(way->stations[high].at, way->exit->from), line);
+    way_exit_range(way, &least, &most);
+    by = real_clamp(at + by, least, most) - at;
+    keep(hasten, low, high);
+    for (size_t s = low; s <= high; s++)
+        way->stations[s].at = vec2_along(hasten->kept[s].at, by * faded((double)(high - s), reach + 1), line);
+    return judge(hasten, low, high, SIZE_MAX, (Joint){0});
+}
+
+/* True if nothing is lost about a station: the way is straight there, and as fast as it can be. */
+static bool is_at_best(const Hasten *hasten, size_t low, size_t high) {
+    for (size_t s = low; s <= high; s++)
+        if (hasten->now.clearance[s] < hasten->sight || hasten->now.limit[s] < hasten->profile->free_speed ||
+            (s > low && fabs(turn_between(hasten->now.heading, s - 1, s)) > STRAIGHT * 0.05))
+            return false;
+    return true;
+}
+
+/* Tries a step in its direction, then the opposite one; adapts it. */
+#define TRY(step, trial)                                                                                               \
+    do {                                                                                                               \
+        if (trial(step))                                                                                               \
+            (step) = copysign(real_min(2 * fabs(step), LONGEST), step);                                                \
+        else if (trial(-(step)))                                                                                       \
+            (step) = -(step);                                                                                          \
+        else                                                                                                           \
+            (step) *= 0.4;                                                                                             \
+    } while (0)
+
+typedef struct Steps {
+    double *bumps;                /* (LEVELS x count) m */
+    double (*joints)[REACHES][5]; /* m or rad: along, across, both headings, in, out */
+    double end[REACHES];          /* m */
+} Steps;
+
+static void sweep_bumps(Hasten *hasten, Steps *steps, int round) {
+    Way *way = hasten->way;
+    for (int level = LEVELS - 1; level >= 0; level--) {
+        int half = 1 << level;
+        size_t stride = half > 1 ? (size_t)half / 2 : 1;
+        for (size_t k = 0; k < way->piece_count; k++) {
+            const WayPiece *piece = &way->pieces[k];
+            if (level > 0 && piece->last - piece->first < (size_t)half)
+                continue;
+            for (size_t s = piece->first + 1 + (half > 1 ? (size_t)round % stride : 0); s < piece->last; s += stride) {
+                double *step = &steps->bumps[(size_t)level * way->count + s];
+                size_t low = s >= piece->first + (size_t)half ? s - (size_t)half : piece->first;
+                size_t high = s + (size_t)half <= piece->last ? s + (size_t)half : piece->last;
+                if (fabs(*step) < SHORTEST || is_at_best(hasten, low, high))
+                    continue;
+#define BUMP(by) try_bump(hasten, s, half, by)
+                TRY(*step, BUMP);
+#undef BUMP
+            }
+        }
+    }
+}
+
+static void sweep_joints(Hasten *hasten, Steps *steps) {
+    Way *way = hasten->way;
+    for (size_t k = 0; k < way->piece_count; k++)
+        for (int r = 0; r < REACHES; r++) {
+            double *step = steps->joints[k][r];
+            const Joint *joint = &way->joints[k];
+            Vec2 along = vec2_heading(joint->in), across = vec2_left(along), none = {0, 0};
+#define ALONG(by) try_joint(hasten, k, joint_reaches[r], vec2_scale(along, by), 0, false, false)
+#define ACROSS(by) try_joint(hasten, k, joint_reaches[r], vec2_scale(across, by), 0, false, false)
+#define BOTH(by) try_joint(hasten, k, joint_reaches[r], none, by, true, true)
+#define IN(by) try_joint(hasten, k, joint_reaches[r], none, by, true, false)
+#define OUT(by) try_joint(hasten, k, joint_reaches[r], none, by, false, true)
+            if (k > 0 && fabs(step[0]) >= SHORTEST)
+                TRY(step[0], ALONG);
+            if (k > 0 && fabs(step[1]) >= SHORTEST)
+                TRY(step[1], ACROSS);
+            if (k > 0 && fabs(step[2]) >= SHORTEST)
+                TRY(step[2], BOTH);
+            if (k > 0 && joint->turns && fabs(step[3]) >= SHORTEST)
+                TRY(step[3], IN);
+            if (joint->turns && fabs(step[4]) >= SHORTEST)
+                TRY(step[4], OUT);
+#undef ALONG
+#undef ACROSS
+#undef BOTH
+#undef IN
+#undef OUT
+        }
+}
+
+static void sweep_end(Hasten *hasten, Steps *steps) {
+    for (int r = 0; r < REACHES; r++) {
+#define END(by) try_end(hasten, 2 * joint_reaches[r], by)
+        if (fabs(steps->end[r]) >= SHORTEST)
+            TRY(steps->end[r], END);
+#undef END
+    }
+}
+
+static void hasten_begin(Hasten *hasten, Way *way, const FreeSpace *space, const Rectangle *body,
+                         const Profile *profile) {
+    size_t count = way->count, first, last;
+    *hasten = (Hasten){.way = way, .space = space, .body = body, .profile = profile, .margin = -HUGE_VAL};
+    hasten->sight = fmax(pace_enough(profile), FIELD_COMFORT);
+    hasten->rooms = memory_zeroed(12 * count, sizeof(double));
+    hasten->now = speeds_in(hasten->rooms, count);
+    hasten->tried = speeds_in(hasten->rooms + 6 * count, count);
+    hasten->kept = memory_zeroed(count, sizeof *hasten->kept);
+    look_at(hasten, &hasten->now, 0, count - 1);
+    run_through(hasten, &hasten->now, &hasten->now, 0, count - 1, &first, &last);
+    hasten->sum = sum_of(hasten->now.cost, 0, count - 1);
+}
+
+static void hasten_end(Hasten *hasten) {
+    memory_free(hasten->rooms);
+    memory_free(hasten->kept);
+}
+
+double hasten_time(const Way *way, const FreeSpace *space, const Rectangle *body, const Profile *profile) {
+    Way copy = way_copy(way);
+    Hasten hasten;
+    double time = 0;
+    hasten_begin(&hasten, &copy, space, body, profile);
+    for (size_t s = 0; s + 1 < copy.count; s++)
+        if (copy.stations[s].piece == copy.stations[s + 1].piece)
+            time += 2 * vec2_distance(copy.stations[s].at, copy.stations[s + 1].at) /
+                    real_max(hasten.now.speed[s] + hasten.now.speed[s + 1], 1e-6);
+    for (size_t k = 0; k < copy.piece_count; k++)
+        time += joint_time(&hasten, k);
+    hasten_end(&hasten);
+    way_free(&copy);
+    return time;
+}
+
+bool hasten_way(Way *way, const FreeSpace *space, const Rectangle *body, const Profile *profile, double margin,
+                int sweeps, const Stop *stop) {
+    Hasten hasten;
+    hasten_begin(&hasten, way, space, body, profile);
+    hasten.margin = margin;
+    Steps steps = {.bumps = memory_zeroed((size_t)LEVELS * way->count, sizeof(double)),
+                   .joints = memory_zeroed(way->piece_count, sizeof *steps.joints)};
+    for (size_t i = 0; i < (size_t)LEVELS * way->count; i++)
+        steps.bumps[i] = FIRST;
+    for (size_t k = 0; k < way->piece_count; k++)
+        for (int r = 0; r < REACHES; r++)
+            for (int d = 0; d < 5; d++)
+                steps.joints[k][r][d] = FIRST;
+    for (int r = 0; r < REACHES; r++)
+        steps.end[r] = FIRST;
+    bool whole = true;
+    for (int round = 0; round < sweeps && whole; round++) {
+        double before = hasten.sum;
+        sweep_bumps(&hasten, &steps, round);
+        sweep_joints(&hasten, &steps);
+        sweep_end(&hasten, &steps);
+        whole = !stop_requested(stop);
+        if (before - hasten.sum < 1e-4 * before)
+            break;
+    }
+    memory_free(steps.bumps);
+    memory_free(steps.joints);
+    hasten_end(&hasten);
+    return whole;
+}
