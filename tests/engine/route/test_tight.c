@@ -1,0 +1,138 @@
+#include "check.h"
+
+#include <stdint.h>
+
+#include "planned_time.h"
+#include "tight.h"
+
+static Profile manual_chair(void) {
+    Profile profile = {0};
+    Fault fault = {0};
+    char path[4096];
+    snprintf(path, sizeof path, "%s/assets/profiles/manual-chair.json", check_source());
+    CHECK(profile_read(&profile, path, &fault));
+    check_say(&fault);
+    return profile;
+}
+
+/* A hall of 12 m by 12 m, the exit across x = 4. */
+static TightScene hall(void) {
+    TightScene scene = {.count = 4, .exit = {{4, -5}, {4, 5}}};
+    const Vec2 corners[4] = {{-6, -6}, {6, -6}, {6, 6}, {-6, 6}};
+    for (int i = 0; i < 4; i++)
+        scene.solids[i] = (TightSolid){corners[i], corners[(i + 1) % 4], 0.06, true};
+    return scene;
+}
+
+/* Returns the planned time of some poses in the hall, s. */
+static double time_in_hall(const Profile *profile, Pose *poses, size_t count) {
+    static TightHouse tight;
+    TightScene scene = hall();
+    tight_build(&tight, &scene, profile);
+    Route route = {.answer = ROUTE_FOUND, .poses = poses, .count = count};
+    double time = planned_time(&tight.house, profile, &route);
+    tight_free(&tight);
+    return time;
+}
+
+enum { MOST_POSES = 400 };
+
+/* Adds poses on a straight line along x, every centimetre. */
+static size_t roll(Pose *poses, size_t count, double from, double to, double heading, int direction) {
+    int steps = (int)lround(fabs(to - from) / 0.01);
+    for (int i = count > 0; i <= steps; i++)
+        poses[count++] = (Pose){vec2(from + (to - from) * i / steps, 0), heading, ROUTE_CLEARANCE_REACH, direction};
+    return count;
+}
+
+TEST(planned_time_of_a_straight_path_has_a_closed_form) {
+    Profile profile = manual_chair();
+    Pose poses[MOST_POSES];
+    size_t count = roll(poses, 0, 1.005, 4.205, 0, 1);
+    double v = profile.free_speed, a = profile.acceleration;
+    CHECK_NEAR(time_in_hall(&profile, poses, count), 2.995 / v + v / (2 * a), 0.002);
+    profile_free(&profile);
+}
+
+TEST(planned_time_counts_turns_on_the_spot_and_changes_of_direction) {
+    Profile profile = manual_chair();
+    double a = profile.acceleration, d = 0.8 * profile.deceleration, v = profile.free_speed;
+    double back = profile.reversing_speed;
+    Pose poses[MOST_POSES];
+    size_t count = roll(poses, 0, 3.005, 2.005, 0, -1); /* backwards, then forwards */
+    count = roll(poses, count, 2.005, 4.005, 0, 1);
+    double away = 1 / back + back / (2 * a) + back / (2 * d), out = 1.995 / v + v / (2 * a);
+    CHECK_NEAR(time_in_hall(&profile, poses, count), away + profile.reversing_time + out, 0.05);
+    count = roll(poses, 0, 3.005, 2.005, M_PI, 1); /* forwards, half a turn, then forwards */
+    for (int i = 1; i <= 36; i++)
+        poses[count++] = (Pose){vec2(2.005, 0), M_PI - M_PI * i / 36, ROUTE_CLEARANCE_REACH, 0};
+    count = roll(poses, count, 2.005, 4.005, 0, 1);
+    double peak = fmin(v, sqrt(2 * a * d / (a + d)));
+    away = 1 / peak + peak / (2 * a) + peak / (2 * d);
+    CHECK_NEAR(time_in_hall(&profile, poses, count), away + M_PI / profile.turn_rate + out, 0.05);
+    profile_free(&profile);
+}
+
+TEST(a_sweep_finds_an_overlap_between_two_poses) {
+    Profile profile = manual_chair();
+    TightScene scene = {.count = 1};
+    scene.solids[0] = (TightSolid){{0.9, 0.40}, {1.1, 0.40}, 0.10, false}; /* its lower side at y = 0.30 */
+    Pose poses[2] = {{vec2(-1, 0), 0, 0, 1}, {vec2(3, 0), 0, 0, 1}};
+    Route route = {.answer = ROUTE_FOUND, .poses = poses, .count = 2};
+    CHECK_NEAR(tight_sweep(&scene, &profile, &route), 0.30 - profile.width / 2, 1e-12);
+    scene.solids[0] = (TightSolid){{0.95, 0.36}, {1.05, 0.36}, 0.02, false};
+    CHECK_NEAR(tight_sweep(&scene, &profile, &route), 0.34 - profile.width / 2, 1e-12);
+    /* A quarter turn on an arc of 1 m about (0, 1): the outer front corner is the farthest from it. */
+    scene.solids[0] = (TightSolid){{3, -5}, {3, 5}, 0.1, false};
+    Pose quarter[2] = {{vec2(0, 0), 0, 0, 1}, {vec2(1, 1), M_PI_2, 0, 1}};
+    route.poses = quarter;
+    double corner = hypot(1 + profile.width / 2, profile.length - profile.axle);
+    CHECK_NEAR(tight_sweep(&scene, &profile, &route), 2.9 - corner, 1e-5);
+    profile_free(&profile);
+}
+
+TEST(tight_houses_are_within_reach_of_their_start_and_moved_as_a_whole) {
+    Profile profile = manual_chair();
+    static TightHouse tight, other;
+    for (uint64_t seed = 0; seed < 60; seed++) {
+        TightScene scene = tight_draw((TightKind)(seed % TIGHT_KINDS), seed), moved = scene;
+        tight_move(&moved, seed & 1, 0.1 + (double)seed, vec2(700, -900));
+        tight_build(&tight, &scene, &profile);
+        tight_build(&other, &moved, &profile);
+        double clearance[2];
+        for (int i = 0; i < 2; i++) {
+            const TightHouse *of = i ? &other : &tight;
+            Vec2 axis = vec2_heading(of->query.heading);
+            Vec2 centre = vec2_along(of->query.at, profile.length / 2 - profile.axle, axis);
+            clearance[i] =
+                freespace_clearance(&of->house.space, centre, axis, profile.length / 2, profile.width / 2, 0.5, NULL);
+        }
+        CHECK(clearance[0] > 0.05);
+        CHECK_NEAR(clearance[0], clearance[1], 2e-6); /* outlines are rounded to 1 um */
+        tight_free(&tight);
+        tight_free(&other);
+    }
+    profile_free(&profile);
+}
+
+TEST(free_space_only_grows_when_a_tight_house_gets_wider) {
+    Profile profile = manual_chair();
+    static TightHouse tight, other;
+    Random random = random_seed(5, 3);
+    for (uint64_t seed = 0; seed < 12; seed++) {
+        TightScene scene = tight_draw((TightKind)(seed % TIGHT_KINDS), seed), wider = scene;
+        tight_shrink(&wider, 0.025);
+        tight_build(&tight, &scene, &profile);
+        tight_build(&other, &wider, &profile);
+        for (int i = 0; i < 2000; i++) {
+            Vec2 at = vec2_along(scene.at, 5 * random_uniform(&random), vec2_heading(7 * random_uniform(&random)));
+            if (freespace_distance(&tight.house.space, at) < 0.1) /* inside, or where interpolation is not exact */
+                continue;
+            double before = freespace_exact(&tight.house.space, at, 0.5, NULL);
+            CHECK(freespace_exact(&other.house.space, at, 0.5, NULL) >= before - 1e-9);
+        }
+        tight_free(&tight);
+        tight_free(&other);
+    }
+    profile_free(&profile);
+}
