@@ -3,6 +3,7 @@
 #include "base/real.h"
 #include "house/track.h"
 #include "house/yield.h"
+#include "route/pace.h"
 
 /* All constants below are assumed; numbers for users are in the profile. */
 
@@ -147,7 +148,7 @@ static double speed_to_barriers(const World *world, size_t i, Drive *drive) {
     const Journey *journey = &world->journeys[i];
     const Exit *exit = &world->house->plan.exits[journey->route.exit];
     double time = clock_time(&world->clock),
-           braking = 2 * TRACK_PLANNED * world->house->people[i].profile->deceleration;
+           braking = 2 * PACE_PLANNED * world->house->people[i].profile->deceleration;
     int door = -1;
     double way = way_to_door(world, i, &door);
     if (time < exit->opens || time > exit->closes)

@@ -2,12 +2,9 @@
 
 #include "base/real.h"
 #include "plan/plan_geometry.h"
+#include "route/pace.h"
 #include "space/passage.h"
 
-/* m/s, assumed: speed through a gap hardly wider than the body. */
-static const double CREEP = 0.1;
-/* 1, assumed: the share of the turning moment with which a driver plans. */
-static const double PLANNED_MOMENT = 0.5;
 /* m, assumed: a door's leaf or a corner slows a driver this far before and after it. */
 static const double FORESIGHT = 0.2;
 /* m, assumed: distance from a shut door's leaf, and from its swing. */
@@ -31,7 +28,7 @@ static TrackPoint *add_point(Track *track, size_t *capacity, TrackPoint point) {
 static double passage_speed(const Inhabitant *person, double width) {
     const Profile *profile = person->profile;
     double law = profile->steering_time > 0 ? (width - profile->width) / profile->steering_time : HUGE_VAL;
-    return fmin(person->speed, fmax(law, fmin(CREEP, person->speed)));
+    return fmin(person->speed, fmax(law, fmin(PACE_CREEP, person->speed)));
 }
 
 /* Lowers each width to the least within FORESIGHT. */
@@ -183,27 +180,10 @@ static void bend(Track *track) {
     }
 }
 
-/* Returns the speed for a clearance. In the middle of a straight passage the clearance on either side is (W - w) / 2;
- * where the body turns, or the path leads close by an obstacle, the same law holds with twice the clearance, with the
- * floor of the paper for corners. */
-static double clearance_speed(const Profile *profile, double clearance) {
-    double law = profile->steering_time > 0 ? 2 * clearance / profile->steering_time : HUGE_VAL;
-    return fmax(law, profile->minimum_speed);
-}
-
 static double driver_speed(const Inhabitant *person, const TrackPoint *point, double clearance) {
-    const Profile *profile = person->profile;
-    double bend = fabs(point->curvature), bending = fabs(point->bending);
-    double square = profile->radius_of_gyration * profile->radius_of_gyration +
-                    profile->mass_centre * profile->mass_centre; /* m2, of the inertia about the axle */
-    double speed = fmin(passage_speed(person, point->width), clearance_speed(profile, clearance));
-    if (point->direction < 0)
-        speed = fmin(speed, profile->reversing_speed);
-    if (bend > 0)
-        speed = fmin(speed, fmin(sqrt(profile->lateral_acceleration / bend), profile->turn_rate / bend));
-    if (bending > 0)
-        speed = fmin(speed, sqrt(PLANNED_MOMENT * profile->turning_moment / (profile->mass * square * bending)));
-    return fmax(speed, fmin(CREEP, person->speed));
+    double pace =
+        pace_at(person->profile, person->speed, clearance, point->curvature, point->bending, point->direction);
+    return fmin(passage_speed(person, point->width), pace);
 }
 
 void track_build_driver(Track *track, const House *house, const Inhabitant *person, const Route *route) {
@@ -222,7 +202,7 @@ void track_build_driver(Track *track, const House *house, const Inhabitant *pers
     bend(track);
     for (size_t i = 0; i < track->count; i++)
         track->points[i].speed = driver_speed(person, &track->points[i], route->poses[i].clearance);
-    decelerate(track, TRACK_PLANNED * profile->deceleration);
+    decelerate(track, PACE_PLANNED * profile->deceleration);
     mark_doors(track, &house->plan, person->profile);
     mark_exit(track, &house->plan.exits[route->exit]);
 }

@@ -19,10 +19,6 @@
 #include "house/house.h"
 #include "route/route.h"
 
-/* 1, assumed: the share of the deceleration that a driver plans with, before corners, doors, exits and people; the rest
- * is a reserve. */
-#define TRACK_PLANNED 0.8
-
 typedef struct TrackPoint {
     Vec2 at;           /* m, position of the reference point */
     double heading;    /* rad, of the body (driver) or of the path (miura) */

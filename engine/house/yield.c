@@ -1,5 +1,7 @@
 #include "house/yield.h"
 
+#include "route/pace.h"
+
 /* All constants below are assumed. */
 
 /* m: how far ahead people are seen. */
@@ -117,7 +119,7 @@ static double speed_past(const World *world, size_t i, size_t j, const Sight *si
     double law = profile->steering_time > 0 ? 2 * sight->gap / profile->steering_time : HUGE_VAL;
     if (sight->gap > PASSING_LEAST || sight->ahead < -STAND_OFF)
         return real_min(speed, real_max(law, SLOW_PASSING));
-    double braking = sqrt(2 * TRACK_PLANNED * profile->deceleration * real_max(0, sight->ahead - STAND_OFF));
+    double braking = sqrt(2 * PACE_PLANNED * profile->deceleration * real_max(0, sight->ahead - STAND_OFF));
     bool both_wait = vec2_length(world->velocity[j]) < STANDING && world->drive[i].stalled > DEADLOCK &&
                      world->phase[j] == PHASE_MOVING;
     bool room = sight->ahead > PASSING_LEAST, chair = world_rides(world, j);

@@ -1,5 +1,6 @@
 #include "planned_time.h"
 
+#include "route/pace.h"
 #include "house/track.h"
 #include "plan/plan_geometry.h"
 
@@ -8,7 +9,7 @@
 static double time_of(const Profile *profile, double length, double before, double after) {
     if (before + after > 0)
         return 2 * length / (before + after);
-    double a = profile->acceleration, d = TRACK_PLANNED * profile->deceleration;
+    double a = profile->acceleration, d = PACE_PLANNED * profile->deceleration;
     return sqrt(2 * length * (a + d) / (a * d));
 }
 
