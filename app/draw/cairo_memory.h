@@ -6,5 +6,5 @@ struct _cairo; /* cairo's own name of cairo_t */
 /* Ends the program as memory_end does if there was no memory for something that was painted. */
 void cairo_memory_check(struct _cairo *cairo);
 
-/* Does the same and releases the context. */
+/* Checks the memory, then releases the context. */
 void cairo_memory_end(struct _cairo *cairo);

@@ -48,8 +48,10 @@ void report_basis_add_method(Document *document, const House *house, bool both_w
     if (both_ways || has_driving(house, DRIVING_DRIVER))
         document_add_paragraph(document,
                                "driver: a chair is its true rounded rectangle, rolls and turns about its drive axle "
-                               "and does not slip sideways. It follows the quickest of all drivable routes, changes "
-                               "of direction included, with a limited push.");
+                               "and does not slip sideways. It follows the quickest route that was found: searches "
+                               "with smaller bodies propose ways, which are moved until the true body keeps 5 mm and "
+                               "no small change makes them quicker. That no quicker one exists is not proved; that a "
+                               "body does not fit is, to 3 mm. The push is limited.");
     if (both_ways || has_driving(house, DRIVING_MIURA))
         document_add_paragraph(document,
                                "miura: a chair is a disc on straight legs and corners, after the paper. It has no "

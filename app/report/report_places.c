@@ -136,7 +136,7 @@ void report_places_add_hazards(Document *document, const House *house, const Obs
         document, observation,
         document_text(
             document,
-            "Worst first. The clearance is that of the quickest route: a body may pass close to an obstacle "
+            "Worst first. The clearance is that of the route that is driven: a body may pass close to an obstacle "
             "although there is room. The score adds the missing clearance relative to %g m, "
             "the force relative to %g N and the lost time relative to %g s; reaching one of these levels counts as 1. "
             "Lost time: sum over all people who pass.",

@@ -1,4 +1,4 @@
-/* What follows from a plan's numbers: the ends of doors, the corners of furniture, and who is out. */
+/* Derives from a plan's numbers the ends of doors, the corners of furniture, and who is out. */
 #pragma once
 
 #include "plan/plan.h"

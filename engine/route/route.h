@@ -8,8 +8,9 @@
  * The closed form for `fits` in a right-angle corner, for bodies longer than both corridors are wide: w x l turns from
  * W1 into W2 exactly when l <= min over t in (0, pi/2) of (W1 cos t + W2 sin t - w) / (sin t cos t).
  *
- * A path is planned by search over (x, y, heading) with the time under the speed law as its cost (hybrid A*; Dolgov,
- * Thrun, Montemerlo and Diebel 2010), then smoothed and swept again. */
+ * A path is proposed by search over (x, y, heading) with the time under the speed law as its cost (hybrid A*; Dolgov,
+ * Thrun, Montemerlo and Diebel 2010), made free and then quick by moving its stations (decide.h). It is the quickest
+ * that was found; that there is none at all is proved only for a body that does not fit (fit.h). */
 #pragma once
 
 #include <stdbool.h>
