@@ -322,7 +322,7 @@ void outline_place_name(const Outline *outline, const Plan *plan, Vec2 at, char 
     for (double reach = 0.5; nearest.face < 0 && reach < 100; reach *= 4)
         broadphase_visit(outline->broadphase, box_around(at, reach), visit_nearest, &nearest);
     if (nearest.face < 0)
-        snprintf(name, size, "(%.2f, %.2f)", at.x, at.y);
+        snprintf(name, size, "free space");
     else
         outline_name(plan, outline->faces[nearest.face].owner, outline->faces[nearest.face].index, name, size);
 }

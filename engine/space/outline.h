@@ -95,5 +95,5 @@ double outline_ray_past(const Outline *outline, const bool *door_open, Vec2 from
 void outline_name(const Plan *plan, int owner, int index, char *name, size_t size);
 
 /* Writes the best name of a place for a report: the door whose opening contains the place, otherwise the owner of the
- * nearest face. */
+ * nearest face, or "free space" where no face is near. */
 void outline_place_name(const Outline *outline, const Plan *plan, Vec2 at, char *name, size_t size);
