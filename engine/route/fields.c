@@ -14,9 +14,19 @@ typedef struct Shared {
     uint64_t used; /* time of the last acquisition, counted in acquisitions */
 } Shared;
 
+typedef struct Framed {
+    const Plan *plan;
+    int sense;
+    RouteFrame frame;
+    bool ready; /* built, or found to be impossible */
+    bool good;
+} Framed;
+
 struct Fields {
     pthread_mutex_t lock;
-    pthread_cond_t built;
+    pthread_cond_t built; /* a field or a frame */
+    Framed **frames;      /* (frame_count) */
+    size_t frame_count, frame_capacity;
     Shared **all; /* (count) */
     size_t count, capacity;
     uint64_t takings;
@@ -39,6 +49,12 @@ void fields_destroy(Fields *fields) {
     for (size_t i = 0; i < fields->count; i++)
         shared_free(fields->all[i]);
     memory_free(fields->all);
+    for (size_t i = 0; i < fields->frame_count; i++) {
+        if (fields->frames[i]->good)
+            frame_free(&fields->frames[i]->frame);
+        memory_free(fields->frames[i]);
+    }
+    memory_free(fields->frames);
     pthread_cond_destroy(&fields->built);
     pthread_mutex_destroy(&fields->lock);
     memory_free(fields);
@@ -131,4 +147,34 @@ void fields_release(Fields *fields, const Field *field) {
         if (&fields->all[i]->field == field)
             fields->all[i]->users--;
     pthread_mutex_unlock(&fields->lock);
+}
+
+static Framed *find_frame(const Fields *fields, const Plan *plan, int sense) {
+    for (size_t i = 0; i < fields->frame_count; i++)
+        if (fields->frames[i]->plan == plan && fields->frames[i]->sense == sense)
+            return fields->frames[i];
+    return NULL;
+}
+
+const RouteFrame *fields_frame(Fields *fields, const Plan *plan, int sense) {
+    pthread_mutex_lock(&fields->lock);
+    Framed *framed = find_frame(fields, plan, sense);
+    if (!framed) {
+        framed = memory_zeroed(1, sizeof *framed);
+        framed->plan = plan;
+        framed->sense = sense;
+        fields->frames =
+            memory_reserve(fields->frames, &fields->frame_capacity, fields->frame_count + 1, sizeof(Framed *));
+        fields->frames[fields->frame_count++] = framed;
+        pthread_mutex_unlock(&fields->lock);
+        bool good = frame_build(&framed->frame, plan, sense);
+        pthread_mutex_lock(&fields->lock);
+        framed->good = good;
+        framed->ready = true;
+        pthread_cond_broadcast(&fields->built);
+    }
+    while (!framed->ready)
+        pthread_cond_wait(&fields->built, &fields->lock);
+    pthread_mutex_unlock(&fields->lock);
+    return framed->good ? &framed->frame : NULL;
 }

@@ -23,7 +23,8 @@
  * The widest path (maximin; Pollack 1960) over the bounds `high` shows that no path is wider. The cells on it, and
  * their neighbours, whose bounds are apart are split in eight, and the search is repeated until the path's `low`
  * confirms it within FIT_RESOLUTION. A body and its half turn are one placement, so the headings span half a turn, and
- * a goal is reached if either of the two axles can reach it. Any rigid motion may be undone, so that several goals can
+ * a goal is reached if either of the two axles can reach it. Few cells are needed where the walls are parallel to them,
+ * as they are in the frame of frame.c. Any rigid motion may be undone, so that several goals can
  * be passed in order if each one can be reached from the start. */
 
 #define ROOT_HALF 0.08         /* m, half a side of the largest cells */
@@ -63,19 +64,17 @@ typedef struct Tree {
     const RouteQuery *query;
     const Rectangle *body;
     const Goal *goal;
-    Vec2 origin;    /* m */
-    double bearing; /* rad, of the tree's x axis */
-    Vec2 axis;      /* its unit vector */
-    double cap;     /* m: more growth than this counts as this */
-    double floor;   /* m: cells with less are never entered */
-    Cell *cells;    /* [0] is not used */
+    Vec2 origin;  /* m, the middle of the body at the start, a corner of cells that lie along x and y */
+    double cap;   /* m: more growth than this counts as this */
+    double floor; /* m: cells with less are never entered */
+    Cell *cells;  /* [0] is not used */
     size_t count, capacity;
     Root *roots;
     size_t root_count, root_capacity;
     Frontier *heap;
     size_t heap_count, heap_capacity;
     unsigned search; /* number of the current search */
-    double turned;   /* rad, the body's heading at the start in the tree's frame, 0 to half a turn */
+    double turned;   /* rad, the body's heading at the start, 0 to half a turn */
 } Tree;
 
 KEY_TABLE_DEFINE(root, Root)
@@ -88,18 +87,13 @@ static double half_turn(const Cell *cell) {
     return ROOT_TURN / (1 << cell->level);
 }
 
-/* Returns a place in the tree's frame, m. */
-static Vec2 in_frame(const Tree *tree, Vec2 at) {
-    return vec2_unturn(vec2_sub(at, tree->origin), tree->axis);
-}
-
 static Vec2 middle_of(const Tree *tree, const Cell *cell) {
     double side = 2 * half_side(cell);
-    return vec2_add(tree->origin, vec2_turn(vec2((cell->x + 0.5) * side, (cell->y + 0.5) * side), tree->axis));
+    return vec2_add(tree->origin, vec2((cell->x + 0.5) * side, (cell->y + 0.5) * side));
 }
 
-static double heading_of(const Tree *tree, const Cell *cell) {
-    return tree->bearing + (2 * cell->turn + 1) * half_turn(cell);
+static double heading_of(const Cell *cell) {
+    return (2 * cell->turn + 1) * half_turn(cell);
 }
 
 /* True if the place is on the grid of distances. Beyond the grid all space is free and leads nowhere. */
@@ -116,14 +110,14 @@ static double growth(const Tree *tree, Vec2 centre, Vec2 axis, double half_lengt
 /* Sets the bounds of a cell, which are never farther apart than those of the cell around it. */
 static void bound(const Tree *tree, Cell *cell, const Cell *around) {
     const Rectangle *body = tree->body;
-    double heading = heading_of(tree, cell), swing = real_sin(half_turn(cell)), half = half_side(cell);
-    Vec2 axis = vec2_heading(heading), own = vec2_unturn(axis, tree->axis);
+    double heading = heading_of(cell), swing = real_sin(half_turn(cell)), half = half_side(cell);
+    Vec2 axis = vec2_heading(heading);
     cell->at = middle_of(tree, cell);
     if (!is_on_the_grid(tree->query->space, cell->at)) {
         cell->low = cell->high = -HUGE_VALF;
         return;
     }
-    double shift = half * (fabs(own.x) + fabs(own.y));
+    double shift = half * (fabs(axis.x) + fabs(axis.y));
     double longer = shift + body->half_width * swing, wider = shift + body->half_length * swing;
     double low =
         growth(tree, cell->at, axis, body->half_length + longer, body->half_width + wider, tree->cap * (1 + swing)) /
@@ -274,16 +268,15 @@ static Reach reach_goal(const Tree *tree, const Cell *cell) {
     double ahead = fabs(tree->body->ahead), sway = ahead * half_turn(cell);
     if (distance_to_go(tree, cell->at) > ahead + sway + 2 * half_side(cell))
         return REACH_NOT;
-    Vec2 middle = in_frame(tree, cell->at), axis = vec2_unturn(vec2_heading(heading_of(tree, cell)), tree->axis);
+    Vec2 axis = vec2_heading(heading_of(cell));
     for (int end = -1; end <= 1; end += 2) {
-        Vec2 axle = vec2_along(middle, end * ahead, axis);
+        Vec2 axle = vec2_along(cell->at, end * ahead, axis);
         Reach reach = REACH_NOT;
         if (goal->radius > 0)
-            reach = reach_point(cell, axle, sway, in_frame(tree, goal->at), goal->radius);
+            reach = reach_point(cell, axle, sway, goal->at, goal->radius);
         for (size_t e = 0; !(goal->radius > 0) && e < plan->exit_count; e++)
             if (field_exit_usable(goal, plan, e)) {
-                Reach line = reach_line(cell, axle, sway, in_frame(tree, plan->exits[e].from),
-                                        in_frame(tree, plan->exits[e].to));
+                Reach line = reach_line(cell, axle, sway, plan->exits[e].from, plan->exits[e].to);
                 reach = line > reach ? line : reach;
             }
         best = reach > best ? reach : best;
@@ -396,7 +389,7 @@ static void note_tightest(const Tree *tree, int last, FitPlace *place) {
             tightest = cell;
     const Cell *cell = &tree->cells[tightest];
     place->centre = cell->at;
-    place->heading = heading_of(tree, cell);
+    place->heading = heading_of(cell);
     place->margin = (double)tree->cells[last].widest;
     freespace_growth(tree->query->space, place->centre, vec2_heading(place->heading), tree->body->half_length,
                      tree->body->half_width, FREESPACE_FARTHEST, &place->face);
@@ -421,23 +414,6 @@ static void fit_goal(Tree *tree, const Goal *goal, FitPlace *tightest) {
     }
 }
 
-/* Returns the heading of the longest planned face, nearest to `heading` in quarter turns: cells parallel to the walls
- * are few. */
-static double bearing_of(const Outline *outline, double heading) {
-    double longest = 0;
-    Vec2 along = vec2_heading(heading);
-    for (size_t f = 0; f < outline->face_count; f++) {
-        const Face *face = &outline->faces[f];
-        double length = vec2_distance(face->a, face->b);
-        if (outline_planned(face->presence) && length > longest) {
-            longest = length;
-            along = vec2_sub(face->b, face->a);
-        }
-    }
-    double turn = vec2_wrap_angle(real_atan2(along.y, along.x) - heading);
-    return heading + turn - M_PI_2 * round(turn / M_PI_2);
-}
-
 FitAnswer fit_margin(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count, double least,
                      double most, FitPlace *tightest) {
     Vec2 axis = vec2_heading(query->heading), centre = vec2_along(query->at, body->ahead, axis);
@@ -445,10 +421,7 @@ FitAnswer fit_margin(const RouteQuery *query, const Rectangle *body, const Goal 
     tightest->margin =
         freespace_growth(query->space, centre, axis, body->half_length, body->half_width, most, &tightest->face);
     Tree tree = {.query = query, .body = body, .origin = centre, .cap = tightest->margin, .count = 1};
-    tree.bearing = bearing_of(query->space->outline, query->heading);
-    tree.axis = vec2_heading(tree.bearing);
-    tree.turned = query->heading - tree.bearing;
-    tree.turned -= M_PI * floor(tree.turned / M_PI);
+    tree.turned = query->heading - M_PI * floor(query->heading / M_PI);
     tree.floor = fmax(least, -THINNEST * fmin(body->half_length, body->half_width));
     tree.cells = memory_reserve(NULL, &tree.capacity, 1024, sizeof *tree.cells);
     for (size_t g = 0; g < goal_count && tightest->margin > -HUGE_VAL; g++) {

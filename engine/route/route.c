@@ -9,6 +9,7 @@
 #include "route/blockage.h"
 #include "route/decide.h"
 #include "route/fit.h"
+#include "route/frame.h"
 #include "route/search.h"
 #include "route/smooth.h"
 #include "route/disc_route.h"
@@ -175,6 +176,16 @@ static bool crosses_exit(const SearchTrack *track, const Plan *plan) {
     return false;
 }
 
+static void note_narrowest(Route *route) {
+    route->narrowest = ROUTE_CLEARANCE_REACH;
+    route->narrowest_at = route->poses[0].at;
+    for (size_t i = 0; i < route->count; i++)
+        if (route->poses[i].clearance < route->narrowest) {
+            route->narrowest = route->poses[i].clearance;
+            route->narrowest_at = route->poses[i].at;
+        }
+}
+
 static void give_poses(Route *route, const SearchTrack *track) {
     route->answer = ROUTE_FOUND;
     route->fits = route->drivable = true;
@@ -182,16 +193,9 @@ static void give_poses(Route *route, const SearchTrack *track) {
     route->exit = track->exit;
     route->poses = track->poses;
     route->count = track->count;
-    route->narrowest = ROUTE_CLEARANCE_REACH;
-    route->narrowest_at = track->poses[0].at;
-    for (size_t i = 0; i < track->count; i++) {
-        if (i > 0)
-            route->length += vec2_distance(track->poses[i - 1].at, track->poses[i].at);
-        if (track->poses[i].clearance < route->narrowest) {
-            route->narrowest = track->poses[i].clearance;
-            route->narrowest_at = track->poses[i].at;
-        }
-    }
+    for (size_t i = 1; i < track->count; i++)
+        route->length += vec2_distance(track->poses[i - 1].at, track->poses[i].at);
+    note_narrowest(route);
 }
 
 /* Smooths a searched track and stores it in the route. */
@@ -359,18 +363,6 @@ static void search_round(Route *route, const RouteQuery *query, const Legs *legs
         interrupt(route);
 }
 
-/* Plans by one of the two driving models, with its own fields unless there are shared ones. */
-static Route answer_with(const RouteQuery *query, void (*answer)(Route *route, const RouteQuery *query)) {
-    Route route = {.answer = ROUTE_CANNOT_PASS, .exit = query->exit};
-    RouteQuery with = *query;
-    if (!query->fields)
-        with.fields = fields_create();
-    answer(&route, &with);
-    if (!query->fields)
-        fields_destroy(with.fields);
-    return route;
-}
-
 /* Finds the start pose of the body. In the middle of a run it is moved away from obstacles that it presses on or stands
  * close to, because a chair whose flank is at a wall cannot turn away without its tail hitting the wall. The roomiest
  * of the places tried is chosen. Returns false if the body is not free. */
@@ -422,12 +414,79 @@ static void go_round(Route *route, const RouteQuery *query) {
     memory_free(legs.goals);
 }
 
+/* Returns the clearance at a pose on a query's path, m. */
+static double clearance_at(const RouteQuery *query, bool round, const Pose *pose) {
+    double radius = query->profile->width / 2;
+    Rectangle body = search_body(query->profile);
+    if (round)
+        return freespace_exact(query->space, pose->at, radius + ROUTE_CLEARANCE_REACH, NULL) - radius;
+    return search_clearance(query->space, &body, pose->at, pose->heading, ROUTE_CLEARANCE_REACH, NULL);
+}
+
+/* Carries the poses of a route from the frame to the plan, moved by what the query was rounded, so that a path begins
+ * exactly where it was asked for. */
+static void leave_with_poses(Route *route, const RouteFrame *frame, const RouteQuery *framed, const RouteQuery *query,
+                             bool round) {
+    Vec2 moved = vec2_sub(query->at, frame_place_in_plan(frame, framed->at));
+    double turned = query->heading - frame_heading_in_plan(frame, framed->heading);
+    for (size_t i = 0; i < route->count; i++) {
+        Pose *pose = &route->poses[i];
+        bool start = i == 0 && vec2_distance(pose->at, framed->at) <= 0;
+        bool ahead = i == 0 && fabs(pose->heading - framed->heading) <= 0;
+        pose->at = start ? query->at : vec2_add(frame_place_in_plan(frame, pose->at), moved);
+        pose->heading = ahead ? query->heading : frame_heading_in_plan(frame, pose->heading) + turned;
+        pose->clearance = clearance_at(query, round, pose);
+    }
+    if (route->count > 0)
+        note_narrowest(route);
+}
+
+/* Plans by one of the two driving models in a frame of the plan, which the query's fields hold. A plan without a frame
+ * is its own. */
+static void answer_in_frame(Route *route, const RouteQuery *query, bool round) {
+    int sense = frame_sense(query->plan, query->at, query->heading, query->via, query->via_count, query->exit);
+    const RouteFrame *frame = fields_frame(query->fields, query->plan, sense);
+    RouteQuery framed = *query;
+    Vec2 *via = memory_zeroed(query->via_count, sizeof *via);
+    if (frame) {
+        for (size_t i = 0; i < query->via_count; i++)
+            via[i] = frame_place(frame, query->via[i]);
+        framed.plan = &frame->plan;
+        framed.space = &frame->space;
+        framed.via = via;
+        framed.at = frame_place(frame, query->at);
+        framed.heading = frame_heading(frame, query->heading);
+    }
+    if (round)
+        go_round(route, &framed);
+    else
+        drive(route, &framed);
+    memory_free(via);
+    if (!frame)
+        return;
+    leave_with_poses(route, frame, &framed, query, round);
+    if (*route->blockage.what)
+        route->blockage.at = frame_place_in_plan(frame, route->blockage.at);
+}
+
+/* Plans with fields of its own unless there are shared ones. */
+static Route answer_with(const RouteQuery *query, bool round) {
+    Route route = {.answer = ROUTE_CANNOT_PASS, .exit = query->exit};
+    RouteQuery with = *query;
+    if (!query->fields)
+        with.fields = fields_create();
+    answer_in_frame(&route, &with, round);
+    if (!query->fields)
+        fields_destroy(with.fields);
+    return route;
+}
+
 Route route_drive(const RouteQuery *query) {
-    return answer_with(query, drive);
+    return answer_with(query, false);
 }
 
 Route route_round(const RouteQuery *query) {
-    return answer_with(query, go_round);
+    return answer_with(query, true);
 }
 
 void route_widths(const Blockage *blockage, char *text, size_t size) {

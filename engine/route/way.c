@@ -77,6 +77,11 @@ Way way_of_track(const SearchTrack *track, const Exit *exit, const Goal *pins, s
         way.pins[p] = (WayPin){.at = pins[p].at, .radius = pins[p].radius};
     end_behind(&way);
     way_resample(&way, spacing);
+    for (size_t k = 0; k < way.piece_count; k++)
+        if (!(way.pieces[k].step > SHORTEST_MOTION)) {
+            way_free(&way);
+            break;
+        }
     return way;
 }
 
@@ -299,7 +304,7 @@ static bool motion_swept(const Motion *motion, const Station *a, double at_a, co
         1.05 * vec2_distance(a->at, b->at) + turn * sqrt(ahead * ahead + body->half_width * body->half_width);
     if (at_a + at_b - 2 * motion->margin >= reach)
         return true;
-    if (fmin(at_a, at_b) < motion->margin || reach < FINEST)
+    if (fmin(at_a, at_b) < motion->margin || !(reach >= FINEST))
         return fmin(at_a, at_b) >= motion->margin;
     Station middle = {motion->direction ? between(a, b, motion->direction, 0.5) : a->at,
                       vec2_unit(vec2_add(a->axis, b->axis)), a->piece};

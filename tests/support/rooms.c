@@ -25,9 +25,10 @@ Profile rooms_chair(double length, double width) {
 
 void rooms_build(Rooms *fixture) {
     Fault fault = {0};
+    fixture->plan.run.cell = 0.05;
     CHECK(outline_build(&fixture->outline, &fixture->plan, &fault));
     fault_clear(&fault);
-    freespace_build(&fixture->space, &fixture->outline, 0.05);
+    freespace_build(&fixture->space, &fixture->outline, fixture->plan.run.cell);
     fixture->query.plan = &fixture->plan;
     fixture->query.space = &fixture->space;
     fixture->query.profile = &fixture->profile;
