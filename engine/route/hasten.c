@@ -14,14 +14,15 @@
  *
  *     T = sum of 2 h / (v_i + v_(i+1)) + |turns on the spot| / turn rate + changes of direction * their time
  *
- * plus two prices: near obstacles time counts more, as it does in the search (field_discomfort), and the change of the
- * turn from step to step, which a curvature averaged over four steps does not see, costs ROUGHNESS.
+ * plus two prices: near obstacles time counts more, half as much as in the search (field_discomfort), and the change of
+ * the turn from step to step, which a curvature averaged over four steps does not see, costs ROUGHNESS.
  *
  * A trial moves the stations about one of them along their normals (a bump), or a joint, or the end, all faded over
  * some stations; each place has its own length of step, which grows with success and shrinks with failure. A trial is
  * kept when the sum falls and no clearance is below the margin, at the stations and between them. The speeds are
  * computed again only as far as they change. */
 
+#define PRICE 0.5     /* 1, share of the search's price of discomfort: more costs more than 3 % of the time */
 #define ROUGHNESS 5.0 /* s/rad2 */
 #define FIRST 0.01    /* m, first length of a trial */
 #define SHORTEST 2e-4 /* m: shorter ones are not tried */
@@ -101,7 +102,7 @@ static double step_cost(const Hasten *hasten, const Speeds *speeds, size_t s) {
     double rough = 0;
     if (s > piece->first)
         rough = turn_between(speeds->heading, s, s + 1) - turn_between(speeds->heading, s - 1, s);
-    return time * field_discomfort(clearance) + ROUGHNESS * rough * rough;
+    return time * (1 + PRICE * (field_discomfort(clearance) - 1)) + ROUGHNESS * rough * rough;
 }
 
 static double reachable(double speed, double acceleration, double step) {
@@ -245,7 +246,7 @@ static bool judge(Hasten *hasten, size_t low, size_t high, size_t joint, Joint j
         good = spot_is_free(hasten, joint);
     }
     good =
-        good && way_passes_pins(way) && way_is_smooth(way, begin > 0 ? begin - 1 : 0, end < farthest ? end + 1 : end);
+        good && way_reaches_goals(way) && way_is_smooth(way, begin > 0 ? begin - 1 : 0, end < farthest ? end + 1 : end);
     double gain = 0;
     if (good) {
         run_through(hasten, &hasten->now, &hasten->tried, wide, far, &first, &last);

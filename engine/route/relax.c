@@ -421,7 +421,7 @@ double relax_way(Way *way, const FreeSpace *space, const Rectangle *body, const 
         if (s + 1 < NEEDED || (clearance >= enough && !way_swept(way, space, body, enough)))
             clearance = 0;
     }
-    if (!way_passes_pins(way) || !way_is_smooth(way, 0, way->count - 1))
+    if (!way_reaches_goals(way) || !way_is_smooth(way, 0, way->count - 1))
         return 0;
     if (clearance >= enough)
         return options->margin;

@@ -140,19 +140,11 @@ static void straighten_end(SearchTrack *track, const RouteQuery *query, const Re
     }
 }
 
-/* Ends the track BEYOND_EXIT behind the line, whatever the length of the motion that crossed it. `*crossing` is the
- * first pose behind the line. */
-static void go_beyond_exit(SearchTrack *track, const RouteQuery *query, const Rectangle *body, size_t *crossing) {
+/* Continues a track that has crossed the exit straight to BEYOND_EXIT behind the line, as far as the space is free. */
+static void go_beyond_exit(SearchTrack *track, const RouteQuery *query, const Rectangle *body) {
     const int steps = 6;
     const Exit *exit = &query->plan->exits[track->exit];
-    Goal goal = {.exit = track->exit, .time = -HUGE_VAL};
-    size_t crossed, index = track->count - 1;
-    while (index > 1 &&
-           !field_goal_reached(&goal, query->plan, track->poses[index - 1].at, track->poses[index].at, &crossed))
-        index--;
-    *crossing = index;
-    track->count = index + 1;
-    Pose pose = track->poses[index];
+    Pose pose = track->poses[track->count - 1];
     double passed = fabs(vec2_cross(vec2_unit(vec2_sub(exit->to, exit->from)), vec2_sub(pose.at, exit->from)));
     double step = (BEYOND_EXIT - passed) / steps;
     double clearance = search_clearance(query->space, body, pose.at, pose.heading, 2 * BEYOND_CLEARANCE, NULL);
@@ -164,6 +156,17 @@ static void go_beyond_exit(SearchTrack *track, const RouteQuery *query, const Re
         clearance = ahead;
         search_track_add(track, pose);
     }
+}
+
+/* Ends a track with its first pose behind the exit's line, whatever the length of the motion that crosses it; returns
+ * the index of that pose. */
+static size_t end_behind_exit(SearchTrack *track, const Plan *plan) {
+    Goal goal = {.exit = track->exit, .time = -HUGE_VAL};
+    size_t crossed, index = track->count - 1;
+    while (index > 1 && !field_goal_reached(&goal, plan, track->poses[index - 1].at, track->poses[index].at, &crossed))
+        index--;
+    track->count = index + 1;
+    return index;
 }
 
 /* True if a smoothed track still crosses the exit for which it was searched. */
@@ -202,7 +205,8 @@ static void give_poses(Route *route, const SearchTrack *track) {
 static void answer_drive(Route *route, const RouteQuery *query, const Rectangle *body, SearchTrack *track, size_t *pins,
                          size_t leg_count) {
     straighten_end(track, query, body, leg_count > 1 ? pins[leg_count - 2] : 0);
-    go_beyond_exit(track, query, body, &pins[leg_count - 1]);
+    pins[leg_count - 1] = end_behind_exit(track, query->plan);
+    go_beyond_exit(track, query, body);
     SearchTrack searched = {.reversals = track->reversals, .direction = track->direction, .exit = track->exit};
     for (size_t i = 0; i < track->count; i++)
         search_track_add(&searched, track->poses[i]);
@@ -300,13 +304,13 @@ static void measure(SearchTrack *track, const RouteQuery *query, const Rectangle
 }
 
 static void search_drive(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body) {
-    size_t *pins = memory_zeroed(legs->count, sizeof *pins), crossing;
+    size_t *pins = memory_zeroed(legs->count, sizeof *pins);
     SearchTrack track = {0};
     FitPlace tightest;
     bool whole = true;
     switch (decide_way(query, body, legs->goals, legs->count, SHALLOW, &track, pins, &tightest)) {
     case DECIDE_FOUND:
-        go_beyond_exit(&track, query, body, &crossing);
+        go_beyond_exit(&track, query, body);
         measure(&track, query, body);
         give_poses(route, &track);
         break;

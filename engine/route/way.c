@@ -6,7 +6,7 @@
 #include "base/real.h"
 #include "plan/plan_geometry.h"
 
-#define HAIR 0.01            /* m: the way ends this far behind the exit's line */
+#define HAIR 0.02            /* m: the way ends this far behind the exit's line */
 #define EXIT_END 1e-3        /* m: and at least this far from the line's ends */
 #define SPOT_STEP radians(5) /* rad, between poses on the spot */
 #define SHORTEST_MOTION 1e-6 /* m: a motion that is not worth a piece */
@@ -57,7 +57,7 @@ static void end_behind(Way *way) {
     way->count = piece->last + 1;
     Station *end = &way->stations[piece->last];
     const Station *before = &way->stations[piece->last - 1];
-    double low, high, side = vec2_dot(out, vec2_sub(before->at, exit->from)) < 0 ? 1 : -1;
+    double low, high, side = vec2_dot(out, vec2_sub(end->at, before->at)) < 0 ? -1 : 1;
     double ahead = vec2_dot(out, vec2_sub(end->at, exit->from)), back = vec2_dot(out, vec2_sub(before->at, exit->from));
     double part = ahead != back ? real_clamp((side * HAIR - back) / (ahead - back), 0, 1) : 1;
     Vec2 crossing = vec2_along(before->at, part, vec2_sub(end->at, before->at));
@@ -248,11 +248,14 @@ bool way_is_smooth(const Way *way, size_t low, size_t high) {
     return true;
 }
 
-bool way_passes_pins(const Way *way) {
+bool way_reaches_goals(const Way *way) {
     for (size_t p = 0; p < way->pin_count; p++)
         if (vec2_distance(way->stations[way->pins[p].station].at, way->pins[p].at) > way->pins[p].radius)
             return false;
-    return true;
+    for (size_t s = way->count - 1; s > 0; s--)
+        if (plan_geometry_leads_out(way->exit, way->stations[s - 1].at, way->stations[s].at))
+            return true;
+    return false;
 }
 
 void way_exit_range(const Way *way, double *low, double *high) {
@@ -299,6 +302,8 @@ typedef struct Motion {
 static bool motion_swept(const Motion *motion, const Station *a, double at_a, const Station *b, double at_b) {
     const Rectangle *body = motion->body;
     double ahead = fabs(body->ahead) + body->half_length;
+    if (vec2_dot(a->axis, b->axis) <= 0)
+        return false;
     double turn = fabs(real_atan2(vec2_cross(a->axis, b->axis), vec2_dot(a->axis, b->axis)));
     double reach =
         1.05 * vec2_distance(a->at, b->at) + turn * sqrt(ahead * ahead + body->half_width * body->half_width);

@@ -85,8 +85,8 @@ int way_reversals(const Way *way);
  * axes to 0.05: the stations are near enough to each other for the curve. */
 bool way_is_smooth(const Way *way, size_t low, size_t high);
 
-/* True if the way passes its pins. */
-bool way_passes_pins(const Way *way);
+/* True if the way passes its pins, and crosses its exit. */
+bool way_reaches_goals(const Way *way);
 
 /* Returns how far, m, the last station may move along the exit's line: [low, high] of the distance from its beginning.
  */

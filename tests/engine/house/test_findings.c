@@ -150,8 +150,9 @@ static double greatest_distance(const House *houses, const Observation *observat
     return greatest;
 }
 
+/* In narrower corners the chair has to swing out, so that its locus lies elsewhere for another reason. */
 TEST(the_loci_of_both_ways_of_driving_part_as_the_corner_widens) {
-    static const char *const names[] = {"corner-1.00-1.00", "corner-1.20-1.20", "corner-1.50-1.50", "corner-1.80-1.80"};
+    static const char *const names[] = {"corner-1.20-1.20", "corner-1.50-1.50", "corner-1.80-1.80"};
     double before = 0;
     for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
         House houses[2];
