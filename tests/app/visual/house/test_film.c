@@ -178,7 +178,7 @@ static const Primitive *find_ring(const Scene *moving, size_t own) {
 /* Contacts are marked at their place and time, with their force. */
 TEST(a_touch_is_seen_where_it_is) {
     Shown shown;
-    show(&shown, "corner-0.90-0.90", (FilmOptions){.panels = 0});
+    show(&shown, "corner-1.20-0.80", (FilmOptions){.panels = 0});
     const PersonObservation *person = &shown.observation.people[0];
     CHECK(person->contacts > 0);
     Trail *trail = trail_list(&shown.observation);
