@@ -381,6 +381,7 @@ void tight_build(TightHouse *tight, const TightScene *scene, const Profile *prof
                             .height = 0.8};
         }
     }
+    plan->run.cell = cell;
     tight->exit = (Exit){.id = "e1", .from = scene->exit[0], .to = scene->exit[1], .closes = HUGE_VAL};
     Fault fault = {0};
     if (!outline_build(&tight->house.outline, plan, &fault)) {
