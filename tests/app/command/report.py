@@ -6,6 +6,7 @@ report.py CLEARANCE
 
 import base64
 import json
+import math
 import os
 import pathlib
 import re
@@ -133,8 +134,10 @@ def check_observed():
         lines = pathlib.Path(out, "trace.csv").read_text().splitlines()[1:]
         rows = [[float(cell or "nan") for cell in line.split(",")] for line in lines]
         file = pathlib.Path(out, "measured.csv")
-        middle = 1.1 / 2 - 0.28 # distance of the middle ahead of the drive axle, along +x
-        file.write_text("x;y;time [s]\n" + "".join(f"{r[2] + middle};{r[3] + 0.05};{1.1 * r[0]}\n" for r in reversed(rows)))
+        middle = 1.1 / 2 - 0.28 # distance of the middle ahead of the drive axle
+        file.write_text("x;y;time [s]\n" + "".join(
+            f"{r[2] + middle * math.cos(r[4])};{r[3] + middle * math.sin(r[4]) + 0.05};{1.1 * r[0]}\n"
+            for r in reversed(rows)))
         root, words, paper = report(0, "run", house("straight-corridor"), "--observed", str(file))
         tables = [[[words_of(c) for c in row] for row in t.iter(html + "tr")] for t in root.iter(html + "table")]
         driver = next(t for t in tables if t[0][2] == "Observed, s")[2]
