@@ -147,8 +147,7 @@ static double way_to_door(const World *world, size_t i, int *door) {
 static double speed_to_barriers(const World *world, size_t i, Drive *drive) {
     const Journey *journey = &world->journeys[i];
     const Exit *exit = &world->house->plan.exits[journey->route.exit];
-    double time = clock_time(&world->clock),
-           braking = 2 * PACE_PLANNED * world->house->people[i].profile->deceleration;
+    double time = clock_time(&world->clock), braking = 2 * PACE_PLANNED * world->house->people[i].profile->deceleration;
     int door = -1;
     double way = way_to_door(world, i, &door);
     if (time < exit->opens || time > exit->closes)

@@ -392,8 +392,8 @@ static inline double face_measure(const Face *face, Vec2 centre, Vec2 axis, doub
                                   double best, bool growth) {
     Vec2 p = vec2_unturn(vec2_sub(face->a, centre), axis);
     Vec2 q = vec2_unturn(vec2_sub(face->b, centre), axis);
-    double along = p.x < q.x ? greatest(p.x - half_length, -half_length - q.x)
-                             : greatest(q.x - half_length, -half_length - p.x);
+    double along =
+        p.x < q.x ? greatest(p.x - half_length, -half_length - q.x) : greatest(q.x - half_length, -half_length - p.x);
     double across =
         p.y < q.y ? greatest(p.y - half_width, -half_width - q.y) : greatest(q.y - half_width, -half_width - p.y);
     double apart = greatest(along, across);
@@ -422,8 +422,8 @@ static inline double measure(const FreeSpace *space, Vec2 centre, Vec2 axis, dou
     for (int k = 0; k < nearby.count; k++) {
         if (nearby.near && (double)nearby.near[k] >= radius + (best > 0 ? stretch * best : growth ? 0 : best))
             break;
-        double apart = face_measure(&space->outline->faces[nearby.faces[k]], centre, axis, half_length, half_width,
-                                    best, growth);
+        double apart =
+            face_measure(&space->outline->faces[nearby.faces[k]], centre, axis, half_length, half_width, best, growth);
         if (apart < best) {
             best = apart;
             if (face)

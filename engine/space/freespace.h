@@ -67,8 +67,8 @@ double freespace_growth(const FreeSpace *space, Vec2 centre, Vec2 axis, double h
 int freespace_faces(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width, double reach,
                     int *faces, int most);
 
-/* Returns the clearance of the rectangle from one face alone, m, as freespace_clearance; with `reach` m or more, at least
- * `reach`. */
+/* Returns the clearance of the rectangle from one face alone, m, as freespace_clearance; with `reach` m or more, at
+ * least `reach`. */
 double freespace_face_clearance(const FreeSpace *space, int face, Vec2 centre, Vec2 axis, double half_length,
                                 double half_width, double reach);
 
