@@ -20,7 +20,7 @@
 #define WORTH_HASTENING 1.15 /* 1: ways that take longer than the quickest by this factor are left */
 #define SWEPT 0.8            /* 1, share of the margin that the sweep between the poses asks for */
 #define MARGIN 0.005         /* m, kept from everything, unless the start has less */
-#define BARELY 1e-3          /* m, kept by ways for which there is no more room */
+#define BARELY 1e-3          /* m, kept where there is no room for the margin */
 #define HAIR 5e-4            /* m */
 
 enum { SWEEPS = 8, SURE = 2, ASK_WHETHER_IT_FITS = 2 };
@@ -52,6 +52,7 @@ static const SearchGrain true_grains[] = {
 };
 enum { TRUE_RUNGS = sizeof true_grains / sizeof *true_grains };
 
+/* 1, weights of comfort (relax.h). */
 static const double comforts[] = {20, 60};
 
 typedef struct Decide {

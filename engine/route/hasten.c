@@ -35,7 +35,7 @@ enum { SPAN = 2, LEVELS = 6, REACHES = 4 };
 
 static const int joint_reaches[REACHES] = {2, 4, 8, 16};
 
-/* What is known of each station; `cost` is that of the step to the next one. */
+/* The numbers of each station; `cost` is that of the step to the next one. */
 typedef struct Speeds {
     double *clearance;            /* m, the least of the station and the step after it */
     double *heading;              /* rad */
@@ -116,7 +116,7 @@ static void take_over(Speeds *to, const Speeds *from, size_t s) {
     to->limit[s] = from->limit[s];
 }
 
-/* Computes the limits of the stations low to high anew, and then the speeds and costs as far as they change. What
+/* Computes the limits of the stations low to high again, and then the speeds and costs as far as they change. What
  * changes lies in [*first, *last]. `from` holds the values elsewhere. */
 static void run_through(const Hasten *hasten, const Speeds *from, Speeds *to, size_t low, size_t high, size_t *first,
                         size_t *last) {

@@ -60,7 +60,7 @@ Way way_copy(const Way *way);
 bool way_join(Way *way);
 void way_free(Way *way);
 
-/* Spaces the stations anew, about `spacing` m apart, along the same curve. */
+/* Spaces the stations again, about `spacing` m apart, along the same curve. */
 void way_resample(Way *way, double spacing);
 
 /* Adds the poses of the way, turns on the spot in steps of 5 degrees, after the start's pose. */
