@@ -78,7 +78,7 @@ static Rectangle relieved(const Rectangle *body, double by) {
  * so that they share a field. */
 static double radius_within(const Rectangle *body) {
     Rectangle least = relieved(body, MOST_RELIEF);
-    return fmin(least.half_width, least.half_length - fabs(least.ahead));
+    return fmax(fmin(least.half_width, least.half_length - fabs(least.ahead)), 0);
 }
 
 static SearchAnswer propose(const Decide *decide, const Rung *rung, SearchTrack *track) {
