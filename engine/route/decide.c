@@ -26,7 +26,7 @@
 enum { SWEEPS = 8, SURE = 2, ASK_WHETHER_IT_FITS = 2 };
 
 static const SearchGrain coarse = {.cell = 0.10, .turn = M_PI / 18, .step = 0.15, .weight = 1.5, .most_nodes = 8000};
-static const SearchGrain middle = {.cell = 0.05, .turn = M_PI / 36, .step = 0.10, .weight = 1.5, .most_nodes = 8000};
+static const SearchGrain middle = {.cell = 0.05, .turn = M_PI / 36, .step = 0.10, .weight = 1.5, .most_nodes = 24000};
 
 typedef struct Rung {
     const SearchGrain *grain;
@@ -65,6 +65,7 @@ typedef struct Decide {
     double kept;   /* m, the margin of the best */
     double time;   /* s, of the best */
     int confirmed; /* number of proposals that have led to about this time */
+    double latest; /* s, the least time that the latest proposal has led to with this margin */
 } Decide;
 
 static Rectangle relieved(const Rectangle *body, double by) {
@@ -97,6 +98,8 @@ static bool improve(Decide *decide, Way *way, double margin) {
     if (margin > decide->kept) {
         decide->time = HUGE_VAL;
         decide->kept = margin;
+        decide->latest = HUGE_VAL;
+        decide->confirmed = 0;
     }
     if (margin == decide->kept && time < WORTH_HASTENING * decide->time) {
         Way quick = way_copy(way);
@@ -110,10 +113,7 @@ static bool improve(Decide *decide, Way *way, double margin) {
         way_free(&quick);
     }
     if (whole && margin == decide->kept) {
-        if (fabs(time - decide->time) < ALIKE * time)
-            decide->confirmed++;
-        else if (time < decide->time)
-            decide->confirmed = 1;
+        decide->latest = fmin(decide->latest, time);
         if (time < decide->time) {
             way_free(&decide->best);
             decide->best = *way;
@@ -125,30 +125,53 @@ static bool improve(Decide *decide, Way *way, double margin) {
     return whole;
 }
 
-/* Makes a proposal free, once for each weight of comfort, and with its turns on the spot as narrow bends. Returns false
- * if interrupted. */
-static bool realise(Decide *decide, const SearchTrack *track) {
+/* Makes a way free with a weight of comfort, and improves it. The way becomes the free one, without a piece if it does
+ * not come free. Returns false if interrupted. */
+static bool make_free(Decide *decide, Way *way, double comfort) {
     const RouteQuery *query = decide->query;
-    const Exit *exit = &query->plan->exits[track->exit];
-    Way way = way_of_track(track, exit, decide->goals, decide->goal_count - 1, SPACING);
-    bool whole = true;
-    for (int bends = 0; bends <= 1 && whole; bends++) {
-        if (!way.piece_count || (bends && !way_join(&way)))
-            break;
-        for (size_t c = 0; c < sizeof comforts / sizeof *comforts && whole && decide->confirmed < SURE; c++) {
-            Way copy = way_copy(&way);
-            RelaxOptions options = {decide->margin, BARELY, comforts[c], query->stop};
-            double kept = relax_way(&copy, query->space, decide->body, &options);
-            whole = !stop_requested(query->stop);
-            if (kept > 0 && whole)
-                whole = improve(decide, &copy, kept);
-            else
-                way_free(&copy);
-            if (!(kept > 0))
-                break;
-        }
+    RelaxOptions options = {decide->margin, BARELY, comfort, query->stop};
+    double kept = relax_way(way, query->space, decide->body, &options);
+    if (stop_requested(query->stop))
+        return false;
+    if (kept > 0) {
+        Way copy = way_copy(way);
+        return improve(decide, &copy, kept);
     }
+    way_free(way);
+    return true;
+}
+
+/* Makes a proposed way free, once for each weight of comfort, and each free one again with its turns on the spot as
+ * narrow bends. Returns false if interrupted. */
+static bool free_and_bend(Decide *decide, const Way *proposed) {
+    bool whole = true, is_free = true;
+    for (size_t c = 0; c < sizeof comforts / sizeof *comforts && whole && is_free; c++) {
+        Way way = way_copy(proposed);
+        whole = make_free(decide, &way, comforts[c]);
+        is_free = way.piece_count > 0;
+        if (whole && is_free && way_join(&way))
+            whole = make_free(decide, &way, comforts[c]);
+        way_free(&way);
+    }
+    return whole;
+}
+
+/* Makes ways of a proposal, as it is and with its turns on the spot as narrow bends. Returns false if interrupted. */
+static bool realise(Decide *decide, const SearchTrack *track) {
+    const Exit *exit = &decide->query->plan->exits[track->exit];
+    Way way = way_of_track(track, exit, decide->goals, decide->goal_count - 1, SPACING);
+    double before = decide->time;
+    bool whole = true;
+    decide->latest = HUGE_VAL;
+    if (way.piece_count > 0)
+        whole = free_and_bend(decide, &way) && (!way_join(&way) || free_and_bend(decide, &way));
     way_free(&way);
+    if (decide->latest < HUGE_VAL) {
+        if (decide->confirmed == 0 || decide->time < before * (1 - ALIKE))
+            decide->confirmed = 1;
+        else if (decide->latest < decide->time * (1 + ALIKE))
+            decide->confirmed++;
+    }
     return whole;
 }
 

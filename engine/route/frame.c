@@ -22,7 +22,7 @@
  * exit's line a place is, and angles to 1e-9 degrees. The solids are united in the copy, because GEOS rounds to a grid
  * as well.
  *
- * The direction in which walls are drawn does not matter, and how they are split hardly does. A plan that is symmetric
+ * The direction in which walls and exits are drawn does not matter, and how they are split hardly does. A plan that is symmetric
  * about the line ahead has a mirror image with the same answer, but not with the mirrored path: people who meet in a
  * corridor must prefer the same side of their own, or neither can pass. */
 
@@ -256,6 +256,14 @@ static void place_furniture(const RouteFrame *frame, Furniture *piece) {
         piece->topples = TOPPLE_FRONT;
 }
 
+/* Which end of an exit was drawn first does not matter: the left one, or else the lower one, is its beginning. */
+static void place_exit(const RouteFrame *frame, Exit *exit) {
+    Vec2 from = frame_place(frame, exit->from), to = frame_place(frame, exit->to);
+    bool swapped = to.x < from.x || (!(from.x < to.x) && to.y < from.y);
+    exit->from = swapped ? to : from;
+    exit->to = swapped ? from : to;
+}
+
 /* Copies the plan into the frame. */
 static void copy_plan(RouteFrame *frame, const Plan *plan) {
     Plan *own = &frame->plan;
@@ -279,10 +287,8 @@ static void copy_plan(RouteFrame *frame, const Plan *plan) {
         own->doors[d].swing = own->doors[d].swing == SWING_LEFT ? SWING_RIGHT : SWING_LEFT;
     for (size_t f = 0; f < own->furniture_count; f++)
         place_furniture(frame, &own->furniture[f]);
-    for (size_t e = 0; e < own->exit_count; e++) {
-        own->exits[e].from = frame_place(frame, own->exits[e].from);
-        own->exits[e].to = frame_place(frame, own->exits[e].to);
-    }
+    for (size_t e = 0; e < own->exit_count; e++)
+        place_exit(frame, &own->exits[e]);
     for (size_t p = 0; p < own->person_count; p++) {
         own->people[p].at = frame_place(frame, own->people[p].at);
         own->people[p].heading = own_angle(frame, own->people[p].heading, 180);

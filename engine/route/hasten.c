@@ -193,19 +193,6 @@ static bool look_at(const Hasten *hasten, Speeds *to, size_t low, size_t high) {
     return true;
 }
 
-static bool spot_is_free(const Hasten *hasten, size_t k) {
-    const Joint *joint = &hasten->way->joints[k];
-    const Station *station = &hasten->way->stations[hasten->way->pieces[k].first];
-    int parts = (int)ceil(fabs(joint->out - joint->in) / radians(5));
-    for (int part = 1; joint->turns && part < parts; part++) {
-        Station turned = *station;
-        turned.axis = vec2_heading(joint->in + (joint->out - joint->in) * part / parts);
-        if (body_clearance(hasten, &turned, hasten->margin) < hasten->margin)
-            return false;
-    }
-    return true;
-}
-
 static void copy_speeds(Speeds *to, const Speeds *from, size_t low, size_t high) {
     size_t size = (high - low + 1) * sizeof(double);
     memcpy(to->clearance + low, from->clearance + low, size);
@@ -243,7 +230,7 @@ static bool judge(Hasten *hasten, size_t low, size_t high, size_t joint, Joint j
         way->joints[joint] = joint_before;
         spots_before = joint_time(hasten, joint);
         way->joints[joint] = now;
-        good = spot_is_free(hasten, joint);
+        good = way_spot_clearance(way, joint, hasten->space, hasten->body, hasten->margin) >= hasten->margin;
     }
     good =
         good && way_reaches_goals(way) && way_is_smooth(way, begin > 0 ? begin - 1 : 0, end < farthest ? end + 1 : end);

@@ -8,13 +8,14 @@
 
 /* The stations move so as to lower
  *
- *     E = sum of h (G1 k^2 + G2 (dk/ds)^2) + sum of h (mu max(0, m - d)^2 + wc max(0, C - d)^2),
+ *     E = sum of G0 l + h (G1 k^2 + G2 (dk/ds)^2) + sum of h (mu max(0, m - d)^2 + wc max(0, C - d)^2),
  *
  *     k   curvature at a station, 1/m          h   step, m
- *     d   signed clearance of the body from one face, at each station, half-way to the next one, and at four headings
- *         of a turn on the spot; one term for every face, since between two opposite contacts the nearest alone would
- *         jump from one to the other
- *     m   the margin with an allowance, m      C   RELAX_COMFORT
+ *     l   length of a step, m                 m   the margin with an allowance, m
+ *     C   RELAX_COMFORT
+ *     d   signed clearance of the body from one face, at each station, between it and the next one, and at the
+ *         tightest headings of a turn on the spot. There is one term for every face, since between two opposite
+ *         contacts the nearest alone would jump from one to the other.
  *
  * by Gauss and Newton's method with Levenberg's damping. Unknowns: a displacement along the normal for each inner
  * station; for each joint one along and one across the way, and its heading, or both headings if it turns on the spot;
@@ -22,18 +23,23 @@
  * that the normal equations are banded (LAPACK: dpbsv). The derivatives are differences. mu rises in stages, while the
  * allowance falls: first a way through, then the exact margin. */
 
-#define G1 0.02        /* m2 */
-#define G2 0.01        /* m4 */
-#define PROBE 1e-6     /* m or rad */
-#define LONGEST 0.06   /* m, largest displacement in one iteration */
-#define LARGEST 0.2    /* rad, largest turn of a heading */
-#define PIN_WEIGHT 1e3 /* 1 */
-#define PIN_SHARE 0.95 /* 1, of a pin's radius, that is aimed at */
-#define SIGHT 0.16     /* m: faces within this clearance are looked at in an iteration */
-#define ALMOST 0.8     /* 1, share of the margin that is enough: the last of it is expensive */
-#define SETTLED 1e-5   /* 1: relative gain of an iteration that is the last one of its stage */
+#define G0 0.2           /* 1: without it the places where the chair turns back wander off, since they cost nothing */
+#define G1 0.02          /* m2 */
+#define G2 0.01          /* m4 */
+#define PROBE 1e-6       /* m or rad */
+#define LONGEST 0.06     /* m, largest displacement in one iteration */
+#define LARGEST 0.2      /* rad, largest turn of a heading */
+#define PIN_WEIGHT 1e3   /* 1 */
+#define PIN_SHARE 0.95   /* 1, of a pin's radius, that is aimed at */
+#define SIGHT 0.16       /* m: faces within this clearance are looked at in an iteration */
+#define SPOT_STEP 0.02   /* rad, between the headings of a turn on the spot that are looked at */
+#define SPOT_FINEST 1e-3 /* rad, error of the tightest ones */
+#define ALMOST 0.8       /* 1, share of the margin that is enough: the last of it is expensive */
+#define SETTLED 1e-5     /* 1: relative gain of an iteration that is the last one of its stage */
+/* 1: hardly any, since a chair's place across a long straight corridor has small slopes, and would not settle. */
+#define FIRST_DAMPING 1e-10
 
-enum { SITE_FACES = 24, SPOTS = 4, BAND = 16, MOST_TRIALS = 6 };
+enum { SITE_FACES = 24, SPOTS = 8, BAND = 16, MOST_TRIALS = 6 };
 
 typedef struct Stage {
     double weight;    /* mu */
@@ -45,7 +51,7 @@ typedef struct Stage {
 } Stage;
 
 static const Stage stages[] = {
-    {1e3, 0.010, 1, 0.05, 0.10, 8},      {1e4, 0.005, 1, 0.05, 0.05, 8},      {1e5, 0.003, 1, 0.05, 0.02, 10},
+    {1e4, 0.010, 1, 0.05, 0.10, 8},      {1e5, 0.005, 1, 0.05, 0.05, 8},      {1e5, 0.003, 0.25, 0.05, 0.02, 10},
     {1e6, 0.002, 0.25, 0.03, 0.006, 15}, {1e7, 0.001, 0.1, 0.025, 0.001, 15},
 };
 enum { STAGES = sizeof stages / sizeof *stages, NEEDED = 3 };
@@ -76,6 +82,8 @@ typedef struct Relax {
     Site *middle;      /* (count x WAY_MOST_BETWEEN) of the step after each station */
     int *places;       /* (count) how many of them are used */
     Site *spots;       /* (piece_count x SPOTS) */
+    double *headings;  /* (piece_count x SPOTS) rad, of the spots */
+    int *spot_counts;  /* (piece_count) how many of them are used */
     size_t *starts;    /* (count + 1) first term of each station */
     double *terms;     /* (starts[count]) */
     Unknown *unknowns; /* (unknown_count) */
@@ -91,8 +99,39 @@ static void look(const Relax *relax, Site *site, Vec2 at, Vec2 axis) {
                                   relax->body->half_width, SIGHT, site->faces, SITE_FACES);
 }
 
-static Vec2 spot_axis(const Joint *joint, int spot) {
-    return vec2_heading(joint->in + (joint->out - joint->in) * spot / SPOTS);
+static double spot_clearance(const Relax *relax, Vec2 at, double heading) {
+    return search_clearance(relax->space, relax->body, at, heading, SIGHT, NULL);
+}
+
+/* Returns the tightest heading between two, between which the clearance falls and rises again. */
+static double tightest(const Relax *relax, Vec2 at, double low, double high) {
+    while (fabs(high - low) > SPOT_FINEST) {
+        double third = (high - low) / 3;
+        if (spot_clearance(relax, at, low + third) < spot_clearance(relax, at, high - third))
+            high -= third;
+        else
+            low += third;
+    }
+    return (low + high) / 2;
+}
+
+/* Looks for the headings of a turn on the spot at which the body is nearer to something than just before and after. */
+static void look_on_spot(Relax *relax, size_t piece) {
+    const Joint *joint = &relax->way->joints[piece];
+    Vec2 at = relax->way->stations[relax->way->pieces[piece].first].at;
+    int parts = (int)ceil(fabs(joint->out - joint->in) / SPOT_STEP), count = 0;
+    double step = (joint->out - joint->in) / parts, before = SIGHT, here = spot_clearance(relax, at, joint->in);
+    for (int part = 0; part < parts && count < SPOTS; part++) {
+        double heading = joint->in + part * step, after = spot_clearance(relax, at, heading + step);
+        if (here < SIGHT && here <= before && here <= after) {
+            size_t spot = piece * SPOTS + (size_t)count++;
+            relax->headings[spot] = part ? tightest(relax, at, heading - step, heading + step) : heading;
+            look(relax, &relax->spots[spot], at, vec2_heading(relax->headings[spot]));
+        }
+        before = here;
+        here = after;
+    }
+    relax->spot_counts[piece] = count;
 }
 
 /* Finds the faces near every placement, and gives each station its terms. */
@@ -104,7 +143,7 @@ static void look_around(Relax *relax) {
         const WayPiece *piece = &way->pieces[station->piece];
         relax->starts[s] = terms;
         look(relax, &relax->at[s], station->at, station->axis);
-        terms += 2 + 2 * (size_t)relax->at[s].count;
+        terms += 3 + 2 * (size_t)relax->at[s].count;
         relax->places[s] = s < piece->last ? way_places(way, s) : 0;
         for (int i = 0; i < relax->places[s]; i++) {
             Site *site = &relax->middle[s * WAY_MOST_BETWEEN + (size_t)i];
@@ -112,12 +151,11 @@ static void look_around(Relax *relax) {
             look(relax, site, between.at, between.axis);
             terms += 2 * (size_t)site->count;
         }
-        if (s == piece->first && way->joints[station->piece].turns)
-            for (int spot = 0; spot < SPOTS; spot++) {
-                Site *site = &relax->spots[station->piece * SPOTS + (size_t)spot];
-                look(relax, site, station->at, spot_axis(&way->joints[station->piece], spot));
-                terms += 2 * (size_t)site->count;
-            }
+        if (s == piece->first && way->joints[station->piece].turns) {
+            look_on_spot(relax, station->piece);
+            for (int spot = 0; spot < relax->spot_counts[station->piece]; spot++)
+                terms += 2 * (size_t)relax->spots[station->piece * SPOTS + (size_t)spot].count;
+        }
     }
     for (size_t p = 0; p < way->pin_count; p++)
         terms++;
@@ -126,18 +164,23 @@ static void look_around(Relax *relax) {
     relax->terms = memory_zeroed(terms, sizeof *relax->terms);
 }
 
-/* Returns the signed curvature of the way at a station, 1/m. */
+static double turn_between(Vec2 a, Vec2 b) {
+    return real_atan2(vec2_cross(a, b), vec2_dot(a, b));
+}
+
+/* Returns the signed curvature of the way at a station, 1/m: the turn from one step to the next one, whatever their
+ * lengths have become, or else a kink would hide between two stations that have met. */
 static double curvature(const Way *way, size_t s) {
     const Station *here = &way->stations[s];
     const WayPiece *piece = &way->pieces[here->piece];
-    double square = piece->step * piece->step;
+    Vec2 axis = vec2_scale(here->axis, piece->direction);
     if (s == piece->first)
-        return 2 * piece->direction * vec2_cross(here->axis, vec2_sub(here[1].at, here->at)) / square;
+        return 2 * turn_between(axis, vec2_sub(here[1].at, here->at)) / piece->step;
     Vec2 before = vec2_sub(here->at, here[-1].at);
     if (s < piece->last)
-        return vec2_cross(before, vec2_sub(here[1].at, here->at)) / (square * piece->step);
+        return turn_between(before, vec2_sub(here[1].at, here->at)) / piece->step;
     if (here->piece + 1 < way->piece_count)
-        return 2 * piece->direction * vec2_cross(before, here->axis) / square;
+        return 2 * turn_between(before, axis) / piece->step;
     return 0;
 }
 
@@ -164,6 +207,7 @@ static void evaluate(const Relax *relax, size_t low, size_t high, double *terms)
         double next = s + 1 < way->count ? curvature(way, s + 1) : 0;
         *term++ = sqrt(relax->bending * G1 * step) * bend;
         *term++ = s < piece->last ? sqrt(relax->bending * G2 / step) * (next - bend) : 0;
+        *term++ = s < piece->last ? sqrt(G0 * vec2_distance(station->at, station[1].at)) : 0;
         bend = next;
         term = face_terms(relax, &relax->at[s], station->at, station->axis, step, term);
         for (int i = 0; i < relax->places[s]; i++) {
@@ -173,11 +217,12 @@ static void evaluate(const Relax *relax, size_t low, size_t high, double *terms)
             Station between = way_between(way, s, (i + 1.0) / (relax->places[s] + 1));
             term = face_terms(relax, site, between.at, between.axis, step, term);
         }
-        const Joint *joint = &way->joints[station->piece];
-        if (s == piece->first && joint->turns)
-            for (int spot = 0; spot < SPOTS; spot++)
-                term = face_terms(relax, &relax->spots[station->piece * SPOTS + (size_t)spot], station->at,
-                                  spot_axis(joint, spot), step, term);
+        if (s == piece->first && way->joints[station->piece].turns)
+            for (int i = 0; i < relax->spot_counts[station->piece]; i++) {
+                size_t spot = station->piece * SPOTS + (size_t)i;
+                term = face_terms(relax, &relax->spots[spot], station->at, vec2_heading(relax->headings[spot]), step,
+                                  term);
+            }
     }
 }
 
@@ -347,7 +392,7 @@ static void take(Relax *relax, const double *step) {
 /* One stage. Returns false if interrupted. */
 static bool run_stage(Relax *relax, int iterations, const Stop *stop) {
     Way *way = relax->way;
-    double damping = 1e-3;
+    double damping = FIRST_DAMPING;
     for (int iteration = 0; iteration < iterations; iteration++) {
         if (stop_requested(stop))
             return false;
@@ -385,6 +430,8 @@ static void relax_reserve(Relax *relax) {
     relax->middle = memory_zeroed(count * WAY_MOST_BETWEEN, sizeof *relax->middle);
     relax->places = memory_zeroed(count, sizeof *relax->places);
     relax->spots = memory_zeroed(relax->way->piece_count * SPOTS, sizeof *relax->spots);
+    relax->headings = memory_zeroed(relax->way->piece_count * SPOTS, sizeof *relax->headings);
+    relax->spot_counts = memory_zeroed(relax->way->piece_count, sizeof *relax->spot_counts);
     relax->starts = memory_zeroed(count + 1, sizeof *relax->starts);
 }
 
@@ -393,14 +440,24 @@ static void relax_release(Relax *relax) {
     memory_free(relax->middle);
     memory_free(relax->places);
     memory_free(relax->spots);
+    memory_free(relax->headings);
+    memory_free(relax->spot_counts);
     memory_free(relax->starts);
     memory_free(relax->terms);
     memory_free(relax->unknowns);
 }
 
+/* True if a way may be driven: it keeps a margin, leads where it has to, and is no finer bent than its stations tell.
+ */
+static bool is_good(const Way *way, const FreeSpace *space, const Rectangle *body, double margin) {
+    return way_reaches_goals(way) && way_is_smooth(way, 0, way->count - 1) && way_swept(way, space, body, margin);
+}
+
 double relax_way(Way *way, const FreeSpace *space, const Rectangle *body, const RelaxOptions *options) {
     double enough = options->margin * ALMOST, clearance = 0;
-    for (int s = 0; s < STAGES && clearance < enough; s++) {
+    Way good = {0}; /* the last one that may be driven */
+    bool done = false;
+    for (int s = 0; s < STAGES && !done; s++) {
         const Stage *stage = &stages[s];
         Relax relax = {.way = way,
                        .space = space,
@@ -413,17 +470,22 @@ double relax_way(Way *way, const FreeSpace *space, const Rectangle *body, const 
         relax_reserve(&relax);
         bool whole = run_stage(&relax, stage->iterations, options->stop);
         relax_release(&relax);
-        if (!whole)
+        if (!whole) {
+            way_free(&good);
             return 0;
+        }
         clearance = way_clearance(way, space, body, options->margin);
-        if (clearance < options->margin - stage->hopeless && s + 1 < STAGES)
-            return 0;
-        if (s + 1 < NEEDED || (clearance >= enough && !way_swept(way, space, body, enough)))
-            clearance = 0;
+        bool free = clearance >= enough && is_good(way, space, body, enough);
+        if (free) {
+            way_free(&good);
+            good = way_copy(way);
+        }
+        done = (free && s + 1 >= NEEDED) || clearance < options->margin - stage->hopeless;
     }
-    if (!way_reaches_goals(way) || !way_is_smooth(way, 0, way->count - 1))
-        return 0;
-    if (clearance >= enough)
+    if (good.count) {
+        way_free(way);
+        *way = good;
         return options->margin;
-    return clearance > options->barely && way_swept(way, space, body, options->barely) ? options->barely : 0;
+    }
+    return clearance > options->barely && is_good(way, space, body, options->barely) ? options->barely : 0;
 }

@@ -9,6 +9,7 @@
 #define HAIR 0.02            /* m: the way ends this far behind the exit's line */
 #define EXIT_END 1e-3        /* m: and at least this far from the line's ends */
 #define SPOT_STEP radians(5) /* rad, between poses on the spot */
+#define SPOT_FINEST 0.002    /* rad, between headings at which a turn on the spot is looked at */
 #define SHORTEST_MOTION 1e-6 /* m: a motion that is not worth a piece */
 #define LITTLE_TURN 0.012    /* rad, which moves a corner of the body by a centimetre */
 #define MOST_TURN 0.25       /* rad, of a step */
@@ -269,6 +270,12 @@ static double clearance_at(const FreeSpace *space, const Rectangle *body, Vec2 a
                                reach, NULL);
 }
 
+/* Returns the distance from the axle to the farthest corner, m. */
+static double farthest(const Rectangle *body) {
+    double ahead = fabs(body->ahead) + body->half_length;
+    return sqrt(ahead * ahead + body->half_width * body->half_width);
+}
+
 double way_clearance(const Way *way, const FreeSpace *space, const Rectangle *body, double reach) {
     double least = reach;
     for (size_t s = 0; s < way->count; s++) {
@@ -280,12 +287,20 @@ double way_clearance(const Way *way, const FreeSpace *space, const Rectangle *bo
             least = fmin(least, clearance_at(space, body, middle.at, middle.axis, least));
         }
     }
-    for (size_t k = 0; k < way->piece_count; k++) {
-        const Joint *joint = &way->joints[k];
-        for (double turned = SPOT_STEP; joint->turns && turned < fabs(joint->out - joint->in); turned += SPOT_STEP) {
-            Vec2 axis = vec2_heading(joint->in + copysign(turned, joint->out - joint->in));
-            least = fmin(least, clearance_at(space, body, way->stations[way->pieces[k].first].at, axis, least));
-        }
+    for (size_t k = 0; k < way->piece_count; k++)
+        least = way_spot_clearance(way, k, space, body, least);
+    return least;
+}
+
+double way_spot_clearance(const Way *way, size_t piece, const FreeSpace *space, const Rectangle *body, double reach) {
+    const Joint *joint = &way->joints[piece];
+    double turn = joint->turns ? joint->out - joint->in : 0, radius = farthest(body), least = reach;
+    for (double turned = 0; turned < fabs(turn);) {
+        Vec2 axis = vec2_heading(joint->in + copysign(turned, turn));
+        double clearance =
+            clearance_at(space, body, way->stations[way->pieces[piece].first].at, axis, ROUTE_CLEARANCE_REACH);
+        least = fmin(least, clearance);
+        turned += fmax((clearance - least) / radius, SPOT_FINEST); /* no point of the body moves farther */
     }
     return least;
 }
@@ -301,12 +316,10 @@ typedef struct Motion {
 /* True if the motion between two poses, whose clearances are known, keeps the margin. */
 static bool motion_swept(const Motion *motion, const Station *a, double at_a, const Station *b, double at_b) {
     const Rectangle *body = motion->body;
-    double ahead = fabs(body->ahead) + body->half_length;
     if (vec2_dot(a->axis, b->axis) <= 0)
         return false;
     double turn = fabs(real_atan2(vec2_cross(a->axis, b->axis), vec2_dot(a->axis, b->axis)));
-    double reach =
-        1.05 * vec2_distance(a->at, b->at) + turn * sqrt(ahead * ahead + body->half_width * body->half_width);
+    double reach = 1.05 * vec2_distance(a->at, b->at) + turn * farthest(body);
     if (at_a + at_b - 2 * motion->margin >= reach)
         return true;
     if (fmin(at_a, at_b) < motion->margin || !(reach >= FINEST))

@@ -96,6 +96,9 @@ void way_exit_range(const Way *way, double *low, double *high);
  */
 double way_clearance(const Way *way, const FreeSpace *space, const Rectangle *body, double reach);
 
+/* Returns that of a turn on the spot before a piece. */
+double way_spot_clearance(const Way *way, size_t piece, const FreeSpace *space, const Rectangle *body, double reach);
+
 /* True if every motion is proved free with a clearance of `margin` m, by halving each until its ends have room enough.
  */
 bool way_swept(const Way *way, const FreeSpace *space, const Rectangle *body, double margin);

@@ -9,7 +9,8 @@
 #include "case.h"
 #include "rooms.h"
 
-/* A turn, then a mirror image in the x axis if wanted, then a shift. */
+/* A turn, then a mirror image in the x axis if wanted, then a shift. The exits of a mirror image are drawn from their
+ * other end. */
 typedef struct Congruence {
     double angle; /* degree */
     bool mirrored;
@@ -77,8 +78,9 @@ static void copy_make(Copy *copy, const Plan *plan, const Congruence *by) {
             piece->topples = piece->topples == TOPPLE_FRONT ? TOPPLE_BACK : TOPPLE_FRONT;
     }
     for (size_t e = 0; e < own->exit_count; e++) {
-        own->exits[e].from = place(by, own->exits[e].from);
-        own->exits[e].to = place(by, own->exits[e].to);
+        Vec2 ends[2] = {place(by, own->exits[e].from), place(by, own->exits[e].to)};
+        own->exits[e].from = ends[by->mirrored];
+        own->exits[e].to = ends[!by->mirrored];
     }
     for (size_t p = 0; p < own->person_count; p++)
         own->people[p].at = place(by, own->people[p].at);

@@ -95,6 +95,36 @@ TEST(a_body_that_does_not_fit_is_proved_not_to) {
     rooms_free(&fixture);
 }
 
+/* The corners of the body, which turns about an axle off its middle, pass a post in a few hundredths of a radian. */
+TEST(a_turn_on_the_spot_is_as_tight_as_its_tightest_heading) {
+    const double room = 0.02; /* m, between the circle of the front corners and the post */
+    Rooms fixture = {.profile = rooms_chair(1.1, 0.63)};
+    Rectangle body = search_body(&fixture.profile);
+    double radius = hypot(body.ahead + body.half_length, body.half_width);
+    for (int i = 0; i < 12; i++) {
+        double aside = radians(20 + 3.3 * i);
+        Vec2 post = vec2_scale(vec2_heading(aside), radius + room);
+        fixture.points[0] = post;
+        fixture.points[1] = vec2_along(post, 1, vec2_heading(aside));
+        fixture.walls[0] = (Wall){.id = "w1", .points = {fixture.points, 2}};
+        fixture.exits[0] = (Exit){.id = "e1", .from = {-3, -1}, .to = {-3, 1}, .closes = HUGE_VAL};
+        fixture.plan =
+            (Plan){.name = "post", .walls = fixture.walls, .wall_count = 1, .exits = fixture.exits, .exit_count = 1};
+        rooms_build(&fixture);
+        Station stations[4] = {{.at = {0, 0}}, {.at = {-0.1, 0}}, {.at = {-0.2, 0}}, {.at = {-0.3, 0}}};
+        WayPiece piece = {0, 3, 1, 0.1};
+        Joint joint = {.in = 0, .out = M_PI, .turns = true};
+        Way way = {.stations = stations,
+                   .count = 4,
+                   .pieces = &piece,
+                   .joints = &joint,
+                   .piece_count = 1,
+                   .exit = &fixture.exits[0]};
+        CHECK_NEAR(way_spot_clearance(&way, 0, &fixture.space, &body, 0.5), room, 0.001);
+        rooms_free(&fixture);
+    }
+}
+
 TEST(the_pace_follows_its_limits) {
     Profile chair = rooms_chair(1.1, 0.63);
     CHECK_NEAR(pace_at(&chair, 0.69, 1, 0, 0, 1), 0.69, 0);                  /* free */

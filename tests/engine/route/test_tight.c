@@ -136,3 +136,52 @@ TEST(free_space_only_grows_when_a_tight_house_gets_wider) {
     }
     profile_free(&profile);
 }
+
+/* Returns the route through a tight house whose passages are wider by `wider` m. */
+static Route route_through(TightHouse *tight, TightKind kind, uint64_t seed, double wider, const Profile *profile) {
+    TightScene scene = tight_draw(kind, seed);
+    tight_shrink(&scene, wider / 2);
+    tight_build(tight, &scene, profile);
+    return route_drive(&tight->query);
+}
+
+/* Cases in which a way without a change of direction is known: its time, s. */
+TEST(a_little_more_room_never_costs_a_change_of_direction) {
+    static const struct {
+        TightKind kind;
+        uint64_t seed;
+        double wider, time;
+    } known[] = {
+        {TIGHT_IN, 175, 0.01, 13.3}, {TIGHT_IN, 115, 0.01, 13.3}, {TIGHT_IN, 67, 0.02, 12.8},
+        {TIGHT_IN, 13, 0.02, 13.6},  {TIGHT_OUT, 146, 0, 15.7},   {TIGHT_U, 130, 0.02, 16.8},
+    };
+    Profile profile = manual_chair();
+    static TightHouse tight;
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        Route route = route_through(&tight, known[i].kind, known[i].seed, known[i].wider, &profile);
+        CHECK(route.answer == ROUTE_FOUND);
+        CHECK_NEAR(route.reversals, 0, 0);
+        CHECK(planned_time(&tight.house, &profile, &route) <= 1.02 * known[i].time);
+        route_free(&route);
+        tight_free(&tight);
+    }
+    profile_free(&profile);
+}
+
+/* With the same room on both sides the middle is the best place. */
+TEST(a_chair_keeps_to_the_middle_of_a_straight_corridor) {
+    Profile profile = manual_chair();
+    static TightHouse tight;
+    TightScene scene = {.count = 3, .exit = {{9, 0}, {9, 0.88}}, .at = {1, 0.44}};
+    scene.solids[0] = (TightSolid){{0, -0.05}, {10, -0.05}, 0.05, true};
+    scene.solids[1] = (TightSolid){{0, 0.93}, {10, 0.93}, 0.05, true};
+    scene.solids[2] = (TightSolid){{-0.05, -0.1}, {-0.05, 0.98}, 0.05, true};
+    tight_build(&tight, &scene, &profile);
+    Route route = route_drive(&tight.query);
+    CHECK(route.answer == ROUTE_FOUND);
+    for (size_t i = 0; i < route.count; i++)
+        CHECK_NEAR(route.poses[i].at.y, 0.44, 0.005);
+    route_free(&route);
+    tight_free(&tight);
+    profile_free(&profile);
+}
