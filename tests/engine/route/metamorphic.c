@@ -1,11 +1,12 @@
 /* Metamorphic test of route planning: equivalent copies of tight houses must get equal routes, roomier ones no worse.
  *
- * Usage: metamorphic [SEED] [--cases N] [--first SEED] [--kinds LETTERS] [--seconds S] [--each]
+ * Usage: metamorphic [SEED] [--cases N] [--first SEED] [--kinds LETTERS] [--seconds S] [--each] [--brief]
  *
  *   SEED       one case, with everything about it
  *   --kinds    some of the letters "ciosuf": corner, door in, door out, S, U, flat
  *   --seconds  no further case is begun after S s of the processor's
  *   --each     every case is printed in short
+ *   --brief    one copy, one drawing and one widening of each case, in turn
  *
  * The exit status is 1 when a limit is exceeded in more than its share of the cases. Every case is planned as drawn,
  * and with these changes:
@@ -78,12 +79,16 @@ typedef struct Answer {
     double cost;  /* s of the processor's, to plan it */
 } Answer;
 
+typedef struct Range {
+    int first, count;
+} Range;
+
 typedef struct Case {
     uint64_t seed;
     TightScene scene;
     Answer drawn, copies[COPIES], drawings[DRAWINGS], widened[WIDENINGS], grown;
-    int drawing_first, drawing_count; /* those that were planned */
-    bool asked[CHECKS];               /* True if the check has a value */
+    Range copy, drawing, widening; /* those that were planned */
+    bool asked[CHECKS];            /* True if the check has a value */
     double value[CHECKS];
     bool failed[CHECKS], at_limit;
     double badness; /* 1, order of the worst: answers, overlaps, then times beside their limits */
@@ -137,16 +142,15 @@ static bool is_at_limit(const TightScene *scene, const Profile *profile) {
 }
 
 static void plan_copies(Case *one, const Profile *profile, Random *random) {
-    for (int i = 0; i < COPIES; i++) {
+    for (int i = 0; i < one->copy.count; i++) {
         TightScene scene = one->scene;
         double angle = 2 * M_PI * random_uniform(random);
         Vec2 shift = vec2(FAR * (2 * random_uniform(random) - 1), FAR * (2 * random_uniform(random) - 1));
-        tight_move(&scene, i == 1, angle, shift);
+        tight_move(&scene, one->copy.first + i == 1, angle, shift);
         one->copies[i] = plan_scene(&scene, profile);
     }
 }
 
-/* Plans all drawings; only one of them where the answer is no, which takes long. */
 static void plan_drawings(Case *one, const Profile *profile, Random *random) {
     TightScene scenes[DRAWINGS];
     for (int i = 0; i < DRAWINGS; i++)
@@ -155,16 +159,14 @@ static void plan_drawings(Case *one, const Profile *profile, Random *random) {
     tight_split_wall(&scenes[1], random);
     tight_reverse_walls(&scenes[2]);
     tight_add_inside(&scenes[3], random);
-    one->drawing_first = one->drawn.found ? 0 : (int)(one->seed / TIGHT_KINDS % DRAWINGS);
-    one->drawing_count = one->drawn.found ? DRAWINGS : 1;
-    for (int i = 0; i < one->drawing_count; i++)
-        one->drawings[i] = plan_scene(&scenes[one->drawing_first + i], profile);
+    for (int i = 0; i < one->drawing.count; i++)
+        one->drawings[i] = plan_scene(&scenes[one->drawing.first + i], profile);
 }
 
 static void plan_widened(Case *one, const Profile *profile) {
-    for (int i = 0; i < WIDENINGS; i++) {
+    for (int i = 0; i < one->widening.count; i++) {
         TightScene scene = one->scene;
-        tight_shrink(&scene, widenings[i] / 2);
+        tight_shrink(&scene, widenings[one->widening.first + i] / 2);
         one->widened[i] = plan_scene(&scene, profile);
     }
 }
@@ -199,7 +201,7 @@ static void check_equal(Case *one, const Answer *others, int count, Check answer
 
 static void check_widened(Case *one) {
     Answer best = one->drawn;
-    for (int i = 0; i < WIDENINGS; i++) {
+    for (int i = 0; i < one->widening.count; i++) {
         const Answer *wider = &one->widened[i];
         if (best.found)
             note(one, WIDENED_ANSWER, !wider->found);
@@ -221,10 +223,19 @@ static void check_swept(Case *one, const Answer *answers, int count) {
             note(one, SWEPT, fmax(0, -answers[i].swept));
 }
 
-static Case run_case(uint64_t seed, TightKind kind, const Profile *profile) {
+/* Returns all of some changes, or the one whose turn it is. */
+static Range some_of(int count, bool all, uint64_t turn) {
+    return all ? (Range){0, count} : (Range){(int)(turn % (uint64_t)count), 1};
+}
+
+static Case run_case(uint64_t seed, TightKind kind, bool brief, const Profile *profile) {
     Case one = {.seed = seed, .scene = tight_draw(kind, seed)};
     Random random = random_seed(seed, 2);
     one.drawn = plan_scene(&one.scene, profile);
+    uint64_t turn = seed / TIGHT_KINDS;
+    one.copy = some_of(COPIES, !brief, turn);
+    one.drawing = some_of(DRAWINGS, !brief && one.drawn.found, turn); /* a no takes long */
+    one.widening = some_of(WIDENINGS, !brief, turn);
     plan_copies(&one, profile, &random);
     plan_drawings(&one, profile, &random);
     plan_widened(&one, profile);
@@ -235,13 +246,13 @@ static Case run_case(uint64_t seed, TightKind kind, const Profile *profile) {
         note(&one, GROWN_ANSWER, one.grown.found);
         check_swept(&one, &one.grown, 1);
     }
-    check_equal(&one, one.copies, COPIES, COPY_ANSWER, COPY_REVERSALS, COPY_TIME);
-    check_equal(&one, one.drawings, one.drawing_count, DRAWING_ANSWER, CHECKS, DRAWING_TIME);
+    check_equal(&one, one.copies, one.copy.count, COPY_ANSWER, COPY_REVERSALS, COPY_TIME);
+    check_equal(&one, one.drawings, one.drawing.count, DRAWING_ANSWER, CHECKS, DRAWING_TIME);
     check_widened(&one);
     check_swept(&one, &one.drawn, 1);
-    check_swept(&one, one.copies, COPIES);
-    check_swept(&one, one.drawings, one.drawing_count);
-    check_swept(&one, one.widened, WIDENINGS);
+    check_swept(&one, one.copies, one.copy.count);
+    check_swept(&one, one.drawings, one.drawing.count);
+    check_swept(&one, one.widened, one.widening.count);
     bool differs = false;
     for (int c = 0; c < CHECKS; c++) {
         one.failed[c] = one.asked[c] && one.value[c] > limits[c].most;
@@ -328,11 +339,11 @@ static void print_case(const Case *one) {
     printf("\n   time/reversals:");
     print_short(&one->drawn, 1);
     printf("; copies");
-    print_short(one->copies, COPIES);
+    print_short(one->copies, one->copy.count);
     printf("; drawings");
-    print_short(one->drawings, one->drawing_count);
+    print_short(one->drawings, one->drawing.count);
     printf("; widened");
-    print_short(one->widened, WIDENINGS);
+    print_short(one->widened, one->widening.count);
     printf("\n");
 }
 
@@ -340,13 +351,13 @@ static void print_whole_case(const Case *one) {
     static const char *const drawing_names[DRAWINGS] = {"exit swapped", "wall split", "walls reversed", "solid inside"};
     print_case(one);
     print_answer("as drawn", &one->drawn);
-    for (int i = 0; i < COPIES; i++)
-        print_answer(i == 1 ? "mirrored copy" : "copy", &one->copies[i]);
-    for (int i = 0; i < one->drawing_count; i++)
-        print_answer(drawing_names[one->drawing_first + i], &one->drawings[i]);
-    for (int i = 0; i < WIDENINGS; i++) {
+    for (int i = 0; i < one->copy.count; i++)
+        print_answer(one->copy.first + i == 1 ? "mirrored copy" : "copy", &one->copies[i]);
+    for (int i = 0; i < one->drawing.count; i++)
+        print_answer(drawing_names[one->drawing.first + i], &one->drawings[i]);
+    for (int i = 0; i < one->widening.count; i++) {
         char name[32];
-        snprintf(name, sizeof name, "%.0f cm wider", 100 * widenings[i]);
+        snprintf(name, sizeof name, "%.0f cm wider", 100 * widenings[one->widening.first + i]);
         print_answer(name, &one->widened[i]);
     }
     if (one->asked[GROWN_ANSWER])
@@ -386,15 +397,16 @@ typedef struct Options {
     size_t cases;
     uint64_t first;
     double seconds; /* s, HUGE_VAL: no limit */
-    bool single, each;
+    bool single, each, brief;
 } Options;
 
 /* Returns false after an argument that is not known. */
 static bool read_options(Options *options, int argc, char **argv) {
     for (int i = 1; i < argc; i++) {
         const char *name = argv[i];
-        if (strcmp(name, "--each") == 0) {
-            options->each = true;
+        if (strcmp(name, "--each") == 0 || strcmp(name, "--brief") == 0) {
+            options->each = options->each || name[2] == 'e';
+            options->brief = options->brief || name[2] == 'b';
             continue;
         }
         options->single = options->single || name[0] != '-';
@@ -443,7 +455,7 @@ int main(int argc, char **argv) {
         TightKind kind = (TightKind)(seed % TIGHT_KINDS);
         if (!options.single && !strchr(options.kinds, letters[kind]))
             continue;
-        cases[done] = run_case(seed, kind, &profile);
+        cases[done] = run_case(seed, kind, options.brief, &profile);
         if (options.single)
             print_whole_case(&cases[done]);
         else if (options.each)
