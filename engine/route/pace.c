@@ -4,6 +4,8 @@
 
 /* 1, assumed: the share of the turning moment with which a driver plans. */
 static const double PLANNED_MOMENT = 0.5;
+/* 1, assumed: of the turn rate. The rest brings the chair back when it has left the path. */
+static const double PLANNED_TURN = 0.9;
 
 double pace_at(const Profile *profile, double free, double clearance, double curvature, double bending, int direction) {
     double speed = profile->steering_time > 0 ? 2 * clearance / profile->steering_time : HUGE_VAL;
@@ -12,7 +14,7 @@ double pace_at(const Profile *profile, double free, double clearance, double cur
         speed = fmin(speed, profile->reversing_speed);
     double bend = fabs(curvature), change = fabs(bending);
     if (bend > 0)
-        speed = fmin(speed, fmin(sqrt(profile->lateral_acceleration / bend), profile->turn_rate / bend));
+        speed = fmin(speed, fmin(sqrt(profile->lateral_acceleration / bend), PLANNED_TURN * profile->turn_rate / bend));
     double square = profile->radius_of_gyration * profile->radius_of_gyration +
                     profile->mass_centre * profile->mass_centre; /* m2, of the inertia about the axle */
     double inertia = profile->mass * square;

@@ -131,8 +131,8 @@ TEST(the_pace_follows_its_limits) {
     CHECK_NEAR(pace_at(&chair, 0.69, 0.1, 0, 0, 1), 0.5, 1e-12);             /* 2 c / b */
     CHECK_NEAR(pace_at(&chair, 0.69, 0.01, 0, 0, 1), 0.3, 0);                /* the least speed */
     CHECK_NEAR(pace_at(&chair, 0.69, 1, 0, 0, -1), 0.3, 0);                  /* backwards */
-    CHECK_NEAR(pace_at(&chair, 0.69, 1, -2, 0, 1), 0.5, 1e-12);              /* turn rate / k */
-    CHECK_NEAR(pace_at(&chair, 0.69, 1, 1.5, 0, 1), sqrt(0.6 / 1.5), 1e-12); /* sqrt(a / k) */
+    CHECK_NEAR(pace_at(&chair, 0.69, 1, -2, 0, 1), 0.45, 1e-12);             /* 0.9 turn rate / k */
+    CHECK_NEAR(pace_at(&chair, 0.69, 1, 1.3, 0, 1), sqrt(0.6 / 1.3), 1e-12); /* sqrt(a / k) */
     CHECK_NEAR(pace_at(&chair, 0.69, pace_enough(&chair), 0, 0, 1), 0.69, 1e-12);
     chair.mass = 80;
     chair.radius_of_gyration = 0.5;
