@@ -22,9 +22,9 @@
  * exit's line a place is, and angles to 1e-9 degrees. The solids are united in the copy, because GEOS rounds to a grid
  * as well.
  *
- * The direction in which walls and exits are drawn does not matter, and how they are split hardly does. A plan that is symmetric
- * about the line ahead has a mirror image with the same answer, but not with the mirrored path: people who meet in a
- * corridor must prefer the same side of their own, or neither can pass. */
+ * The direction in which walls and exits are drawn does not matter, and how they are split hardly does. A plan that is
+ * symmetric about the line ahead has a mirror image with the same answer, but not with the mirrored path: people who
+ * meet in a corridor must prefer the same side of their own, or neither can pass. */
 
 #define SOLID_PARTS 1e7 /* 1/m */
 #define PLACE_PARTS 1e10

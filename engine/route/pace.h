@@ -15,8 +15,8 @@
  *
  * Clearance: in the middle of a straight passage the clearance on either side is (W - w) / 2; where the body turns, or
  * the path leads close by an obstacle, the same law holds with twice the clearance, with the floor of the paper for
- * corners. Curvature k: v^2 k <= the lateral acceleration, v k <= nine tenths of the turn rate, since a driver who turns
- * as quickly as possible cannot come back to the path. Bending: I v^2 dk/ds <= half of the turning moment. */
+ * corners. Curvature k: v^2 k <= the lateral acceleration, v k <= nine tenths of the turn rate, since a driver who
+ * turns as quickly as possible cannot come back to the path. Bending: I v^2 dk/ds <= half of the turning moment. */
 double pace_at(const Profile *profile, double free, double clearance, double curvature, double bending, int direction);
 
 /* Returns the clearance from which on it does not slow a driver, m. */
