@@ -177,6 +177,9 @@ static void add_ranges(Text *text, const Study *study, size_t pass, size_t axis)
     memory_free(ranges);
 }
 
+/* 1, of the range of a measure: a smaller change is not told. */
+#define RIPPLE 1e-3
+
 /* How the measure changes along the only axis. */
 typedef struct Course {
     size_t first, last, least, greatest; /* steps; SIZE_MAX: no step has the measure */
@@ -192,21 +195,27 @@ static double mean_measure(const Study *study, size_t pass, size_t i) {
 
 static Course follow_course(const Study *study, size_t pass) {
     Course course = {.first = SIZE_MAX, .falls = true, .rises = true};
-    double last = 0, least = HUGE_VAL, greatest = -HUGE_VAL;
+    double least = HUGE_VAL, greatest = -HUGE_VAL;
     for (size_t i = 0; i < study_steps(study, 0); i++) {
         double mean = mean_measure(study, pass, i);
         if (isnan(mean))
             continue;
-        bool begun = course.first < SIZE_MAX;
-        course.falls &= !begun || mean <= last;
-        course.rises &= !begun || mean >= last;
-        course.first = begun ? course.first : i;
+        course.first = course.first < SIZE_MAX ? course.first : i;
         course.least = mean < least ? i : course.least;
         course.greatest = mean > greatest ? i : course.greatest;
         course.last = i;
-        last = mean;
         least = fmin(least, mean);
         greatest = fmax(greatest, mean);
+    }
+    double little = RIPPLE * (greatest - least), lowest = HUGE_VAL, highest = -HUGE_VAL;
+    for (size_t i = 0; i < study_steps(study, 0); i++) {
+        double mean = mean_measure(study, pass, i);
+        if (isnan(mean))
+            continue;
+        course.falls &= mean <= lowest + little;
+        course.rises &= mean >= highest - little;
+        lowest = fmin(lowest, mean);
+        highest = fmax(highest, mean);
     }
     return course;
 }
