@@ -82,6 +82,21 @@ TEST(a_study_along_an_axis_says_where_the_answer_changes_and_shows_each_value) {
     study_clear(&study);
 }
 
+TEST(a_change_of_less_than_a_thousandth_of_the_range_is_not_told) {
+    const char *const words[] = {"falls from 19 to 15 s", "goes from 19 to 15.1 s, least 15 s at 1.1 m"};
+    const double rises[] = {0.003, 0.1};
+    for (int i = 0; i < 2; i++) {
+        Study study = make_study(1, 5, 1);
+        study.trials[3].observed[MEASURE] = 15;
+        study.trials[4].observed[MEASURE] = 15 + rises[i];
+        Text text = {0};
+        study_text_add(&text, &study, "flat.json");
+        CHECK(text.text && strstr(text.text, words[i]));
+        memory_free(text.text);
+        study_clear(&study);
+    }
+}
+
 TEST(an_answer_in_json_has_the_counts_the_ranges_and_the_best_run) {
     Study study = make_study(1, 3, 1);
     study.trials[0].observed[REGULAR] = NAN;
