@@ -177,7 +177,7 @@ static void add_ranges(Text *text, const Study *study, size_t pass, size_t axis)
     memory_free(ranges);
 }
 
-/* 1, of the range of a measure: a smaller change is not told. */
+/* 1, share of the range of a measure: smaller changes are not reported. */
 #define RIPPLE 1e-3
 
 /* How the measure changes along the only axis. */
@@ -194,8 +194,8 @@ static double mean_measure(const Study *study, size_t pass, size_t i) {
 }
 
 static Course follow_course(const Study *study, size_t pass) {
-    Course course = {.first = SIZE_MAX, .falls = true, .rises = true};
-    double least = HUGE_VAL, greatest = -HUGE_VAL;
+    Course course = {.first = SIZE_MAX};
+    double least = HUGE_VAL, greatest = -HUGE_VAL, rise = 0, fall = 0;
     for (size_t i = 0; i < study_steps(study, 0); i++) {
         double mean = mean_measure(study, pass, i);
         if (isnan(mean))
@@ -206,17 +206,11 @@ static Course follow_course(const Study *study, size_t pass) {
         course.last = i;
         least = fmin(least, mean);
         greatest = fmax(greatest, mean);
+        rise = fmax(rise, mean - least);
+        fall = fmax(fall, greatest - mean);
     }
-    double little = RIPPLE * (greatest - least), lowest = HUGE_VAL, highest = -HUGE_VAL;
-    for (size_t i = 0; i < study_steps(study, 0); i++) {
-        double mean = mean_measure(study, pass, i);
-        if (isnan(mean))
-            continue;
-        course.falls &= mean <= lowest + little;
-        course.rises &= mean >= highest - little;
-        lowest = fmin(lowest, mean);
-        highest = fmax(highest, mean);
-    }
+    course.falls = rise <= RIPPLE * (greatest - least);
+    course.rises = fall <= RIPPLE * (greatest - least);
     return course;
 }
 

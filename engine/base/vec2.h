@@ -81,6 +81,11 @@ static inline Vec2 vec2_unturn(Vec2 a, Vec2 axis) {
     return (Vec2){a.x * axis.x + a.y * axis.y, a.y * axis.x - a.x * axis.y};
 }
 
+/* Returns the angle from a to b, rad, in [-pi, pi], positive counter-clockwise. */
+static inline double vec2_angle_between(Vec2 a, Vec2 b) {
+    return real_atan2(vec2_cross(a, b), vec2_dot(a, b));
+}
+
 /* Returns the point of the segment from a to b that is nearest to p. */
 static inline Vec2 vec2_nearest_on_segment(Vec2 p, Vec2 a, Vec2 b) {
     Vec2 ab = vec2_sub(b, a);

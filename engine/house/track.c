@@ -376,7 +376,7 @@ static double leg_freedom(const House *house, const Turning *from, const Turning
 
 /* Returns the least distance of the arc about a turning. */
 static double arc_freedom(const House *house, const Turning *turning, Vec2 before, Vec2 after) {
-    double turn = real_atan2(vec2_cross(before, after), vec2_dot(before, after)), least = HUGE_VAL;
+    double turn = vec2_angle_between(before, after), least = HUGE_VAL;
     double heading = real_atan2(before.y, before.x);
     const int pieces = 12; /* 8 degrees each in a right-angle corner */
     for (int i = 0; i <= pieces && turn * turning->side > 0; i++) {
@@ -429,7 +429,7 @@ static void add_straight(Track *track, size_t *capacity, Vec2 from, Vec2 to) {
 }
 
 static void add_corner(Track *track, size_t *capacity, const Turning *turning, Vec2 before, Vec2 after) {
-    double turn = real_atan2(vec2_cross(before, after), vec2_dot(before, after));
+    double turn = vec2_angle_between(before, after);
     double heading = real_atan2(before.y, before.x);
     TrackCorner *corner = &track->corners[track->corner_count];
     *corner = (TrackCorner){.centre = turning->centre,

@@ -125,8 +125,8 @@ static bool improve(Decide *decide, Way *way, double margin) {
     return whole;
 }
 
-/* Makes a way free with a weight of comfort, and improves it. The way becomes the free one, without a piece if it does
- * not come free. Returns false if interrupted. */
+/* Makes a way free with a weight of comfort, and improves a copy of the free way. If it cannot be made free, it becomes
+ * a way without pieces. Returns false if interrupted. */
 static bool make_free(Decide *decide, Way *way, double comfort) {
     const RouteQuery *query = decide->query;
     RelaxOptions options = {decide->margin, BARELY, comfort, query->stop};
@@ -141,8 +141,8 @@ static bool make_free(Decide *decide, Way *way, double comfort) {
     return true;
 }
 
-/* Makes a proposed way free, once for each weight of comfort, and each free one again with its turns on the spot as
- * narrow bends. Returns false if interrupted. */
+/* Makes a proposed way free, once for each weight of comfort, then replaces the turns on the spot of each free way by
+ * narrow bends and makes the result free. Returns false if interrupted. */
 static bool free_and_bend(Decide *decide, const Way *proposed) {
     bool whole = true, is_free = true;
     for (size_t c = 0; c < sizeof comforts / sizeof *comforts && whole && is_free; c++) {
@@ -156,7 +156,8 @@ static bool free_and_bend(Decide *decide, const Way *proposed) {
     return whole;
 }
 
-/* Makes ways of a proposal, as it is and with its turns on the spot as narrow bends. Returns false if interrupted. */
+/* Makes ways of a proposal, with its turns on the spot and with narrow bends in their place, and counts whether the
+ * proposal confirms the best time. Returns false if interrupted. */
 static bool realise(Decide *decide, const SearchTrack *track) {
     const Exit *exit = &decide->query->plan->exits[track->exit];
     Way way = way_of_track(track, exit, decide->goals, decide->goal_count - 1, SPACING);

@@ -256,7 +256,7 @@ static void place_furniture(const RouteFrame *frame, Furniture *piece) {
         piece->topples = TOPPLE_FRONT;
 }
 
-/* Which end of an exit was drawn first does not matter: the left one, or else the lower one, is its beginning. */
+/* Copies an exit so that it begins at its left end, or else at the lower one, in whatever order the ends were drawn. */
 static void place_exit(const RouteFrame *frame, Exit *exit) {
     Vec2 from = frame_place(frame, exit->from), to = frame_place(frame, exit->to);
     bool swapped = to.x < from.x || (!(from.x < to.x) && to.y < from.y);

@@ -4,7 +4,8 @@
 
 /* 1, assumed: the share of the turning moment with which a driver plans. */
 static const double PLANNED_MOMENT = 0.5;
-/* 1, assumed: of the turn rate. The rest brings the chair back when it has left the path. */
+/* 1, assumed: the share of the turn rate with which a driver plans; the rest is a reserve for coming back to the path.
+ */
 static const double PLANNED_TURN = 0.9;
 
 double pace_at(const Profile *profile, double free, double clearance, double curvature, double bending, int direction) {

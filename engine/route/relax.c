@@ -23,20 +23,20 @@
  * that the normal equations are banded (LAPACK: dpbsv). The derivatives are differences. mu rises in stages, while the
  * allowance falls: first a way through, then the exact margin. */
 
-#define G0 0.2           /* 1: without it the places where the chair turns back wander off, since they cost nothing */
-#define G1 0.02          /* m2 */
-#define G2 0.01          /* m4 */
-#define PROBE 1e-6       /* m or rad */
-#define LONGEST 0.06     /* m, largest displacement in one iteration */
-#define LARGEST 0.2      /* rad, largest turn of a heading */
-#define PIN_WEIGHT 1e3   /* 1 */
-#define PIN_SHARE 0.95   /* 1, of a pin's radius, that is aimed at */
-#define SIGHT 0.16       /* m: faces within this clearance are looked at in an iteration */
-#define SPOT_STEP 0.02   /* rad, between the headings of a turn on the spot that are looked at */
-#define SPOT_FINEST 1e-3 /* rad, error of the tightest ones */
-#define ALMOST 0.8       /* 1, share of the margin that is enough: the last of it is expensive */
-#define SETTLED 1e-5     /* 1: relative gain of an iteration that is the last one of its stage */
-/* 1: hardly any, since a chair's place across a long straight corridor has small slopes, and would not settle. */
+#define G0 0.2             /* 1: without a price of length the joints of a path would drift along corridors */
+#define G1 0.02            /* m2 */
+#define G2 0.01            /* m4 */
+#define PROBE 1e-6         /* m or rad */
+#define LONGEST 0.06       /* m, largest displacement in one iteration */
+#define LARGEST 0.2        /* rad, largest turn of a heading */
+#define PIN_WEIGHT 1e3     /* 1 */
+#define PIN_SHARE 0.95     /* 1, of a pin's radius, that is aimed at */
+#define SIGHT 0.16         /* m: faces within this clearance are looked at in an iteration */
+#define HEADING_STEP 0.02  /* rad, between the headings at which a turn on the spot is measured */
+#define HEADING_ERROR 1e-3 /* rad, of its tightest headings */
+#define ALMOST 0.8         /* 1, share of the margin that is enough: the last of it is expensive */
+#define SETTLED 1e-5       /* 1: relative gain of an iteration that is the last one of its stage */
+/* 1: nearly undamped, since in a long straight corridor E changes little across, and damped steps do not converge. */
 #define FIRST_DAMPING 1e-10
 
 enum { SITE_FACES = 24, SPOTS = 8, BAND = 16, MOST_TRIALS = 6 };
@@ -103,9 +103,9 @@ static double spot_clearance(const Relax *relax, Vec2 at, double heading) {
     return search_clearance(relax->space, relax->body, at, heading, SIGHT, NULL);
 }
 
-/* Returns the tightest heading between two, between which the clearance falls and rises again. */
+/* Returns the heading of least clearance between `low` and `high`, between which there is one minimum. */
 static double tightest(const Relax *relax, Vec2 at, double low, double high) {
-    while (fabs(high - low) > SPOT_FINEST) {
+    while (fabs(high - low) > HEADING_ERROR) {
         double third = (high - low) / 3;
         if (spot_clearance(relax, at, low + third) < spot_clearance(relax, at, high - third))
             high -= third;
@@ -115,11 +115,11 @@ static double tightest(const Relax *relax, Vec2 at, double low, double high) {
     return (low + high) / 2;
 }
 
-/* Looks for the headings of a turn on the spot at which the body is nearer to something than just before and after. */
+/* Finds the headings of a turn on the spot at which the clearance has a local minimum. */
 static void look_on_spot(Relax *relax, size_t piece) {
     const Joint *joint = &relax->way->joints[piece];
     Vec2 at = relax->way->stations[relax->way->pieces[piece].first].at;
-    int parts = (int)ceil(fabs(joint->out - joint->in) / SPOT_STEP), count = 0;
+    int parts = (int)ceil(fabs(joint->out - joint->in) / HEADING_STEP), count = 0;
     double step = (joint->out - joint->in) / parts, before = SIGHT, here = spot_clearance(relax, at, joint->in);
     for (int part = 0; part < parts && count < SPOTS; part++) {
         double heading = joint->in + part * step, after = spot_clearance(relax, at, heading + step);
@@ -164,23 +164,19 @@ static void look_around(Relax *relax) {
     relax->terms = memory_zeroed(terms, sizeof *relax->terms);
 }
 
-static double turn_between(Vec2 a, Vec2 b) {
-    return real_atan2(vec2_cross(a, b), vec2_dot(a, b));
-}
-
-/* Returns the signed curvature of the way at a station, 1/m: the turn from one step to the next one, whatever their
- * lengths have become, or else a kink would hide between two stations that have met. */
+/* Returns the signed curvature of the way at a station, 1/m: the angle between two steps per nominal step. Their actual
+ * lengths are left out: stations that have moved together would hide a kink. */
 static double curvature(const Way *way, size_t s) {
     const Station *here = &way->stations[s];
     const WayPiece *piece = &way->pieces[here->piece];
     Vec2 axis = vec2_scale(here->axis, piece->direction);
     if (s == piece->first)
-        return 2 * turn_between(axis, vec2_sub(here[1].at, here->at)) / piece->step;
+        return 2 * vec2_angle_between(axis, vec2_sub(here[1].at, here->at)) / piece->step;
     Vec2 before = vec2_sub(here->at, here[-1].at);
     if (s < piece->last)
-        return turn_between(before, vec2_sub(here[1].at, here->at)) / piece->step;
+        return vec2_angle_between(before, vec2_sub(here[1].at, here->at)) / piece->step;
     if (here->piece + 1 < way->piece_count)
-        return 2 * turn_between(before, axis) / piece->step;
+        return 2 * vec2_angle_between(before, axis) / piece->step;
     return 0;
 }
 
@@ -447,15 +443,16 @@ static void relax_release(Relax *relax) {
     memory_free(relax->unknowns);
 }
 
-/* True if a way may be driven: it keeps a margin, leads where it has to, and is no finer bent than its stations tell.
+/* True if a way can be driven: it reaches its goals, its stations are dense enough for its bends, and it keeps a
+ * margin.
  */
-static bool is_good(const Way *way, const FreeSpace *space, const Rectangle *body, double margin) {
+static bool is_drivable(const Way *way, const FreeSpace *space, const Rectangle *body, double margin) {
     return way_reaches_goals(way) && way_is_smooth(way, 0, way->count - 1) && way_swept(way, space, body, margin);
 }
 
 double relax_way(Way *way, const FreeSpace *space, const Rectangle *body, const RelaxOptions *options) {
     double enough = options->margin * ALMOST, clearance = 0;
-    Way good = {0}; /* the last one that may be driven */
+    Way good = {0}; /* the latest drivable one */
     bool done = false;
     for (int s = 0; s < STAGES && !done; s++) {
         const Stage *stage = &stages[s];
@@ -475,7 +472,7 @@ double relax_way(Way *way, const FreeSpace *space, const Rectangle *body, const 
             return 0;
         }
         clearance = way_clearance(way, space, body, options->margin);
-        bool free = clearance >= enough && is_good(way, space, body, enough);
+        bool free = clearance >= enough && is_drivable(way, space, body, enough);
         if (free) {
             way_free(&good);
             good = way_copy(way);
@@ -487,5 +484,5 @@ double relax_way(Way *way, const FreeSpace *space, const Rectangle *body, const 
         *way = good;
         return options->margin;
     }
-    return clearance > options->barely && is_good(way, space, body, options->barely) ? options->barely : 0;
+    return clearance > options->barely && is_drivable(way, space, body, options->barely) ? options->barely : 0;
 }

@@ -9,7 +9,7 @@
 #define HAIR 0.02            /* m: the way ends this far behind the exit's line */
 #define EXIT_END 1e-3        /* m: and at least this far from the line's ends */
 #define SPOT_STEP radians(5) /* rad, between poses on the spot */
-#define SPOT_FINEST 0.002    /* rad, between headings at which a turn on the spot is looked at */
+#define SPOT_FINEST 0.002    /* rad, least step between the headings at which a turn on the spot is measured */
 #define SHORTEST_MOTION 1e-6 /* m: a motion that is not worth a piece */
 #define LITTLE_TURN 0.012    /* rad, which moves a corner of the body by a centimetre */
 #define MOST_TURN 0.25       /* rad, of a step */
@@ -300,7 +300,7 @@ double way_spot_clearance(const Way *way, size_t piece, const FreeSpace *space, 
         double clearance =
             clearance_at(space, body, way->stations[way->pieces[piece].first].at, axis, ROUTE_CLEARANCE_REACH);
         least = fmin(least, clearance);
-        turned += fmax((clearance - least) / radius, SPOT_FINEST); /* no point of the body moves farther */
+        turned += fmax((clearance - least) / radius, SPOT_FINEST); /* until here no point of the body can be nearer */
     }
     return least;
 }
@@ -318,7 +318,7 @@ static bool motion_swept(const Motion *motion, const Station *a, double at_a, co
     const Rectangle *body = motion->body;
     if (vec2_dot(a->axis, b->axis) <= 0)
         return false;
-    double turn = fabs(real_atan2(vec2_cross(a->axis, b->axis), vec2_dot(a->axis, b->axis)));
+    double turn = fabs(vec2_angle_between(a->axis, b->axis));
     double reach = 1.05 * vec2_distance(a->at, b->at) + turn * farthest(body);
     if (at_a + at_b - 2 * motion->margin >= reach)
         return true;

@@ -96,7 +96,8 @@ void way_exit_range(const Way *way, double *low, double *high);
  */
 double way_clearance(const Way *way, const FreeSpace *space, const Rectangle *body, double reach);
 
-/* Returns that of a turn on the spot before a piece. */
+/* Returns the least clearance of the body, m, up to `reach`, in the turn on the spot before a piece; `reach` if there
+ * is none. The error is at most 1 mm for a body within 1 m of its axle. */
 double way_spot_clearance(const Way *way, size_t piece, const FreeSpace *space, const Rectangle *body, double reach);
 
 /* True if every motion is proved free with a clearance of `margin` m, by halving each until its ends have room enough.

@@ -82,7 +82,7 @@ TEST(a_study_along_an_axis_says_where_the_answer_changes_and_shows_each_value) {
     study_clear(&study);
 }
 
-TEST(a_change_of_less_than_a_thousandth_of_the_range_is_not_told) {
+TEST(a_change_of_less_than_a_thousandth_of_the_range_is_not_reported) {
     const char *const words[] = {"falls from 19 to 15 s", "goes from 19 to 15.1 s, least 15 s at 1.1 m"};
     const double rises[] = {0.003, 0.1};
     for (int i = 0; i < 2; i++) {

@@ -404,11 +404,11 @@ typedef struct Options {
 static bool read_options(Options *options, int argc, char **argv) {
     for (int i = 1; i < argc; i++) {
         const char *name = argv[i];
-        if (strcmp(name, "--each") == 0 || strcmp(name, "--brief") == 0) {
-            options->each = options->each || name[2] == 'e';
-            options->brief = options->brief || name[2] == 'b';
+        bool each = strcmp(name, "--each") == 0, brief = strcmp(name, "--brief") == 0;
+        options->each = options->each || each;
+        options->brief = options->brief || brief;
+        if (each || brief)
             continue;
-        }
         options->single = options->single || name[0] != '-';
         const char *value = name[0] != '-' ? name : i + 1 < argc ? argv[++i] : "";
         char *end;
