@@ -98,11 +98,12 @@ static uint64_t row_digest(const Trial *trial, size_t observables, int64_t index
     return digest_mix(digest_text(digest, trial->fault ? trial->fault : ""), (double)index);
 }
 
-/* Reads a row into its trial. Returns false if the row is not as it was written. */
+/* Reads a row into its trial. Returns false if the row is not as it was written, or its trial was read before: a damaged
+ * file can have a row twice. */
 static bool take_row(sqlite3_stmt *row, Study *study) {
     int64_t index = sqlite3_column_int64(row, 0);
     size_t observables = study->experiment->observable_count;
-    if (index < 0 || index >= (int64_t)study->trial_count ||
+    if (index < 0 || index >= (int64_t)study->trial_count || study->trials[index].done ||
         (size_t)sqlite3_column_bytes(row, 1) != observables * sizeof(double) ||
         (size_t)sqlite3_column_bytes(row, 2) % sizeof(double))
         return false;

@@ -278,6 +278,21 @@ TEST(a_damaged_row_is_not_taken_for_a_result) {
     unlink(path);
 }
 
+TEST(a_row_that_is_there_twice_is_a_fault) {
+    char path[SCRATCH_PATH];
+    new_path(path);
+    Toy toy = {0};
+    Experiment experiment = toy_experiment(&toy);
+    Study study = sweep(&experiment, 0, 1, 5);
+    study_begin(&study);
+    run_in_pieces(&study, &toy, path, 0, 1);
+    study_clear(&study);
+    make_database(path, "CREATE TABLE twice AS SELECT * FROM trial; INSERT INTO twice SELECT * FROM trial;"
+                        "DROP TABLE trial; ALTER TABLE twice RENAME TO trial");
+    check_store_fault(path, "is damaged");
+    unlink(path);
+}
+
 TEST(pages_that_were_overwritten_are_a_fault) {
     char path[SCRATCH_PATH];
     new_path(path);
