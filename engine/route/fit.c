@@ -20,20 +20,23 @@
  * may grow by at least g / (1 + sin d); if the second may grow by g, none may grow by more than g / (1 - sin d): those
  * are the cell's bounds `low` and `high`. Where the second has no area left, it proves nothing below that growth.
  *
- * The widest path (maximin; Pollack 1960) over the bounds `high` shows that no path is wider. The cells on it, and
- * their neighbours, whose bounds are apart are split in eight, and the search is repeated until the path's `low`
- * confirms it within FIT_RESOLUTION. A body and its half turn are one placement, so the headings span half a turn, and
- * a goal is reached if either of the two axles can reach it. Few cells are needed where the walls are parallel to them,
- * as they are in the frame of frame.c. Any rigid motion may be undone, so that several goals can
- * be passed in order if each one can be reached from the start. */
+ * The widest path (maximin; Pollack 1960) over the bounds `high` shows that no path is wider. It is confirmed within
+ * FIT_RESOLUTION where the `low` of its cells is enough, or else where the motion from middle to middle is: between two
+ * placements no point of the body moves farther than from the one to the other, so that the sum of what both may grow
+ * bounds the growth in between; a motion for which this is not enough is halved. Cells that are not confirmed are split
+ * in eight with their neighbours, and the search is repeated. A body and its half turn are one placement, so the
+ * headings span half a turn, and a goal is reached if either of the two axles can reach it. Few cells are needed where
+ * the walls are parallel to them, as they are in the frame of frame.c. Any rigid motion may be undone, so that several
+ * goals can be passed in order if each one can be reached from the start. */
 
 #define ROOT_HALF 0.08         /* m, half a side of the largest cells */
-#define ROOT_TURN (M_PI / 12)  /* rad, half of their headings */
+#define ROOT_TURN (M_PI / 24)  /* rad, half of their headings */
 #define ON_THE_LINE 1e-6       /* m, so that rounding does not decide what lies on a cell's face */
 #define THINNEST 0.8           /* 1, of the lesser half side: a body shrunk by more hardly has an area to prove with */
 #define UNDECIDED_LENGTH 30.0F /* 1, factor on the lengths of cells with an open answer: others are preferred */
+#define WIDE_ENOUGH 0.2        /* m: growth at one placement is known up to this much more than the cap */
 
-enum { ROOT_TURNS = 6, MOST_LEVEL = 9, MOST_CELLS = 1 << 21, KEY_OFFSET = 1 << 20 };
+enum { ROOT_TURNS = 12, MOST_LEVEL = 9, MOST_HALVINGS = 6, MOST_CELLS = 1 << 21, KEY_OFFSET = 1 << 20 };
 
 typedef struct Cell {
     int x, y, turn;  /* place among the cells of its level */
@@ -355,29 +358,77 @@ static int widest_way(Tree *tree) {
     return -1;
 }
 
+/* A placement of the body, and by how much it may grow there. */
+typedef struct Placement {
+    Vec2 at;              /* m, of the middle */
+    double heading, wide; /* rad, m */
+} Placement;
+
+static Placement placement(const Tree *tree, Vec2 at, double heading) {
+    return (Placement){at, heading,
+                       growth(tree, at, vec2_heading(heading), tree->body->half_length, tree->body->half_width,
+                              tree->cap + WIDE_ENOUGH)};
+}
+
+/* True if the body may grow by `width` all the way from one placement to another. */
+static bool is_motion_wide(const Tree *tree, const Placement *a, const Placement *b, double width, int halvings) {
+    double corner = vec2_length(vec2(tree->body->half_length + width, tree->body->half_width + width));
+    double farthest = vec2_distance(a->at, b->at) + fabs(a->heading - b->heading) * corner;
+    if (a->wide < width || b->wide < width)
+        return false;
+    if (a->wide + b->wide - 2 * width >= farthest)
+        return true;
+    if (halvings == MOST_HALVINGS)
+        return false;
+    Placement middle = placement(tree, vec2_scale(vec2_add(a->at, b->at), 0.5), (a->heading + b->heading) / 2);
+    return is_motion_wide(tree, a, &middle, width, halvings + 1) &&
+           is_motion_wide(tree, &middle, b, width, halvings + 1);
+}
+
+/* True if the body may grow by `width` all the way from the middle of a cell to that of a neighbour. */
+static bool is_step_wide(const Tree *tree, const Cell *from, const Cell *to, double width) {
+    double heading = heading_of(from), turn = heading_of(to) - heading;
+    turn -= M_PI * round(turn / M_PI);
+    Placement a = placement(tree, from->at, heading), b = placement(tree, to->at, heading + turn);
+    return is_motion_wide(tree, &a, &b, width, 0);
+}
+
+/* Collects the cells of a path at which neither their bound nor the motion through them confirms the width. */
+static int *doubtful_cells(const Tree *tree, int last, double width, size_t *count) {
+    int *doubtful = NULL;
+    size_t capacity = 0;
+    bool wide_on = false; /* the motion to the next cell is wide; at the last cell it would be one within it */
+    *count = 0;
+    for (int index = last; index >= 0; index = tree->cells[index].from) {
+        const Cell *cell = &tree->cells[index], *before = cell->from >= 0 ? &tree->cells[cell->from] : NULL;
+        bool undecided = is_undecided(cell, width);
+        bool wide_to = before && (undecided || is_undecided(before, width)) && is_step_wide(tree, before, cell, width);
+        if (undecided && !(wide_to && wide_on)) {
+            doubtful = memory_reserve(doubtful, &capacity, *count + 1, sizeof *doubtful);
+            doubtful[(*count)++] = index;
+        }
+        wide_on = wide_to;
+    }
+    return doubtful;
+}
+
 /* Splits the cells of a path that may be narrower than it, and their neighbours. Returns false if there is none. */
 static bool refine(Tree *tree, int last) {
     double width = (double)tree->cells[last].widest - FIT_RESOLUTION;
-    int *path = NULL;
-    size_t count = 0, capacity = 0;
-    for (int cell = last; cell >= 0; cell = tree->cells[cell].from) {
-        if (!is_undecided(&tree->cells[cell], width))
-            continue;
-        path = memory_reserve(path, &capacity, count + 1, sizeof *path);
-        path[count++] = cell;
-    }
+    size_t count;
+    int *doubtful = doubtful_cells(tree, last, width, &count);
     for (size_t i = 0; i < count; i++) {
-        int level = tree->cells[path[i]].level;
+        int level = tree->cells[doubtful[i]].level;
         for (int s = 0; s < 6; s++) {
-            int beside = neighbour(tree, path[i], &steps[s]);
+            int beside = neighbour(tree, doubtful[i], &steps[s]);
             const Cell *cell = &tree->cells[beside];
             if (!cell->child && cell->level <= level && is_undecided(cell, width) && (double)cell->high >= tree->floor)
                 split(tree, beside);
         }
-        if (!tree->cells[path[i]].child)
-            split(tree, path[i]);
+        if (!tree->cells[doubtful[i]].child)
+            split(tree, doubtful[i]);
     }
-    memory_free(path);
+    memory_free(doubtful);
     return count > 0;
 }
 
