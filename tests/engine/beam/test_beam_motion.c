@@ -268,7 +268,7 @@ static void check_energy(const char *setting, int release) {
     rig_clear(&rig);
 }
 
-TEST(work_put_in_is_dissipated_or_stored_over_a_thousand_cycles) {
+LONG_TEST(work_put_in_is_dissipated_or_stored_over_a_thousand_cycles) {
     for (int release = RELEASE_FORCE; release <= RELEASE_GAP; release++) {
         check_energy("beam.modes=4", release);
         check_energy("joint.clearance=0", release);

@@ -65,7 +65,7 @@ static void check_claim(const Claim *claim, const Response *response) {
         CHECK(response->zero_one > 0.95 && response->exponent.value > 10 * response->exponent.error);
 }
 
-TEST(the_identified_sets_do_what_they_were_identified_by_from_every_start) {
+LONG_TEST(the_identified_sets_do_what_they_were_identified_by_from_every_start) {
     for (int c = 0; c < CLAIMS; c++) {
         Beam beam = beam_of(&claims[c]);
         Rig rig = rig_of(&beam);
@@ -120,7 +120,7 @@ static SectionPeaks watch_peaks(Motion *motion, int cycles) {
 }
 
 /* 389 to 920 N for some thousand cycles, as the design says; then the transient ends from every initial state. */
-TEST(the_chaos_of_set_r_at_284_mm_and_290_hz_is_a_transient_of_thousands_of_cycles) {
+LONG_TEST(the_chaos_of_set_r_at_284_mm_and_290_hz_is_a_transient_of_thousands_of_cycles) {
     Beam beam = oscillator_beam("ibs-r", "beam.length=0.284");
     beam.frequency = 290;
     Rig rig = rig_of(&beam);
@@ -174,7 +174,7 @@ static Response converge(const Claim *claim, int modes, int elements) {
     return response;
 }
 
-TEST(verdicts_and_peaks_converge_with_modes) {
+LONG_TEST(verdicts_and_peaks_converge_with_modes) {
     static const int modes[] = {4, 8, 12, 16};
     for (int c = 0; c < CLAIMS; c++)
         for (int m = 0; m < 4; m++) {
@@ -198,7 +198,7 @@ TEST(four_modes_miss_the_chaos_of_set_b) {
     response_clear(&response);
 }
 
-TEST(verdicts_and_peaks_converge_with_elements) {
+LONG_TEST(verdicts_and_peaks_converge_with_elements) {
     static const int elements[] = {10, 20, 40};
     for (int c = 0; c < CLAIMS; c++) {
         double peak[3];

@@ -71,7 +71,7 @@ static json_t *placed_plan(const char *name, const Placement *placement) {
 
 /* The time of Miura's disc depends on the angle in a narrow corner, since its path follows the grid: 14.2 or 15.9 s in
  * the corner of 1.20 m. Only its arrival is checked. */
-TEST(turning_and_shifting_a_house_with_room_changes_the_drivers_time_by_less_than_a_per_cent) {
+LONG_TEST(turning_and_shifting_a_house_with_room_changes_the_drivers_time_by_less_than_a_per_cent) {
     static const char *const houses[] = {"corner-1.00-1.00",  "corner-1.20-1.20", "corner-1.80-1.80",
                                          "straight-corridor", "closed-door",      "ube-techno-house"};
     static const Placement placements[] = {{90, {0, 0}, false}, {31, {100.3, -57.7}, false}, {-117, {3.3, 4.4}, false}};

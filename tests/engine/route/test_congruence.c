@@ -172,7 +172,7 @@ TEST(copies_of_a_tight_corner_have_the_copied_route) {
         }
 }
 
-TEST(copies_of_two_rooms_have_the_copied_route) {
+LONG_TEST(copies_of_two_rooms_have_the_copied_route) {
     const struct {
         double door; /* m */
         int state;

@@ -116,7 +116,7 @@ static bool is_idle(void *session) {
     return is_typed(session) && !beam_laboratory.answer(session).doing;
 }
 
-TEST(verdict_type_and_orbit_diagram_come_by_themselves) {
+LONG_TEST(verdict_type_and_orbit_diagram_come_by_themselves) {
     const char *const settings[] = {QUICK};
     void *session = running_beam_open("ibs", settings, 3);
     running_beam_show_at(session, 0.1);
