@@ -98,8 +98,8 @@ static uint64_t row_digest(const Trial *trial, size_t observables, int64_t index
     return digest_mix(digest_text(digest, trial->fault ? trial->fault : ""), (double)index);
 }
 
-/* Reads a row into its trial. Returns false if the row is not as it was written, or its trial was read before: a damaged
- * file can have a row twice. */
+/* Reads a row into its trial. Returns false if the row is not as it was written, or its trial was read before, since a
+ * damaged file can have a row twice. */
 static bool take_row(sqlite3_stmt *row, Study *study) {
     int64_t index = sqlite3_column_int64(row, 0);
     size_t observables = study->experiment->observable_count;
