@@ -81,6 +81,14 @@ def check_crowds():
 
 def check_beams():
     beam = str(source / "assets/beams/ibs.json")
+    with tempfile.TemporaryDirectory() as out:
+        answer = json.loads(expect(0, "run", beam, "--set", "beam.modes=1", "--json", "--out", out).stdout)
+        plots = {f"plot-{plot}.{ending}" for plot in ("phase", "poincare", "force") for ending in ("png", "svg", "pdf", "csv")}
+        check(set(os.listdir(out)) == {"summary.json", "trace.csv", "beam.png", "beam.svg", "beam.pdf"} | plots,
+              f"--out of a beam holds {os.listdir(out)}")
+        check(json.loads(pathlib.Path(out, "summary.json").read_text()) == answer, "summary.json of a beam is the answer")
+        rows = pathlib.Path(out, "trace.csv").read_text().splitlines()
+        check(rows[0] == "time [s],displacement [m],velocity [m/s],force [N]", f"trace.csv of a beam begins {rows[0]}")
     check_beam_interrupted(beam)
     expect(2, "run", beam, "--set", "drive.frequenzy=1", says="did you mean")
     expect(2, "run", beam, "--report", "--out", "out", says="--report is for houses")

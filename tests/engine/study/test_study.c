@@ -219,6 +219,17 @@ TEST(everything_that_determines_a_study_is_in_its_digest) {
         CHECK(study_digest(&changed[i], 7) != digest);
 }
 
+/* Writes the file of a finished sweep from 0. */
+static void write_finished(char path[SCRATCH_PATH], double last, size_t steps) {
+    new_path(path);
+    Toy toy = {0};
+    Experiment experiment = toy_experiment(&toy);
+    Study study = sweep(&experiment, 0, last, steps);
+    study_begin(&study);
+    run_in_pieces(&study, &toy, path, 0, 1);
+    study_clear(&study);
+}
+
 static void check_store_fault(const char *path, const char *what) {
     Toy toy = {0};
     Experiment experiment = toy_experiment(&toy);
@@ -260,13 +271,7 @@ TEST(a_file_that_is_no_study_is_told_of_and_stays_as_it_was) {
 
 TEST(a_damaged_row_is_not_taken_for_a_result) {
     char path[SCRATCH_PATH];
-    new_path(path);
-    Toy toy = {0};
-    Experiment experiment = toy_experiment(&toy);
-    Study study = sweep(&experiment, 0, 1, 5);
-    study_begin(&study);
-    run_in_pieces(&study, &toy, path, 0, 1);
-    study_clear(&study);
+    write_finished(path, 1, 5);
     make_database(path, "UPDATE trial SET observed = zeroblob(24) WHERE trial = 3");
     check_store_fault(path, "is damaged");
     make_database(path, "UPDATE trial SET observed = zeroblob(8) WHERE trial = 3");
@@ -280,13 +285,7 @@ TEST(a_damaged_row_is_not_taken_for_a_result) {
 
 TEST(a_row_that_is_there_twice_is_a_fault) {
     char path[SCRATCH_PATH];
-    new_path(path);
-    Toy toy = {0};
-    Experiment experiment = toy_experiment(&toy);
-    Study study = sweep(&experiment, 0, 1, 5);
-    study_begin(&study);
-    run_in_pieces(&study, &toy, path, 0, 1);
-    study_clear(&study);
+    write_finished(path, 1, 5);
     make_database(path, "CREATE TABLE twice AS SELECT * FROM trial; INSERT INTO twice SELECT * FROM trial;"
                         "DROP TABLE trial; ALTER TABLE twice RENAME TO trial");
     check_store_fault(path, "is damaged");
@@ -295,13 +294,7 @@ TEST(a_row_that_is_there_twice_is_a_fault) {
 
 TEST(pages_that_were_overwritten_are_a_fault) {
     char path[SCRATCH_PATH];
-    new_path(path);
-    Toy toy = {0};
-    Experiment experiment = toy_experiment(&toy);
-    Study study = sweep(&experiment, 0, 40, 400);
-    study_begin(&study);
-    run_in_pieces(&study, &toy, path, 0, 1);
-    study_clear(&study);
+    write_finished(path, 40, 400);
     struct stat status;
     CHECK(stat(path, &status) == 0 && status.st_size > 8192);
     FILE *file = fopen(path, "r+b");
@@ -309,6 +302,8 @@ TEST(pages_that_were_overwritten_are_a_fault) {
     for (off_t i = 4096; i < status.st_size; i++)
         fputc(0x55, file);
     fclose(file);
+    Toy toy = {0};
+    Experiment experiment = toy_experiment(&toy);
     Study again = sweep(&experiment, 0, 40, 400);
     study_begin(&again);
     StoreFound found;
