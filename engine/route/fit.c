@@ -21,10 +21,10 @@
  * are the cell's bounds `low` and `high`. Where the second has no area left, it proves nothing below that growth.
  *
  * The widest path (maximin; Pollack 1960) over the bounds `high` shows that no path is wider. It is confirmed within
- * FIT_RESOLUTION where the `low` of its cells is enough, or else where the motion from middle to middle is: between two
- * placements no point of the body moves farther than from the one to the other, so that the sum of what both may grow
- * bounds the growth in between; a motion for which this is not enough is halved. Cells that are not confirmed are split
- * in eight with their neighbours, and the search is repeated. A body and its half turn are one placement, so the
+ * FIT_RESOLUTION where the `low` of its cells is enough, or else by its motions from middle to middle: if no point of
+ * the body moves farther than D between two placements, all placements in between may grow by m when those two together
+ * may grow by 2 m + D; otherwise the motion is halved. Cells that are not confirmed are split in eight with their
+ * neighbours, and the search is repeated. A body and its half turn are one placement, so the
  * headings span half a turn, and a goal is reached if either of the two axles can reach it. Few cells are needed where
  * the walls are parallel to them, as they are in the frame of frame.c. Any rigid motion may be undone, so that several
  * goals can be passed in order if each one can be reached from the start. */
