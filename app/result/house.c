@@ -45,6 +45,10 @@ void result_house_add_blockage(ResultTable *table, const Blockage *blockage) {
                                   .unit = "m",
                                   .decimals = 3,
                                   .omitted = !widths});
+    result_add(table, (ResultRow){.key = "blocked_at.estimated",
+                                  .kind = RESULT_FLAG,
+                                  .number = blockage->estimated,
+                                  .omitted = !widths});
 }
 
 /* "door d1" or "person p2"; NULL: nothing came into the personal space. */

@@ -83,11 +83,34 @@ static void find_chord(const RouteQuery *query, const Rectangle *body, const Fit
     }
 }
 
+static bool segments_cross(Vec2 a, Vec2 b, Vec2 from, Vec2 to) {
+    Vec2 along = vec2_sub(b, a), across = vec2_sub(to, from);
+    return vec2_cross(along, vec2_sub(from, a)) * vec2_cross(along, vec2_sub(to, a)) < 0 &&
+           vec2_cross(across, vec2_sub(a, from)) * vec2_cross(across, vec2_sub(b, from)) < 0;
+}
+
+/* Replaces `best` by the opening of a door in which the body stands, if that is narrower: beside the opening a body on
+ * the slant may have its jambs on one side. */
+static void try_door(const Plan *plan, const Door *door, const Rectangle *body, const FitPlace *place, Chord *best) {
+    Vec2 from, to, axis = vec2_heading(place->heading);
+    plan_geometry_door_ends(plan, door, &from, &to);
+    if (door->state == DOOR_LOCKED || door->width >= best->width)
+        return;
+    for (int side = -1; side <= 1; side++) {
+        Vec2 middle = vec2_along(place->centre, side * body->half_width, vec2_left(axis));
+        Vec2 rear = vec2_along(middle, -body->half_length, axis), front = vec2_along(middle, body->half_length, axis);
+        if (segments_cross(rear, front, from, to))
+            *best = (Chord){door->width, vec2_scale(vec2_add(from, to), 0.5), -1, -1};
+    }
+}
+
 static Chord chord_at(const RouteQuery *query, const Rectangle *body, const FitPlace *place) {
     Chord best = {HUGE_VAL, place->centre, -1, -1};
     find_chord(query, body, place, place->heading, &best);
     if (body->half_length < 1.2 * body->half_width) /* find the long side */
         find_chord(query, body, place, place->heading + M_PI_2, &best);
+    for (size_t d = 0; d < query->plan->door_count; d++)
+        try_door(query->plan, &query->plan->doors[d], body, place, &best);
     if (!(best.width < HUGE_VAL))
         return (Chord){0, place->centre, -1, -1};
     if (best.left >= 0 && best.right >= 0) {
@@ -249,7 +272,7 @@ static bool find_breach(const RouteQuery *query, Vec2 *at) {
 void blockage_of_fit(Blockage *blockage, const RouteQuery *query, const Rectangle *body, const FitPlace *place) {
     double missing = fmax(-place->margin, 0), own = 2 * body->half_width;
     Chord chord = chord_at(query, body, place);
-    *blockage = (Blockage){.at = chord.middle, .has = chord.width};
+    *blockage = (Blockage){.at = chord.middle, .has = chord.width, .estimated = true};
     blockage->needs = blockage->has > 0 ? fmax(blockage->has + 2 * missing, own) : own;
     outline_place_name(query->space->outline, query->plan, blockage->at, blockage->what, sizeof blockage->what);
 }

@@ -28,16 +28,26 @@ enum { SWEEPS = 8, SURE = 2, ASK_WHETHER_IT_FITS = 2 };
 static const SearchGrain coarse = {.cell = 0.10, .turn = M_PI / 18, .step = 0.15, .weight = 1.5, .most_nodes = 8000};
 static const SearchGrain middle = {.cell = 0.05, .turn = M_PI / 36, .step = 0.10, .weight = 1.5, .most_nodes = 24000};
 
+/* With changes of direction a search has to try every state of a room or two before it finds the right one. */
+static const SearchGrain coarse_back = {
+    .cell = 0.10, .turn = M_PI / 18, .step = 0.15, .weight = 1.5, .most_nodes = 30000};
+static const SearchGrain middle_back = {
+    .cell = 0.05, .turn = M_PI / 36, .step = 0.10, .weight = 1.5, .most_nodes = 150000};
+
+/* A stage begins only when no earlier one has found a way. */
+typedef enum Stage { STAGE_ONWARDS, STAGE_BACK, STAGE_LAST } Stage;
+
 typedef struct Rung {
     const SearchGrain *grain;
-    double relief;   /* m, by which the body is smaller on every side */
-    bool turns_back; /* True if the way may change its direction */
+    double relief; /* m, by which the body is smaller on every side */
+    Stage stage;   /* after the first the way may change its direction */
 } Rung;
 
 static const Rung rungs[] = {
-    {&coarse, 0.040, false}, {&coarse, 0.025, false}, {&middle, 0.030, false},
-    {&middle, 0.018, false}, {&middle, 0.010, false}, {&coarse, 0.030, true},
-    {&middle, 0.020, true},  {&middle, 0.012, true},  {&middle, 0.006, true},
+    {&coarse, 0.040, STAGE_ONWARDS},   {&coarse, 0.025, STAGE_ONWARDS},   {&middle, 0.030, STAGE_ONWARDS},
+    {&middle, 0.018, STAGE_ONWARDS},   {&middle, 0.010, STAGE_ONWARDS},   {&coarse_back, 0.030, STAGE_BACK},
+    {&coarse_back, 0.020, STAGE_BACK}, {&coarse_back, 0.040, STAGE_BACK}, {&coarse_back, 0.010, STAGE_BACK},
+    {&middle_back, 0.006, STAGE_BACK}, {&middle, 0.020, STAGE_LAST},      {&middle, 0.012, STAGE_LAST},
 };
 enum { RUNGS = sizeof rungs / sizeof *rungs };
 
@@ -60,11 +70,13 @@ typedef struct Decide {
     const Rectangle *body;
     const Goal *goals;
     size_t goal_count;
+    bool quickly;  /* True if only the coarse grains are searched */
     double margin; /* m, that the start leaves, at most MARGIN */
     Way best;
     double kept;   /* m, the margin of the best */
     double time;   /* s, of the best */
     int confirmed; /* number of proposals that have led to about this time */
+    double vain;   /* m, the finest cell at which a smaller body was searched for in every state, in vain */
     double latest; /* s, the least time that the latest proposal has led to with this margin */
 } Decide;
 
@@ -85,7 +97,7 @@ static double radius_within(const Rectangle *body) {
 static SearchAnswer propose(const Decide *decide, const Rung *rung, SearchTrack *track) {
     Rectangle body = relieved(decide->body, rung->relief - decide->margin + SEARCH_CLEARANCE);
     return search_legs(decide->query, decide->goals, decide->goal_count, &body, radius_within(decide->body),
-                       rung->grain, rung->turns_back ? decide->query->most_reversals : 0, track, NULL);
+                       rung->grain, rung->stage == STAGE_ONWARDS ? 0 : decide->query->most_reversals, track, NULL);
 }
 
 /* Makes a way that keeps a margin quicker, and keeps it if it is the best: one with the whole margin goes before one
@@ -189,8 +201,10 @@ static SearchAnswer search_truly(const Decide *decide, SearchTrack *track, size_
     const RouteQuery *query = decide->query;
     SearchAnswer answer = SEARCH_NONE;
     for (int t = 0; t < TRUE_RUNGS; t++) {
+        if (true_grains[t].cell >= decide->vain)
+            continue;
         /* The finest grain cannot succeed if the previous one exhausted its nodes. */
-        if (t == TRUE_RUNGS - 1 && answer == SEARCH_GAVE_UP)
+        if ((decide->quickly && t > 0) || (t == TRUE_RUNGS - 1 && answer == SEARCH_GAVE_UP))
             break;
         answer = search_legs(query, decide->goals, decide->goal_count, decide->body, radius_within(decide->body),
                              &true_grains[t], query->most_reversals, track, pins);
@@ -200,22 +214,30 @@ static SearchAnswer search_truly(const Decide *decide, SearchTrack *track, size_
     return answer;
 }
 
-DecideAnswer decide_way(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
-                        double depth, SearchTrack *track, size_t *pins, FitPlace *tightest) {
+/* Decides in either manner; the parameters are those of decide_way. */
+static DecideAnswer decide_how(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
+                               bool quickly, double depth, SearchTrack *track, size_t *pins, FitPlace *tightest) {
     double clearance = search_clearance(query->space, body, query->at, query->heading, MARGIN + HAIR, NULL);
     Decide decide = {.query = query,
                      .body = body,
                      .goals = goals,
                      .goal_count = goal_count,
+                     .quickly = quickly,
                      .margin = fmax(clearance - HAIR, BARELY),
-                     .time = HUGE_VAL};
+                     .time = HUGE_VAL,
+                     .vain = HUGE_VAL};
     SearchTrack proposal = {0};
     DecideAnswer result = DECIDE_NONE;
     bool whole = true;
     for (int r = 0; r < RUNGS && whole && result == DECIDE_NONE && decide.confirmed < SURE; r++) {
-        if (rungs[r].turns_back && (decide.confirmed > 0 || query->most_reversals == 0))
+        bool begins = r > 0 && rungs[r].stage != rungs[r - 1].stage;
+        if (begins && (decide.confirmed > 0 || query->most_reversals == 0))
             break;
+        if (quickly && rungs[r].grain->cell < coarse.cell)
+            continue;
         SearchAnswer answer = propose(&decide, &rungs[r], &proposal);
+        if (answer == SEARCH_NONE && rungs[r].stage != STAGE_ONWARDS)
+            decide.vain = fmin(decide.vain, rungs[r].grain->cell);
         whole = answer != SEARCH_INTERRUPTED && (answer != SEARCH_FOUND || realise(&decide, &proposal));
         if (whole && r + 1 == ASK_WHETHER_IT_FITS && decide.confirmed == 0) {
             whole = fit_margin(query, body, goals, goal_count, -depth, 0, tightest) == FIT_KNOWN;
@@ -240,4 +262,18 @@ DecideAnswer decide_way(const RouteQuery *query, const Rectangle *body, const Go
     search_track_clear(&proposal);
     way_free(&decide.best);
     return whole ? result : DECIDE_INTERRUPTED;
+}
+
+DecideAnswer decide_way(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
+                        double depth, SearchTrack *track, size_t *pins, FitPlace *tightest) {
+    return decide_how(query, body, goals, goal_count, false, depth, track, pins, tightest);
+}
+
+DecideAnswer decide_quickly(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
+                            SearchTrack *track) {
+    size_t *pins = memory_zeroed(goal_count, sizeof *pins);
+    FitPlace tightest;
+    DecideAnswer answer = decide_how(query, body, goals, goal_count, true, 0, track, pins, &tightest);
+    memory_free(pins);
+    return answer;
 }

@@ -22,3 +22,7 @@ typedef enum DecideAnswer {
  * up to a lack of `depth` m (fit.h). */
 DecideAnswer decide_way(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
                         double depth, SearchTrack *track, size_t *pins, FitPlace *tightest);
+
+/* Decides by the coarse grains alone: where it finds a way, decide_way finds one as well, though perhaps another. */
+DecideAnswer decide_quickly(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
+                            SearchTrack *track);

@@ -13,9 +13,7 @@
 #include "route/search.h"
 #include "route/smooth.h"
 #include "route/disc_route.h"
-
-/* The grain at which smaller bodies are searched for. */
-static const SearchGrain grain = {.cell = 0.025, .turn = M_PI / 72, .step = 0.06, .weight = 2.0, .most_nodes = 150000};
+#include "route/widen.h"
 
 /* m: a chair that crosses the exit's line continues straight for this distance, as far as the space is free. */
 #define BEYOND_EXIT 0.3
@@ -29,8 +27,11 @@ static const double end_lengths[] = {4, 3, 2, 1};
 
 #define SAME_PLACE 0.5 /* m: largest distance between two findings about one obstacle */
 
-/* m: amounts by which bodies are shrunk on every side to find where the true body sticks. */
-static const double shrinkings[] = {0.0075, 0.015, 0.025, 0.035, 0.05, 0.065, 0.08, 0.1, 0.12};
+/* m: amounts by which bodies are smaller on every side to find where the true body sticks: the first, doubled up to the
+ * last, and how near to the least one the answer is. */
+#define SMALLER 0.03
+#define SMALLEST 0.12
+#define SMALLER_BY 0.004
 
 #define FIT_MOST 0.1 /* m: a body with this margin has room enough */
 #define SHALLOW 0.05 /* m: a body that lacks less margin than this is told by how much */
@@ -230,35 +231,44 @@ static Rectangle shrunk(const Rectangle *body, double by) {
     return smaller;
 }
 
+/* Finds where the true body sticks on the way of one that is smaller on every side, by `least` m and as little more as
+ * is needed, unless the place is a door: that is widened by trying. The blockage stays empty if there is no such way.
+ * Returns false if interrupted. */
+static bool stick(Blockage *blockage, const RouteQuery *query, const Legs *legs, const Rectangle *body, double least) {
+    double no = 0, yes = 0, by = SMALLER;
+    while (yes > 0 ? yes - no > SMALLER_BY && widen_door_at(blockage, query) < 0 : by <= SMALLEST) {
+        Rectangle smaller = shrunk(body, least + by);
+        SearchTrack track = {0};
+        DecideAnswer answer = decide_quickly(query, &smaller, legs->goals, legs->count, &track);
+        bool passes = answer == DECIDE_FOUND || answer == DECIDE_SEARCHED;
+        if (passes) {
+            blockage_of_track(blockage, query, body, &track);
+            if (blockage->needs <= blockage->has) /* the true body has room at every pose, but hardly any */
+                blockage->needs = blockage->has + 2 * (least + by);
+        }
+        search_track_clear(&track);
+        if (answer == DECIDE_INTERRUPTED)
+            return false;
+        *(passes ? &yes : &no) = by;
+        by = yes > 0 ? (yes + no) / 2 : 2 * by;
+    }
+    return true;
+}
+
 /* Explains a body that fits but cannot be driven: where a slightly smaller body passes, the true one sticks. Returns
  * false if interrupted. */
 static bool explain_not_drivable(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
                                  double margin, const FitPlace *tightest) {
-    SearchTrack track = {0};
-    SearchAnswer answer = SEARCH_NONE;
-    for (size_t i = 0; i < sizeof shrinkings / sizeof *shrinkings; i++) {
-        if (shrinkings[i] + margin + FIT_RESOLUTION < 0)
-            continue; /* a body that cannot be carried through cannot be driven through */
-        Rectangle smaller = shrunk(body, shrinkings[i]);
-        double radius = fmin(smaller.half_width, smaller.half_length - fabs(smaller.ahead));
-        answer =
-            search_legs(query, legs->goals, legs->count, &smaller, radius, &grain, query->most_reversals, &track, NULL);
-        if (answer == SEARCH_FOUND || answer == SEARCH_INTERRUPTED)
-            break;
-    }
-    if (answer == SEARCH_FOUND)
-        blockage_of_track(&route->blockage, query, body, &track);
-    else if (answer != SEARCH_INTERRUPTED && tightest->margin < -FIT_RESOLUTION)
-        blockage_of_fit(&route->blockage, query, body, tightest);
-    else if (answer != SEARCH_INTERRUPTED) {
-        FitPlace place;
-        if (fit_margin(query, body, legs->goals, legs->count, 0, FIT_MOST, &place) == FIT_KNOWN)
-            blockage_of_fit(&route->blockage, query, body, &place);
-        else
-            answer = SEARCH_INTERRUPTED;
-    }
-    search_track_clear(&track);
-    return answer != SEARCH_INTERRUPTED;
+    Blockage stuck = {0};
+    FitPlace place = *tightest;
+    /* A body that cannot be carried through cannot be driven through. */
+    bool whole = stick(&stuck, query, legs, body, fmax(-margin - FIT_RESOLUTION, 0));
+    if (whole && !*stuck.what && !(tightest->margin < -FIT_RESOLUTION))
+        whole = fit_margin(query, body, legs->goals, legs->count, 0, FIT_MOST, &place) == FIT_KNOWN;
+    if (whole && !*stuck.what)
+        blockage_of_fit(&stuck, query, body, &place);
+    route->blockage = stuck;
+    return whole;
 }
 
 /* Raises the required width to that for driving: where a smaller body that can be driven through sticks at the same
@@ -275,15 +285,16 @@ static bool ask_for_driving(Route *route, const RouteQuery *query, const Legs *l
     return whole;
 }
 
-/* Explains a chair without a path. Returns false if interrupted. */
-static bool explain_drive(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
-                          const FitPlace *tightest) {
+/* Estimates where a chair sticks, and how much width it needs there. Returns false if interrupted. */
+static bool estimate(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
+                     const FitPlace *tightest) {
     if (route->fits && !query->brief)
         return explain_not_drivable(route, query, legs, body, tightest->margin, tightest);
     FitPlace place = *tightest;
     if (!(place.margin > -HUGE_VAL)) {
         if (!blockage_of_disc(&route->blockage, query, body->half_width, legs->goals, legs->count))
             return false;
+        route->blockage.estimated = true;
         if (route->blockage.needs > 0)
             return true; /* it is too narrow for the body's width, whatever its length */
         if (fit_margin(query, body, legs->goals, legs->count, -DEEPEST, 0, &place) != FIT_KNOWN)
@@ -293,6 +304,13 @@ static bool explain_drive(Route *route, const RouteQuery *query, const Legs *leg
     }
     blockage_of_fit(&route->blockage, query, body, &place);
     return query->brief || ask_for_driving(route, query, legs, body, place.margin, &place);
+}
+
+/* Explains a chair without a path, with a width that is tried where that is possible. Returns false if interrupted. */
+static bool explain_drive(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
+                          const FitPlace *tightest) {
+    return estimate(route, query, legs, body, tightest) &&
+           (query->brief || widen_door(&route->blockage, query, body, legs->goals, legs->count));
 }
 
 /* Fills in the clearances of the poses. */
@@ -498,7 +516,7 @@ void route_widths(const Blockage *blockage, char *text, size_t size) {
     double needs = ceil(blockage->needs * centimetres - slack) / centimetres;
     double has = floor(blockage->has * centimetres + slack) / centimetres;
     if (blockage->has > 0 && blockage->needs > blockage->has)
-        snprintf(text, size, "needs at least %.2f m, has %.2f m", needs, has);
+        snprintf(text, size, "needs %s %.2f m, has %.2f m", blockage->estimated ? "about" : "at least", needs, has);
     else
         snprintf(text, size, "%s", "");
 }

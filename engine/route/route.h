@@ -40,7 +40,9 @@ typedef struct Blockage {
     Vec2 at;       /* m */
     char what[96]; /* "door d2", "wardrobe (f3)", "start", "exit e1" */
     double has;    /* m, existing width; 0 if the cause is not a width */
-    double needs;  /* m, sufficient width */
+    double
+        needs; /* m, the width with which a chair, tried, can be driven out, or else its estimate; of a disc, its own */
+    bool estimated; /* True if `needs` is an estimate */
 } Blockage;
 
 typedef enum RouteAnswer {
@@ -85,8 +87,8 @@ typedef struct RouteQuery {
     Fields *fields;   /* cache shared with other queries; NULL: none, with the same result */
 } RouteQuery;
 
-/* Writes "needs at least 0.80 m, has 0.75 m", the required width rounded up and the existing one down to a centimetre;
- * "" if the cause is not a width. "At least", since there may be another blockage behind the tightest place. */
+/* Writes "needs at least 0.80 m, has 0.75 m", or "needs about 0.80 m, has 0.75 m" of an estimate, the required width
+ * rounded up and the existing one down to a centimetre; "" if the cause is not a width. */
 void route_widths(const Blockage *blockage, char *text, size_t size);
 
 /* Plans the driver's route. route_free releases it. */

@@ -308,15 +308,22 @@ static bool visit_nearest(void *context, int item) {
     return true;
 }
 
-void outline_place_name(const Outline *outline, const Plan *plan, Vec2 at, char *name, size_t size) {
+int outline_door_at(const Plan *plan, Vec2 at) {
     const double beside_door = 0.35; /* m: distance of a body's middle from a door's line while it passes */
     for (size_t d = 0; d < plan->door_count; d++) {
         Vec2 from, to;
         plan_geometry_door_ends(plan, &plan->doors[d], &from, &to);
-        if (vec2_distance(at, vec2_nearest_on_segment(at, from, to)) < beside_door) {
-            outline_name(plan, OWNER_DOOR, (int)d, name, size);
-            return;
-        }
+        if (vec2_distance(at, vec2_nearest_on_segment(at, from, to)) < beside_door)
+            return (int)d;
+    }
+    return -1;
+}
+
+void outline_place_name(const Outline *outline, const Plan *plan, Vec2 at, char *name, size_t size) {
+    int door = outline_door_at(plan, at);
+    if (door >= 0) {
+        outline_name(plan, OWNER_DOOR, door, name, size);
+        return;
     }
     NearestContext nearest = {outline, at, -1, HUGE_VAL};
     for (double reach = 0.5; nearest.face < 0 && reach < 100; reach *= 4)

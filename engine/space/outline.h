@@ -94,6 +94,9 @@ double outline_ray_past(const Outline *outline, const bool *door_open, Vec2 from
 /* Writes the name of a face's owner: "door d2", "wall w1", "wardrobe (f3)". */
 void outline_name(const Plan *plan, int owner, int index, char *name, size_t size);
 
+/* Returns the door in whose opening a place lies, or -1. */
+int outline_door_at(const Plan *plan, Vec2 at);
+
 /* Writes the best name of a place for a report: the door whose opening contains the place, otherwise the owner of the
  * nearest face, or "free space" where no face is near. */
 void outline_place_name(const Outline *outline, const Plan *plan, Vec2 at, char *name, size_t size);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Tests `check` against `run` over random plans: a path that `check` finds leads out in `run`, or the run says in
-words that `check` finds a path; and a person without a path does not leave.
+words that `check` finds a path; and a person without a path does not leave. A door as wide as a chair needs lets it out.
 
 plans.py CLEARANCE [PLANS [FIRST]]
 """
@@ -18,10 +18,12 @@ PLANS = int(sys.argv[2]) if len(sys.argv) > 2 else 60
 FIRST = int(sys.argv[3]) if len(sys.argv) > 3 else 0
 WIDTHS = {"adult": 0.38, "elderly": 0.38, "child": 0.3, "crutches": 0.68, "rollator": 0.62, "manual-chair": 0.63,
           "electric-chair": 0.65, "assisted-chair": 0.63, "miura-chair": 0.63}
+DRIVEN = ("manual-chair", "electric-chair", "assisted-chair")
 PLANNED = "check finds a path from the start, but the simulated motion does not reach the exit"
 
 
 def document(seed, profile, walls, **members):
+    members["people"][0]["profile"] = profile
     return {"format": "clearance-house", "version": 1, "name": f"random plan {seed}", "walls": walls, **members}
 
 
@@ -43,7 +45,7 @@ def flat(seed):
     profile = draw.choice(sorted(WIDTHS))
     return document(seed, profile, walls, doors=doors, furniture=furniture,
                     exits=[{"id": "e", "from": [width + 0.3, way_out - 0.5], "to": [width + 0.3, way_out + 0.5]}],
-                    people=[{"id": "p", "profile": profile, "at": [draw.uniform(0.6, x - 0.6), draw.uniform(0.6, depth - 0.6)],
+                    people=[{"id": "p", "at": [draw.uniform(0.6, x - 0.6), draw.uniform(0.6, depth - 0.6)],
                              "heading": draw.uniform(0, 360)}])
 
 
@@ -71,7 +73,25 @@ def alley(seed):
     return document(seed, profile,
                     [{"id": "w", "points": [at(length, 0), at(0, 0), at(0, breadth), at(length, breadth)], "thickness": 0.1}],
                     furniture=furniture, exits=[{"id": "e", "from": at(length - 0.1, 0.05), "to": at(length - 0.1, breadth - 0.05)}],
-                    people=[{"id": "p", "profile": profile, "at": at(0.9, breadth / 2), "heading": turn}])
+                    people=[{"id": "p", "at": at(0.9, breadth / 2), "heading": turn}])
+
+
+def doorway(seed):
+    """A corridor off which a narrow door leads into a room, with the way out there; turned by any angle."""
+    draw = random.Random(seed)
+    turn = math.radians(draw.choice([0, draw.uniform(0, 90)]))
+    breadth, length, depth = draw.uniform(1.05, 1.5), draw.uniform(4, 6), draw.uniform(2.5, 3.5)
+
+    def at(x, y):
+        return [x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn)]
+
+    walls = [{"id": "w0", "points": [at(0, 0), at(length, 0), at(length, breadth), at(0, breadth), at(0, 0)], "thickness": 0.12},
+             {"id": "w1", "points": [at(0, breadth), at(0, breadth + depth)], "thickness": 0.12},
+             {"id": "w2", "points": [at(length, breadth), at(length, breadth + depth)], "thickness": 0.12}]
+    door = {"id": "d0", "wall": "w0", "segment": 2, "at": length / 2, "width": draw.uniform(0.55, 0.8), "kind": "sliding"}
+    return document(seed, draw.choice(DRIVEN), walls, doors=[door],
+                    exits=[{"id": "e", "from": at(0.1, breadth + depth), "to": at(length - 0.1, breadth + depth)}],
+                    people=[{"id": "p", "at": at(1, breadth / 2), "heading": math.degrees(turn)}])
 
 
 def answer(verb, path):
@@ -93,6 +113,11 @@ def compare(name, plan, directory):
     if "needs" in place:
         check(place["needs"] >= WIDTHS[way["profile"].replace(" ", "-")] - 1e-9, f"{name}: needs less than its own width", place)
         check(place["has"] < place["needs"], f"{name}: has what it needs", place)
+    if way["profile"] in DRIVEN and place.get("has", 0) > 0 and not place["estimated"]:
+        door = place["what"].split()[-1]
+        wider = run("check", str(path), "--set", f"door.{door}.width={place['needs']}", "--jobs", "1")
+        check(wider.returncode == 0, f"{name}: the door does not need what it is said to need", wider.stdout)
+        outcomes.append("widened")
     if (found == 0) == person["completed"]:
         return "no" if found else "out"
     words = run("run", str(path), "--jobs", "1").stdout
@@ -106,7 +131,10 @@ with tempfile.TemporaryDirectory() as folder:
     for number in range(FIRST, FIRST + PLANS):
         outcomes.append(compare(f"flat {number}", flat(number), folder))
         outcomes.append(compare(f"alley {number}", alley(number), folder))
-for kind in ("out", "no", "differ", None):
+        if number % 4 == 0:
+            outcomes.append(compare(f"doorway {number}", doorway(number), folder))
+for kind in ("out", "no", "differ", "widened", None):
     print(f"{outcomes.count(kind)} plans: {kind or 'not a plan'}")
 check(outcomes.count("out") > PLANS / 4 and outcomes.count("no") > PLANS / 4, "too few plans of one kind")
+check(outcomes.count("widened") > PLANS / 12, "too few doors are told by trying how wide they have to be")
 end()
