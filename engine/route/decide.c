@@ -73,11 +73,11 @@ typedef struct Decide {
     bool quickly;  /* True if only the coarse grains are searched */
     double margin; /* m, that the start leaves, at most MARGIN */
     Way best;
-    double kept;   /* m, the margin of the best */
-    double time;   /* s, of the best */
-    int confirmed; /* number of proposals that have led to about this time */
-    double vain;   /* m, the finest cell at which a smaller body was searched for in every state, in vain */
-    double latest; /* s, the least time that the latest proposal has led to with this margin */
+    double kept;           /* m, the margin of the best */
+    double time;           /* s, of the best */
+    int confirmed;         /* number of proposals that have led to about this time */
+    double latest;         /* s, the least time that the latest proposal has led to with this margin */
+    bool vain[TRUE_RUNGS]; /* True if a smaller body was searched for in every state at this grain, in vain */
 } Decide;
 
 static Rectangle relieved(const Rectangle *body, double by) {
@@ -201,7 +201,7 @@ static SearchAnswer search_truly(const Decide *decide, SearchTrack *track, size_
     const RouteQuery *query = decide->query;
     SearchAnswer answer = SEARCH_NONE;
     for (int t = 0; t < TRUE_RUNGS; t++) {
-        if (true_grains[t].cell >= decide->vain)
+        if (decide->vain[t])
             continue;
         /* The finest grain cannot succeed if the previous one exhausted its nodes. */
         if ((decide->quickly && t > 0) || (t == TRUE_RUNGS - 1 && answer == SEARCH_GAVE_UP))
@@ -224,8 +224,7 @@ static DecideAnswer decide_how(const RouteQuery *query, const Rectangle *body, c
                      .goal_count = goal_count,
                      .quickly = quickly,
                      .margin = fmax(clearance - HAIR, BARELY),
-                     .time = HUGE_VAL,
-                     .vain = HUGE_VAL};
+                     .time = HUGE_VAL};
     SearchTrack proposal = {0};
     DecideAnswer result = DECIDE_NONE;
     bool whole = true;
@@ -236,8 +235,8 @@ static DecideAnswer decide_how(const RouteQuery *query, const Rectangle *body, c
         if (quickly && rungs[r].grain->cell < coarse.cell)
             continue;
         SearchAnswer answer = propose(&decide, &rungs[r], &proposal);
-        if (answer == SEARCH_NONE && rungs[r].stage != STAGE_ONWARDS)
-            decide.vain = fmin(decide.vain, rungs[r].grain->cell);
+        for (int t = 0; t < TRUE_RUNGS && answer == SEARCH_NONE && rungs[r].stage != STAGE_ONWARDS; t++)
+            decide.vain[t] |= true_grains[t].cell == rungs[r].grain->cell;
         whole = answer != SEARCH_INTERRUPTED && (answer != SEARCH_FOUND || realise(&decide, &proposal));
         if (whole && r + 1 == ASK_WHETHER_IT_FITS && decide.confirmed == 0) {
             whole = fit_margin(query, body, goals, goal_count, -depth, 0, tightest) == FIT_KNOWN;

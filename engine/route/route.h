@@ -37,11 +37,10 @@ typedef struct Pose {
 
 /* Place and cause of a missing path. */
 typedef struct Blockage {
-    Vec2 at;       /* m */
-    char what[96]; /* "door d2", "wardrobe (f3)", "start", "exit e1" */
-    double has;    /* m, existing width; 0 if the cause is not a width */
-    double
-        needs; /* m, the width with which a chair, tried, can be driven out, or else its estimate; of a disc, its own */
+    Vec2 at;        /* m */
+    char what[96];  /* "door d2", "wardrobe (f3)", "start", "exit e1" */
+    double has;     /* m, existing width; 0 if the cause is not a width */
+    double needs;   /* m: tried for a chair at a door, or else estimated; of a disc, its own width */
     bool estimated; /* True if `needs` is an estimate */
 } Blockage;
 

@@ -19,11 +19,17 @@ static const int further[] = {0, 2, 6, 14}; /* cm, beyond the estimate */
 
 typedef enum WidenAnswer { WIDEN_YES, WIDEN_NO, WIDEN_INTERRUPTED } WidenAnswer;
 
-/* True if a door of a width, cm, lies within its segment of the wall. */
+/* True if a door, `width` cm wide, lies within its segment of the wall, beside the other doors there. */
 static bool has_room(const Plan *plan, const Door *door, int width) {
     const Points *points = &plan->walls[door->wall_index].points;
     double length = vec2_distance(points->at[door->segment], points->at[door->segment + 1]);
     double half = width / CENTIMETRES / 2;
+    for (size_t d = 0; d < plan->door_count; d++) {
+        const Door *other = &plan->doors[d];
+        bool beside = other != door && other->wall_index == door->wall_index && other->segment == door->segment;
+        if (beside && fabs(other->at - door->at) < half + other->width / 2)
+            return false;
+    }
     return door->at - half >= 0 && door->at + half <= length;
 }
 
