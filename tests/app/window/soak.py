@@ -3,7 +3,7 @@
 
 soak.py CLEARANCE MINUTES [SEED]
 
-Prints a sample every ten seconds. The study and the window's script must not end before the time. Memory is flat if the last third of the time needs hardly more than the third before.
+Prints a sample every ten seconds. The study and the window's script must not end before the time; a window that the random mouse quits, with exit code 0, is followed by another one. Memory is flat if the last third of the time needs hardly more than the third before.
 """
 
 import random
@@ -34,9 +34,9 @@ def block(chance):
             *(anything(chance) for _ in range(40)), "wait 3"]
 
 
-def begin_window(place):
+def begin_window(place, seed):
     """Starts the window with as much input as a script holds; after its end the window stays open."""
-    chance = random.Random(SEED)
+    chance = random.Random(seed)
     script = ""
     while len(script) < SCRIPT_LARGEST - 10000:
         script += "\n".join([*block(chance), f'state "{place / "state"}"']) + "\n"
@@ -80,9 +80,14 @@ def main():
     place.mkdir()
     results.mkdir()
     study = begin_study(results)
-    window, begun, said = begin_window(place), time.monotonic(), 0
+    window, begun, said, quits = begin_window(place, SEED), time.monotonic(), 0, 0
     samples = {"window": [], "study": []}
-    while window.poll() is None and study.poll() is None and time.monotonic() - begun < 60 * MINUTES:
+    while window.poll() in (None, 0) and study.poll() is None and time.monotonic() - begun < 60 * MINUTES:
+        if window.poll() == 0:
+            quits += 1
+            print(f"{time.monotonic() - begun:6.0f} s: the input quits the window, which begins again", flush=True)
+            window = begin_window(place, SEED + quits)
+            samples["window"].clear()
         for name, process in (("window", window), ("study", study)):
             found = memory_of(process)
             if found:
@@ -97,7 +102,7 @@ def main():
     study.wait()
     state = place / "state"
     alive = window.poll() is None
-    check(alive, "the window lives to the end of the time", (place / "errors").read_text()[-2000:])
+    check(alive, "the window lives to the end of the time", (window.poll(), (place / "errors").read_text()[-2000:]))
     check(state.exists() and time.time() - state.stat().st_mtime < LAST, "the script goes on at the end",
           (place / "errors").read_text()[-2000:])
     if alive:
