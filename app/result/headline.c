@@ -115,9 +115,11 @@ static bool blocked_on_a_path(Reason reason, const Blockage *blockage) {
 
 static Headline one_stuck(const House *house, const Observation *observation, const Census *census, Arena *arena) {
     const PersonObservation *person = &observation->people[census->stuck];
-    char widths[64];
+    char widths[64], skids[64];
     route_widths(&person->blockage, widths, sizeof widths);
-    const char *title = why(house, person, census->stuck, arena), *detail = arena_text(arena, widths);
+    route_skids(&person->blockage, skids, sizeof skids);
+    const char *title = why(house, person, census->stuck, arena);
+    const char *detail = text_in_arena(arena, *widths && *skids ? "%s; %s" : "%s%s", widths, skids);
     if (!*detail && blocked_on_a_path(person->reason, &person->blockage))
         detail = "check finds a path from the start, but the simulated motion does not reach the exit";
     return (Headline){.role = ROLE_ERROR,

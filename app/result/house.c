@@ -45,6 +45,14 @@ void result_house_add_blockage(ResultTable *table, const Blockage *blockage) {
                                   .unit = "m",
                                   .decimals = 3,
                                   .omitted = !widths});
+    result_add(table, (ResultRow){.key = "blocked_at.skid",
+                                  .label = "skids with which the chair could pass",
+                                  .head = "skids",
+                                  .kind = RESULT_NUMBER,
+                                  .number = in_micrometres(blockage->skid),
+                                  .unit = "m",
+                                  .decimals = 3,
+                                  .omitted = omitted || !(blockage->skid > 0)});
     result_add(table, (ResultRow){.key = "blocked_at.estimated",
                                   .kind = RESULT_FLAG,
                                   .number = blockage->estimated,

@@ -6,8 +6,8 @@
 #include "base/provenance.h"
 #include "base/text.h"
 
-/* Driving models that use the row. */
-enum { CHAIRS = 1, WALKERS = 2, ALL = CHAIRS | WALKERS };
+/* Driving models that use the row, and whether a file may leave it out. */
+enum { CHAIRS = 1, WALKERS = 2, ALL = CHAIRS | WALKERS, OPTIONAL = 4 };
 
 #define ROWS_OF_A_PROFILE(ROW)                                                                                         \
     ROW(CHAIRS, "body.length", length, "m", 0.1, 3, "length of chair and driver")                                      \
@@ -34,6 +34,7 @@ enum { CHAIRS = 1, WALKERS = 2, ALL = CHAIRS | WALKERS };
     ROW(CHAIRS, "drive.side_friction", side_friction, "1", 0, 10, "friction of the wheels sideways")                   \
     ROW(CHAIRS, "drive.reversing_speed", reversing_speed, "m/s", 0.01, 5, "speed backwards")                           \
     ROW(CHAIRS, "drive.reversing_time", reversing_time, "s", 0, 60, "time to change direction")                        \
+    ROW(CHAIRS | OPTIONAL, "drive.skid_time", skid_time, "s/m", 0, 10000, "time to skid sideways; 0: no skids")        \
     ROW(WALKERS, "drive.time_gap", time_gap, "s", 0.05, 10, "a walker's time gap to the person ahead")                 \
     ROW(ALL, "space.reach", space_reach, "m", 0, 3, "personal space beyond the body")                                  \
     ROW(ALL, "space.normal_stiffness", space.normal_stiffness, "N/m", 0, 1e7, "k_n' of the personal space")            \
@@ -54,7 +55,8 @@ enum { CHAIRS = 1, WALKERS = 2, ALL = CHAIRS | WALKERS };
      .unit = unit_,                                                                                                    \
      .low = low_,                                                                                                      \
      .high = high_,                                                                                                    \
-     .needed = true,                                                                                                   \
+     .needed = !((who_)&OPTIONAL),                                                                                     \
+     .provenance = "assumed: not given, so none",                                                                      \
      .meaning = meaning_},
 #define AS_MARK(who_, name_, field_, unit_, low_, high_, meaning_) who_,
 
@@ -95,6 +97,10 @@ bool profile_row_matters(size_t row, int driving) {
 
 static void read_value(Profile *profile, size_t row, const JsonNode *group, const char *name, Fault *fault) {
     JsonNode node = json_member(group, name);
+    if (!node.value && !profile_rows[row].needed) {
+        profile->provenance[row] = profile_rows[row].provenance; /* the number stays 0 */
+        return;
+    }
     if (!node.value) {
         json_fault(group, fault, "%s has no \"%s\" (%s, %s)", group->key, name, profile_rows[row].meaning,
                    profile_rows[row].unit);

@@ -56,6 +56,7 @@ typedef struct Profile {
     double side_friction;        /* 1, of the wheels, sideways */
     double reversing_speed;      /* m/s */
     double reversing_time;       /* s, to change direction */
+    double skid_time;            /* s/m, to skid with the drive wheels sideways; 0: they do not skid */
     double time_gap;             /* s, T of a walker's v = s / T, s the free path to the person ahead */
 
     double space_reach; /* m, of the personal space beyond the body */

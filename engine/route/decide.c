@@ -62,6 +62,13 @@ static const SearchGrain true_grains[] = {
 };
 enum { TRUE_RUNGS = sizeof true_grains / sizeof *true_grains };
 
+/* With skids, the turns of which are as fine as the grain. */
+static const SearchGrain skidding_grains[] = {
+    {.cell = 0.025, .turn = M_PI / 72, .step = 0.06, .skids = true, .weight = 2.0, .most_nodes = 150000},
+    {.cell = 0.0125, .turn = M_PI / 144, .step = 0.03, .skids = true, .weight = 2.0, .most_nodes = 300000},
+};
+enum { SKIDDING_RUNGS = sizeof skidding_grains / sizeof *skidding_grains };
+
 /* 1, weights of comfort (relax.h). */
 static const double comforts[] = {20, 60};
 
@@ -274,5 +281,17 @@ DecideAnswer decide_quickly(const RouteQuery *query, const Rectangle *body, cons
     FitPlace tightest;
     DecideAnswer answer = decide_how(query, body, goals, goal_count, true, 0, track, pins, &tightest);
     memory_free(pins);
+    return answer;
+}
+
+SearchAnswer decide_with_skids(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
+                               SearchTrack *track) {
+    SearchAnswer answer = SEARCH_NONE;
+    for (int s = 0; s < SKIDDING_RUNGS && answer != SEARCH_FOUND && answer != SEARCH_INTERRUPTED; s++) {
+        if (s == SKIDDING_RUNGS - 1 && answer == SEARCH_GAVE_UP)
+            break;
+        answer = search_legs(query, goals, goal_count, body, radius_within(body), &skidding_grains[s],
+                             query->most_reversals, track, NULL);
+    }
     return answer;
 }

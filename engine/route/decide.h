@@ -26,3 +26,8 @@ DecideAnswer decide_way(const RouteQuery *query, const Rectangle *body, const Go
 /* Decides by the coarse grains alone: where it finds a way, decide_way finds one as well, though perhaps another. */
 DecideAnswer decide_quickly(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
                             SearchTrack *track);
+
+/* Searches a way on which the drive wheels may skid sideways, in turns about the body's middle, and writes it to
+ * `track`, an empty one, with the length of the skids: proved free, but neither smooth nor known to be the least. */
+SearchAnswer decide_with_skids(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
+                               SearchTrack *track);

@@ -306,11 +306,24 @@ static bool estimate(Route *route, const RouteQuery *query, const Legs *legs, co
     return query->brief || ask_for_driving(route, query, legs, body, place.margin, &place);
 }
 
-/* Explains a chair without a path, with a width that is tried where that is possible. Returns false if interrupted. */
+/* Fills in the skids with which a chair that fits gets out. Returns false if interrupted. */
+static bool try_skids(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body) {
+    if (!route->fits || !(query->profile->skid_time > 0))
+        return true;
+    SearchTrack track = {0};
+    SearchAnswer answer = decide_with_skids(query, body, legs->goals, legs->count, &track);
+    if (answer == SEARCH_FOUND)
+        route->blockage.skid = track.skid;
+    search_track_clear(&track);
+    return answer != SEARCH_INTERRUPTED;
+}
+
+/* Explains a chair without a path, with what is tried where that is possible. Returns false if interrupted. */
 static bool explain_drive(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
                           const FitPlace *tightest) {
     return estimate(route, query, legs, body, tightest) &&
-           (query->brief || widen_door(&route->blockage, query, body, legs->goals, legs->count));
+           (query->brief || (widen_door(&route->blockage, query, body, legs->goals, legs->count) &&
+                             try_skids(route, query, legs, body)));
 }
 
 /* Fills in the clearances of the poses. */
@@ -519,6 +532,12 @@ void route_widths(const Blockage *blockage, char *text, size_t size) {
         snprintf(text, size, "needs %s %.2f m, has %.2f m", blockage->estimated ? "about" : "at least", needs, has);
     else
         snprintf(text, size, "%s", "");
+}
+
+void route_skids(const Blockage *blockage, char *text, size_t size) {
+    const double centimetres = 100; /* 1/m */
+    double skid = ceil(blockage->skid * centimetres - 1e-6) / centimetres;
+    snprintf(text, size, blockage->skid > 0 ? "could pass with skids of %.2f m in all" : "", skid);
 }
 
 void route_free(Route *route) {

@@ -4,6 +4,8 @@
  *   fits      any rigid motion of the body: a helper lifts and shifts it;
  *   drivable  the driver's own motion: forwards and backwards along arcs of the drive axle's middle, turns on the spot,
  *             never sideways, with at most `most_reversals` changes of direction.
+ * Between the two a manual chair can skid: turn about the body's middle while the drive wheels scrape sideways. Such a
+ * way is told, with the length of its skids, but it is not driven.
  *
  * The closed form for `fits` in a right-angle corner, for bodies longer than both corridors are wide: w x l turns from
  * W1 into W2 exactly when l <= min over t in (0, pi/2) of (W1 cos t + W2 sin t - w) / (sin t cos t).
@@ -42,6 +44,7 @@ typedef struct Blockage {
     double has;     /* m, existing width; 0 if the cause is not a width */
     double needs;   /* m: tried for a chair at a door, or else estimated; of a disc, its own width */
     bool estimated; /* True if `needs` is an estimate */
+    double skid;    /* m, with which the chair gets out if its drive wheels skid sideways, in all; 0: none is known */
 } Blockage;
 
 typedef enum RouteAnswer {
@@ -89,6 +92,9 @@ typedef struct RouteQuery {
 /* Writes "needs at least 0.80 m, has 0.75 m", or "needs about 0.80 m, has 0.75 m" of an estimate, the required width
  * rounded up and the existing one down to a centimetre; "" if the cause is not a width. */
 void route_widths(const Blockage *blockage, char *text, size_t size);
+
+/* Writes "could pass with skids of 0.15 m in all", rounded up to a centimetre; "" if the chair cannot. */
+void route_skids(const Blockage *blockage, char *text, size_t size);
 
 /* Plans the driver's route. route_free releases it. */
 Route route_drive(const RouteQuery *query);

@@ -12,7 +12,8 @@
  * one cell of the grid over (x, y, heading, direction) only the cheapest is expanded, and another one only with fewer
  * changes of direction than all before it.
  *
- * Primitives: straight, arcs, both forwards and backwards, and turns on the spot. Cost, s: the time under the speed
+ * Primitives: straight, arcs, both forwards and backwards, and turns on the spot; where skids are allowed, also turns
+ * about the body's middle, in which the drive axle moves sideways. Cost, s: the time under the speed
  * law, the time to stop and start again around a turn on the spot, to change direction and to open a door, and the
  * time once more in proportion to the lack of clearance.
  *
@@ -25,11 +26,12 @@
 #define SAMPLE 0.04 /* m, between the poses of a finished track */
 
 static const double radii[] = {0.35, 0.6, 1.0, 2.0}; /* m: the median turning radius of drivers is 1.09 */
-enum { RADII = sizeof radii / sizeof *radii, MOST_PRIMITIVES = 4 * RADII + 4, REVERSAL_LEVELS = 21 };
+enum { RADII = sizeof radii / sizeof *radii, MOST_PRIMITIVES = 4 * RADII + 6, REVERSAL_LEVELS = 21 };
 
 typedef struct Primitive {
     double length;  /* m, along the path, negative backwards */
     double turn;    /* rad */
+    double pivot;   /* m, ahead of the axle: the place about which a turn on the spot turns */
     Vec2 chord;     /* m, from beginning to end, in the frame of the beginning */
     Vec2 rotation;  /* unit vector of `turn` */
     double reach;   /* m, upper bound of the motion of any point of the body */
@@ -109,10 +111,10 @@ void search_track_clear(SearchTrack *track) {
 
 /* Returns the longest distance that a point of the body travels in a motion: its distance from the turning point times
  * the turn. */
-static double motion_reach(const Rectangle *body, double length, double turn) {
+static double motion_reach(const Rectangle *body, double length, double turn, double pivot) {
     if (fabs(turn) < 1e-9)
         return fabs(length);
-    double ahead = fabs(body->ahead) + body->half_length, radius = fabs(length / turn) + body->half_width;
+    double ahead = fabs(body->ahead - pivot) + body->half_length, radius = fabs(length / turn) + body->half_width;
     return fabs(turn) * sqrt(ahead * ahead + radius * radius);
 }
 
@@ -124,6 +126,8 @@ static Node moved(const Node *from, const Primitive *primitive, double part) {
     to.at = vec2_along(from->at, chord, vec2_turn(vec2_heading(half), from->axis));
     to.heading = from->heading + turn;
     to.axis = vec2_turn(vec2_heading(turn), from->axis);
+    if (primitive->pivot > 0)
+        to.at = vec2_along(vec2_along(from->at, primitive->pivot, from->axis), -primitive->pivot, to.axis);
     return to;
 }
 
@@ -136,9 +140,9 @@ static Node moved_whole(const Node *from, const Primitive *primitive) {
     return to;
 }
 
-static void add_primitive(Search *search, int direction, double length, double turn) {
+static void add_primitive(Search *search, int direction, double length, double turn, double pivot) {
     const Profile *profile = search->profile;
-    double time = fabs(turn) / profile->turn_rate;
+    double time = fabs(turn) / profile->turn_rate + fabs(turn) * pivot * profile->skid_time;
     if (direction) {
         double speed = direction > 0 ? profile->free_speed : fmin(profile->free_speed, profile->reversing_speed);
         if (turn != 0)
@@ -146,8 +150,9 @@ static void add_primitive(Search *search, int direction, double length, double t
         time = fmax(time, fabs(length) / speed);
     }
     Primitive *primitive = &search->primitives[search->primitive_count++];
-    *primitive = (Primitive){.length = direction * length, .turn = turn, .slowest = time, .direction = direction};
-    primitive->reach = motion_reach(search->body, length, turn);
+    *primitive = (Primitive){
+        .length = direction * length, .turn = turn, .pivot = pivot, .slowest = time, .direction = direction};
+    primitive->reach = motion_reach(search->body, length, turn, pivot);
     Node begin = {.axis = {1, 0}}, end = moved(&begin, primitive, 1);
     primitive->chord = end.at;
     primitive->rotation = end.axis;
@@ -156,17 +161,20 @@ static void add_primitive(Search *search, int direction, double length, double t
 static void make_primitives(Search *search) {
     double step = search->grain->step, unit = search->grain->turn;
     for (int direction = 1; direction >= -1; direction -= 2) {
-        add_primitive(search, direction, step, 0);
+        add_primitive(search, direction, step, 0, 0);
         for (int r = RADII - 1; r >= 0; r--) {
             /* Whole units of turn, so that a chair that starts in line with the walls is in line again after its turns.
              */
             double turn = unit * fmax(round(step / (radii[r] * unit)), 1);
-            add_primitive(search, direction, radii[r] * turn, turn);
-            add_primitive(search, direction, radii[r] * turn, -turn);
+            add_primitive(search, direction, radii[r] * turn, turn, 0);
+            add_primitive(search, direction, radii[r] * turn, -turn, 0);
         }
     }
-    add_primitive(search, 0, 0, search->grain->turn);
-    add_primitive(search, 0, 0, -search->grain->turn);
+    for (int side = 1; side >= -1; side -= 2) {
+        add_primitive(search, 0, 0, side * unit, 0);
+        if (search->grain->skids && search->body->ahead > 0)
+            add_primitive(search, 0, 0, side * unit, search->body->ahead);
+    }
 }
 
 static float node_slowness(const Search *search, const Node *node) {
@@ -261,9 +269,9 @@ static void try_primitive(Search *search, int parent, int which) {
             return;
         to.last = (signed char)primitive->direction;
     } else if (from.parent >= 0) {
-        /* Skip a turn that reverses the previous one. */
+        /* Skip a turn that reverses the previous one, unless the two shift the body sideways. */
         const Primitive *previous = &search->primitives[from.primitive];
-        if (!previous->direction && previous->turn * primitive->turn < 0)
+        if (!previous->direction && previous->turn * primitive->turn < 0 && previous->pivot == primitive->pivot)
             return;
     }
     size_t exit;
@@ -311,6 +319,7 @@ static void write_track(const Search *search, SearchTrack *track, int last) {
             Node at = moved(from, primitive, (double)part / parts);
             search_track_add(track, (Pose){at.at, at.heading, 0, primitive->direction});
         }
+        track->skid += fabs(primitive->turn) * primitive->pivot;
     }
     memory_free(chain);
     const Node *end = &search->nodes[last];

@@ -23,6 +23,7 @@ typedef struct SearchGrain {
     double cell;       /* m */
     double turn;       /* rad */
     double step;       /* m, of one motion */
+    bool skids;        /* True if the body may also turn about its middle while the drive wheels skid sideways */
     double weight;     /* 1, weight of the remaining time (weighted A*; Pohl 1970) */
     size_t most_nodes; /* nodes to expand, at most */
 } SearchGrain;
@@ -34,6 +35,7 @@ typedef struct SearchTrack {
     int reversals;
     int direction; /* direction of the last motion along the path, 0: no motion yet */
     size_t exit;   /* exit crossed, or SIZE_MAX */
+    double skid;   /* m, of the drive wheels sideways, in all */
 } SearchTrack;
 
 typedef enum SearchAnswer {

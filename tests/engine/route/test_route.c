@@ -92,6 +92,22 @@ TEST(a_door_narrower_than_the_body_is_named_with_its_widths) {
     rooms_free(&fixture);
 }
 
+TEST(only_a_chair_that_skids_is_told_the_skids_with_which_it_could_pass) {
+    for (int skids = 0; skids < 2; skids++) {
+        Rooms fixture;
+        rooms_make_corner(&fixture, 1.1, 0.63, 0.87, 0.87, false);
+        fixture.profile.skid_time = skids ? 100 : 0;
+        Route route = route_drive(&fixture.query);
+        char text[64];
+        route_skids(&route.blockage, text, sizeof text);
+        CHECK(route.answer == ROUTE_CANNOT_PASS && route.fits);
+        CHECK((route.blockage.skid > 0 && route.blockage.skid < 0.15) == (skids > 0));
+        CHECK((strstr(text, "could pass with skids of 0.1") == text) == (skids > 0));
+        route_free(&route);
+        rooms_free(&fixture);
+    }
+}
+
 TEST(a_door_wider_than_the_body_is_driven_through) {
     for (double door = 0.70; door < 1.01; door += 0.1) {
         Rooms fixture;
