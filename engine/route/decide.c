@@ -83,6 +83,7 @@ typedef struct Decide {
     double kept;           /* m, the margin of the best */
     double time;           /* s, of the best */
     int confirmed;         /* number of proposals that have led to about this time */
+    double before;         /* s, the time of the best before the latest proposal */
     double latest;         /* s, the least time that the latest proposal has led to with this margin */
     bool vain[TRUE_RUNGS]; /* True if a smaller body was searched for in every state at this grain, in vain */
 } Decide;
@@ -160,15 +161,26 @@ static bool make_free(Decide *decide, Way *way, double comfort) {
     return true;
 }
 
+/* True if the latest proposal has led to about the time of the best way, too. */
+static bool confirms(const Decide *decide) {
+    return decide->confirmed > 0 && decide->time >= decide->before * (1 - ALIKE) &&
+           decide->latest < decide->time * (1 + ALIKE);
+}
+
+/* True if the decision needs no more ways. */
+static bool settled(const Decide *decide) {
+    return decide->confirmed == SURE - 1 && confirms(decide);
+}
+
 /* Makes a proposed way free, once for each weight of comfort, then replaces the turns on the spot of each free way by
  * narrow bends and makes the result free. Returns false if interrupted. */
 static bool free_and_bend(Decide *decide, const Way *proposed) {
     bool whole = true, is_free = true;
-    for (size_t c = 0; c < sizeof comforts / sizeof *comforts && whole && is_free; c++) {
+    for (size_t c = 0; c < sizeof comforts / sizeof *comforts && whole && is_free && !settled(decide); c++) {
         Way way = way_copy(proposed);
         whole = make_free(decide, &way, comforts[c]);
         is_free = way.piece_count > 0;
-        if (whole && is_free && way_join(&way))
+        if (whole && is_free && !settled(decide) && way_join(&way))
             whole = make_free(decide, &way, comforts[c]);
         way_free(&way);
     }
@@ -180,18 +192,16 @@ static bool free_and_bend(Decide *decide, const Way *proposed) {
 static bool realise(Decide *decide, const SearchTrack *track) {
     const Exit *exit = &decide->query->plan->exits[track->exit];
     Way way = way_of_track(track, exit, decide->goals, decide->goal_count - 1, SPACING);
-    double before = decide->time;
     bool whole = true;
+    decide->before = decide->time;
     decide->latest = HUGE_VAL;
     if (way.piece_count > 0)
         whole = free_and_bend(decide, &way) && (!way_join(&way) || free_and_bend(decide, &way));
     way_free(&way);
-    if (decide->latest < HUGE_VAL) {
-        if (decide->confirmed == 0 || decide->time < before * (1 - ALIKE))
-            decide->confirmed = 1;
-        else if (decide->latest < decide->time * (1 + ALIKE))
-            decide->confirmed++;
-    }
+    if (confirms(decide))
+        decide->confirmed++;
+    else if (decide->latest < HUGE_VAL && (decide->confirmed == 0 || decide->time < decide->before * (1 - ALIKE)))
+        decide->confirmed = 1;
     return whole;
 }
 
