@@ -104,7 +104,7 @@ static void watch_progress(Drive *drive, double dt) {
 /* Lets a person who has run into something back off a little and try again. Returns true during the retreat, which does
  * not leave the present part of the path. */
 static bool retreats(const Track *track, Drive *drive, bool touches) {
-    double due = RETRY_AFTER * (drive->retries + 1);
+    double due = RETRY_AFTER * (drive->retries + (drive->gives_way ? 1 : 2));
     if (drive->retreat_to < 0 && touches && drive->stalled > due && drive->retries < RETRIES_MOST) {
         drive->retreat_to = real_max(drive->s - RETREAT, 0);
         drive->retries++;

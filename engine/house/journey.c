@@ -81,6 +81,7 @@ typedef struct Planning {
     const Stop *stop;
     Journeys *journeys;
     bool again;             /* True if people are moving already */
+    bool keep;              /* True to keep the former journey of a chair without a new path */
     bool all_or_none;       /* True to stop at the first person without a path; on one thread */
     bool failed;            /* True if a person has no path */
     bool interrupted;       /* True if the path of a person is not known; both are set only with all_or_none */
@@ -88,7 +89,7 @@ typedef struct Planning {
 } Planning;
 
 /* m: largest overlap of a moving chair with an obstacle. */
-static const double PRESSED = 0.02;
+static const double PRESSED = 0.05;
 
 static double since_of(const Planning *planning, const Whereabouts *place) {
     return last_closing(planning->house, fmax(place->start, planning->time));
@@ -124,7 +125,7 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place) {
                         .open_first = planning->again,
                         .pressed = planning->again ? PRESSED : 0,
                         .most_reversals = house->plan.run.reversals,
-                        .brief = planning->journeys->brief,
+                        .brief = planning->journeys->brief || planning->keep,
                         .fields = planning->journeys->fields,
                         .stop = planning->stop};
 }
@@ -175,13 +176,16 @@ static void note_answer(Planning *planning, RouteAnswer answer) {
     }
 }
 
+static void release(Journey *journey) {
+    route_free(&journey->route);
+    track_free(&journey->track);
+}
+
 static void plan_journey(void *context, size_t k) {
     Planning *planning = context;
     const Whereabouts *place = &planning->places[k];
     const Inhabitant *person = &planning->house->people[place->person];
-    Journey *journey = &planning->journeys->of[place->person];
-    route_free(&journey->route);
-    track_free(&journey->track);
+    Journey *journey = &planning->journeys->of[place->person], former = *journey;
     *journey = (Journey){.via = place->via};
     if (stop_requested(planning->stop) || planning->failed)
         journey->route = (Route){.answer = ROUTE_INTERRUPTED, .exit = SIZE_MAX};
@@ -191,6 +195,12 @@ static void plan_journey(void *context, size_t k) {
         plan_walk(planning, place, journey);
     else
         plan_ride(planning, place, journey);
+    bool keeps = planning->keep && former.track.count && journey->route.answer == ROUTE_CANNOT_PASS;
+    release(keeps ? journey : &former);
+    if (keeps) {
+        *journey = former;
+        journey->kept = true;
+    }
     if (planning->all_or_none)
         note_answer(planning, journey->route.answer);
 }
@@ -291,9 +301,14 @@ static Journeys plan_from_start(Planning *planning, const bool *part, bool brief
 }
 
 void journey_plan_again(Journeys *journeys, const House *house, const Whereabouts *places, size_t count, double time,
-                        int jobs, const Stop *stop) {
-    Planning planning = {
-        .house = house, .places = places, .time = time, .stop = stop, .journeys = journeys, .again = true};
+                        bool keep, int jobs, const Stop *stop) {
+    Planning planning = {.house = house,
+                         .places = places,
+                         .time = time,
+                         .stop = stop,
+                         .journeys = journeys,
+                         .again = true,
+                         .keep = keep};
     plan_all(&planning, count, jobs);
 }
 
@@ -315,15 +330,13 @@ JourneyAnswer journey_possible(const House *house, const bool *part, const Stop 
 Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t count, double time, bool brief,
                            int jobs, const Stop *stop) {
     Journeys journeys = plan_nothing(house, brief);
-    journey_plan_again(&journeys, house, places, count, time, jobs, stop);
+    journey_plan_again(&journeys, house, places, count, time, false, jobs, stop);
     return journeys;
 }
 
 void journey_free_all(Journeys *journeys) {
-    for (size_t i = 0; i < journeys->count; i++) {
-        route_free(&journeys->of[i].route);
-        track_free(&journeys->of[i].track);
-    }
+    for (size_t i = 0; i < journeys->count; i++)
+        release(&journeys->of[i]);
     memory_free(journeys->of);
     for (size_t k = 0; k < journeys->itinerary_count; k++) {
         Itinerary *itinerary = journeys->itineraries[k];

@@ -19,6 +19,7 @@ typedef struct Journey {
     const FloorField *const *legs; /* (leg_count) of a walker, in order; not owned */
     size_t leg_count;
     size_t via; /* index in the route's points of the first one of this journey */
+    bool kept;  /* True if no path was found when it was last planned again, so that it is the former one */
 } Journey;
 
 /* The fields shared by people of one profile with one route, from some time on. */
@@ -68,6 +69,7 @@ Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t
                            int jobs, const Stop *stop);
 
 /* Plans again from `time` on for `count` moving people: to the exit of their route while that is usable, otherwise to
- * the quickest. Their former journeys are released. */
+ * the quickest. Their former journeys are released; with `keep`, those of chairs only where a new path is found, and it
+ * is not told why there is none. */
 void journey_plan_again(Journeys *journeys, const House *house, const Whereabouts *places, size_t count, double time,
-                        int jobs, const Stop *stop);
+                        bool keep, int jobs, const Stop *stop);

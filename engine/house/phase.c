@@ -24,7 +24,6 @@ void phase_give_up(World *world, size_t i, int reason) {
     world->phase[i] = PHASE_STUCK;
     world->reason[i] = reason;
     world->ended[i] = clock_time(&world->clock);
-    world->drive[i].departures = world->departures;
     world->walk[i].wish = vec2(0, 0);
 }
 

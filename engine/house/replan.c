@@ -47,17 +47,18 @@ size_t replan_next_point(const World *world, size_t i) {
 
 void replan_set_out(World *world, size_t i, bool strayed) {
     RouteAnswer answer = world->journeys[i].route.answer;
-    world->drive[i] =
-        (Drive){.best_turn = HUGE_VAL, .retreat_to = -1, .heeded = HUGE_VAL, .plans = world->drive[i].plans + strayed};
+    Drive *drive = &world->drive[i];
+    if (world->journeys[i].kept) /* back off and try again */
+        drive->stalled = drive->retries = 0;
+    else
+        *drive = (Drive){.best_turn = HUGE_VAL, .retreat_to = -1, .heeded = HUGE_VAL, .plans = drive->plans};
+    drive->plans += strayed;
     world->walk[i].leg = 0;
     world->walk[i].best = HUGE_VAL;
     world->walk[i].stalled = 0;
     if (answer == ROUTE_FOUND && world->phase[i] == PHASE_STUCK) {
         world->phase[i] = PHASE_MOVING;
         world->reason[i] = REASON_NONE;
-    } else if (answer != ROUTE_FOUND && answer != ROUTE_INTERRUPTED && strayed) {
-        world->drive[i].offset = HUGE_VAL;
-        phase_give_up(world, i, REASON_BLOCKED);
     } else if (answer != ROUTE_FOUND && world->phase[i] != PHASE_WAITING) {
         phase_give_up(world, i, observation_reason_of(answer));
     }
@@ -88,7 +89,7 @@ static void plan_again(World *world, Journeys *journeys, bool strays, int jobs, 
                                             replan_next_point(world, i), world->start[i]};
     }
     if (count)
-        journey_plan_again(journeys, world->house, places, count, clock_time(&world->clock), jobs, stop);
+        journey_plan_again(journeys, world->house, places, count, clock_time(&world->clock), strays, jobs, stop);
     for (size_t k = 0; k < count && !stop_requested(stop); k++)
         replan_set_out(world, places[k].person, strays);
     memory_free(places);

@@ -50,10 +50,10 @@ typedef struct Drive {
     double handle;     /* s, spent at a shut door's handle */
     double retreat_to; /* m, along the track: target of a retreat before another attempt; negative: no retreat */
     int retries;       /* attempts since the last progress */
-    int departures;    /* number of departures when the person gave up */
     int plans;         /* number of new plans after having been pushed off the path */
     double heeded;     /* m/s, speed limit due to the people ahead, when last updated */
     double around;     /* m, offset at which they are passed */
+    bool gives_way;    /* True if it stands in the way of a chair that goes first */
 } Drive;
 
 typedef struct World {

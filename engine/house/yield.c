@@ -23,8 +23,8 @@ static const double SWERVE = 0.22;
 static const double STRAIGHT = 0.7;
 /* m/s: speed of passing closely, and the speed below which a person counts as standing. */
 static const double SLOW_PASSING = 0.15, STANDING = 0.05;
-/* s: when two people wait for each other for this long, the first by id continues, and a chair before a walker, who can
- * step aside. */
+/* s: when two people wait for each other for this long, one continues: of two chairs with the same exit the one that is
+ * nearer to it, of others the first in the file, and a chair before a walker, who can step aside. */
 static const double DEADLOCK = 2;
 
 bool yield_sees(const World *world, size_t i, size_t j) {
@@ -112,6 +112,16 @@ static bool lets_go_first(const World *world, size_t i, size_t j, const Sight *s
     return beside && vec2_length(to) < near && (ahead > LEVEL || (ahead > -LEVEL && j < i));
 }
 
+/* True if chair i has precedence over chair j: of two with the same exit the one that has the shorter way left. */
+static bool precedes(const World *world, size_t i, size_t j) {
+    const Journey *a = &world->journeys[i], *b = &world->journeys[j];
+    if (a->route.exit != b->route.exit || !a->track.count || !b->track.count)
+        return i < j;
+    double left_a = a->track.points[a->track.count - 1].s - world->drive[i].s;
+    double left_b = b->track.points[b->track.count - 1].s - world->drive[j].s;
+    return left_a < left_b || (left_a <= left_b && i < j);
+}
+
 static double speed_past(const World *world, size_t i, size_t j, const Sight *sight, double speed) {
     const Profile *profile = world->house->people[i].profile;
     if (lets_go_first(world, i, j, sight))
@@ -123,18 +133,29 @@ static double speed_past(const World *world, size_t i, size_t j, const Sight *si
     bool both_wait = vec2_length(world->velocity[j]) < STANDING && world->drive[i].stalled > DEADLOCK &&
                      world->phase[j] == PHASE_MOVING;
     bool room = sight->ahead > PASSING_LEAST, chair = world_rides(world, j);
-    if (both_wait && (!chair || (i < j && room)))
+    if (both_wait && (!chair || (precedes(world, i, j) && room)))
         braking = SLOW_PASSING;
-    else if (both_wait && chair && i > j && !room)
+    else if (both_wait && chair && !room && !precedes(world, i, j))
         return BACK_OFF;
     return real_min(speed, braking + real_max(sight->coming, 0));
 }
 
+/* True if person i, who stands, is in the way of a chair j with precedence. */
+static bool gives_way(const World *world, size_t i, size_t j) {
+    if (!world_rides(world, j) || world->phase[j] != PHASE_MOVING || world->drive[i].stalled <= DEADLOCK)
+        return false;
+    Vec2 to = vec2_unit(vec2_sub(world->centre[j], world->centre[i]));
+    double apart =
+        vec2_distance(world->centre[i], world->centre[j]) - extent(world, i, to) - extent(world, j, vec2_scale(to, -1));
+    return apart < STAND_OFF && !precedes(world, i, j);
+}
+
 /* Lowers the speed to what the other person allows, at most `speed`, and updates the offset at which that person is
  * passed. */
-static void heed(const World *world, size_t i, size_t j, Vec2 travel, double *speed, double *around) {
+static void heed(const World *world, size_t i, size_t j, Vec2 travel, double *speed, double *around, bool *gives) {
     if (j == i || world->phase[j] == PHASE_OUT)
         return;
+    *gives = *gives || gives_way(world, i, j);
     Vec2 to = vec2_sub(world->centre[j], world->centre[i]);
     double passed = -extent(world, i, vec2_scale(travel, -1)) - extent(world, j, travel);
     if (vec2_dot(to, to) > SIGHT * SIGHT || vec2_dot(to, travel) < passed)
@@ -153,10 +174,11 @@ static void look_around(const World *world, size_t i, Drive *drive, Vec2 travel)
     CellRange range = cell_grid_around(grid, world->centre[i], SIGHT + WALKERS_SKIN);
     drive->heeded = HUGE_VAL;
     drive->around = 0;
+    drive->gives_way = false;
     for (int y = range.y0; y <= range.y1; y++) {
         uint32_t end;
         for (uint32_t s = cell_grid_row(grid, &range, y, &end); s < end; s++)
-            heed(world, i, grid->who[s], travel, &drive->heeded, &drive->around);
+            heed(world, i, grid->who[s], travel, &drive->heeded, &drive->around, &drive->gives_way);
     }
 }
 
@@ -167,5 +189,5 @@ double yield_speed(const World *world, size_t i, Drive *drive, Vec2 travel, doub
     double moved = vec2_length(world->velocity[i]) * world->clock.dt, change = SWERVE * moved, before = drive->aside;
     drive->aside += real_clamp(drive->around - before, -change, change);
     drive->swerve = moved > 0 ? (drive->aside - before) / moved : 0;
-    return real_min(speed, drive->heeded);
+    return drive->gives_way ? BACK_OFF : real_min(speed, drive->heeded);
 }

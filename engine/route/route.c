@@ -37,8 +37,10 @@ static const double end_lengths[] = {4, 3, 2, 1};
 #define SHALLOW 0.05 /* m: a body that lacks less margin than this is told by how much */
 #define DEEPEST 0.2  /* m: a body that lacks more needs another passage, not a wider one */
 
-#define EASED_STEP 0.002    /* m */
-enum { MOST_EASINGS = 12 }; /* steps to push the start pose clear of each obstacle in turn */
+#define EASED_STEP 0.002      /* m */
+#define CLEARING_STEP 0.01    /* m */
+enum { MOST_CLEARINGS = 30 }; /* steps straight back or ahead from an obstacle */
+enum { MOST_EASINGS = 12 };   /* steps to push the start pose clear of each obstacle in turn */
 
 #define FINER 4.0 /* 1, refinement of the grid for the second search of a disc's path */
 
@@ -398,6 +400,38 @@ static void search_round(Route *route, const RouteQuery *query, const Legs *legs
         interrupt(route);
 }
 
+/* Finds out whether a body that presses on an obstacle stands clear of it after a short way straight back or ahead.
+ * Returns -1 or 1 and sets the place, or returns 0. */
+static int go_clear(const RouteQuery *query, const Rectangle *body, Vec2 *at) {
+    double before[2] = {-query->pressed, -query->pressed};
+    for (int n = 1; n <= MOST_CLEARINGS; n++)
+        for (int direction = -1; direction <= 1; direction += 2) {
+            double *clearance = &before[direction > 0];
+            Vec2 there = vec2_along(query->at, direction * n * CLEARING_STEP, vec2_heading(query->heading));
+            double now = search_clearance(query->space, body, there, query->heading, ROUTE_EASED, NULL);
+            if (now >= ROUTE_EASED && *clearance > -HUGE_VAL) {
+                *at = there;
+                return direction;
+            }
+            *clearance = now >= *clearance ? now : -HUGE_VAL; /* not into anything on the way */
+        }
+    return 0;
+}
+
+/* Lets a route begin with the straight way from `at` to its first pose. */
+static void begin_at(Route *route, Vec2 at, int direction) {
+    size_t capacity = route->count;
+    route->poses = memory_reserve(route->poses, &capacity, route->count + 1, sizeof *route->poses);
+    memmove(route->poses + 1, route->poses, route->count * sizeof *route->poses);
+    route->count++;
+    route->poses[0].at = at;
+    route->poses[1].direction = direction;
+    route->length += vec2_distance(at, route->poses[1].at);
+    if (route->count > 2 && route->poses[2].direction != direction)
+        route->reversals++;
+    note_narrowest(route);
+}
+
 /* Finds the start pose of the body. In the middle of a run it is moved away from obstacles that it presses on or stands
  * close to, because a chair whose flank is at a wall cannot turn away without its tail hitting the wall. The roomiest
  * of the places tried is chosen. Returns false if the body is not free. */
@@ -427,10 +461,15 @@ static void drive(Route *route, const RouteQuery *query) {
     Legs legs = legs_make(query);
     RouteQuery from = *query;
     if (exit_usable(query, &legs.goals[legs.count - 1], route)) {
-        if (ease_off(query, &body, &from.at))
+        bool presses =
+            query->pressed > 0 && search_clearance(query->space, &body, query->at, query->heading, 0, NULL) < 0;
+        int clears = presses ? go_clear(query, &body, &from.at) : 0;
+        if (clears || ease_off(query, &body, &from.at))
             search_drive(route, &from, &legs, &body);
         else
             blockage_of_start(&route->blockage, query, &body);
+        if (clears && route->count)
+            begin_at(route, query->at, clears);
     }
     memory_free(legs.goals);
 }

@@ -81,7 +81,9 @@ typedef struct RouteQuery {
     double time;     /* s, start time of the person: exits closed for good by then are not usable */
     bool open_first; /* True if exits that open later do not count while another one is open */
     double pressed;  /* m, > 0 in the middle of a run: largest overlap with an obstacle at the start. The route of a
-                        chair then begins ROUTE_EASED away from nearby obstacles where there is room, without a turn */
+                        chair that overlaps then begins straight back, or ahead, until it stands ROUTE_EASED clear;
+                        where that does not clear it, it begins ROUTE_EASED away from nearby obstacles if there is
+                        room, without a turn */
     int most_reversals;
     bool brief; /* True if the blockage is computed only for carrying the chair: the extra width for driving takes long
                    to find */

@@ -84,6 +84,31 @@ TEST(two_who_meet_swerve_and_pass) {
     house_free(&house);
 }
 
+/* Chairs that catch on a jamb or on each other back off, and the one nearer to the exit goes first. */
+TEST(eight_chairs_get_through_a_narrow_door) {
+    const double backs[] = {7.7, 7.6, 7.3, 7.0};
+    for (size_t k = 0; k < sizeof backs / sizeof *backs; k++) {
+        double back = backs[k];
+        json_t *plan = case_corridor(8);
+        json_object_set_new(plan, "crowds",
+                            json_pack("[{s:s, s:s, s:i, s:[[f,f],[f,f],[f,f],[f,f]]}]", "id", "c", "profile",
+                                      "electric-chair", "count", 8, "area", back, -3.5, 14.5, -3.5, 14.5, 3.5, back,
+                                      3.5));
+        json_array_append_new(json_object_get(plan, "walls"),
+                              json_pack("{s:s, s:[[f,f],[f,f]], s:f}", "id", "across", "points", 16.1, -4.1, 16.1, 4.1,
+                                        "thickness", 0.2));
+        json_object_set_new(
+            plan, "doors",
+            json_pack("[{s:s, s:s, s:f, s:f}]", "id", "neck", "wall", "across", "at", 4.1, "width", 0.8));
+        House house;
+        case_made(&house, plan, -1, NULL);
+        Observation observation = case_run(&house, 1);
+        CHECK(observation.completed);
+        observation_free(&observation);
+        house_free(&house);
+    }
+}
+
 /* A person parked behind a wall has no effect: the run is the same to the last bit. */
 TEST(nobody_is_minded_through_a_wall) {
     double times[2], narrowest[2];

@@ -294,6 +294,9 @@ TEST(copies_of_a_house_have_the_copied_route_in_the_middle_of_a_run) {
     fixture.query.heading = radians(0.3);
     fixture.query.pressed = 0.02;
     check_copies(&fixture.query, false);
+    fixture.query.at = vec2(2.94 + 0.03 - (1.1 - 0.28), 1.5 - 0.4 + 0.315 - 0.004); /* held by the jamb */
+    fixture.query.heading = 0;
+    check_copies(&fixture.query, false);
     rooms_free(&fixture);
 }
 

@@ -321,3 +321,29 @@ TEST(a_chair_that_presses_on_a_wall_is_planned_from_beside_it) {
     route_free(&route);
     rooms_free(&fixture);
 }
+
+/* A chair cannot be pushed sideways from a jamb that holds its front corner. */
+TEST(a_chair_that_a_jamb_holds_first_goes_back) {
+    for (int k = 0; k <= 4; k++) {
+        Rooms fixture;
+        rooms_make_two(&fixture, 0.63, 0.8, DOOR_OPEN);
+        fixture.query.at = vec2(2.94 + 0.03 - (1.1 - 0.28), 1.5 - 0.4 + 0.315 - 0.004);
+        fixture.query.pressed = 0.02;
+        rooms_free(&fixture);
+        rooms_turn(&fixture, radians(8) * k, vec2(0.3, -0.7));
+        rooms_build(&fixture);
+        Route route = route_drive(&fixture.query);
+        CHECK(route.count > 2 && route.poses[1].direction == -1);
+        CHECK_NEAR(vec2_distance(route.poses[0].at, fixture.query.at), 0, 0);
+        if (route.count > 2) {
+            Vec2 moved = vec2_sub(route.poses[1].at, route.poses[0].at), axis = vec2_heading(fixture.query.heading);
+            CHECK_NEAR(vec2_cross(axis, moved), 0, 1e-9);
+            CHECK(vec2_dot(axis, moved) < -0.02 && vec2_dot(axis, moved) > -0.15);
+            CHECK(route.reversals >= 1);
+            for (size_t i = 1; i < route.count; i++)
+                CHECK(route.poses[i].clearance > 0);
+        }
+        route_free(&route);
+        rooms_free(&fixture);
+    }
+}
