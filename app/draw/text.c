@@ -22,15 +22,22 @@ char *text_plain(const char *text) {
     return copy;
 }
 
-PangoLayout *text_layout(double size, bool bold, bool typed) {
-    PangoContext *context = pango_font_map_create_context(pango_cairo_font_map_get_default());
+/* Lets glyphs be drawn without hints. Ends the program without memory: pango would draw them with hints. */
+static void set_font_options(PangoContext *context) {
     cairo_font_options_t *options = cairo_font_options_create();
     cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
     cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
     cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
-    pango_context_set_round_glyph_positions(context, FALSE);
     pango_cairo_context_set_font_options(context, options);
+    if (!cairo_font_options_equal(pango_cairo_context_get_font_options(context), options))
+        memory_end();
     cairo_font_options_destroy(options);
+}
+
+PangoLayout *text_layout(double size, bool bold, bool typed) {
+    PangoContext *context = pango_font_map_create_context(pango_cairo_font_map_get_default());
+    pango_context_set_round_glyph_positions(context, FALSE);
+    set_font_options(context);
     PangoFontDescription *font = pango_font_description_new();
     pango_font_description_set_family_static(font, typed ? "DejaVu Sans Mono" : "DejaVu Sans");
     pango_font_description_set_absolute_size(font, size * PANGO_SCALE);

@@ -1,7 +1,7 @@
 /* A library to preload: it fails the n-th allocation or the n-th write of a program, its libraries included, as a full
  * memory or a full disk would. CLEARANCE_FAIL=allocation:N or write:N chooses; allocation:count and write:count print
  * at the end how many there were. Standard error is never failed, nor an allocation that Mesa makes, which draws less
- * without a word when it has no memory. Only for the GNU C library. */
+ * without a word when it has no memory. The object whose allocation failed is printed. Only for the GNU C library. */
 #undef _FILE_OFFSET_BITS /* or `open` would be a name of `open64` */
 #include <dlfcn.h>
 #include <errno.h>
@@ -81,19 +81,25 @@ static bool stream_fails(FILE *stream) {
     return true;
 }
 
-static bool is_mesa(const void *caller) {
+static const char *object_of(const void *caller) {
     Dl_info object;
-    return dladdr(caller, &object) && object.dli_fname && strstr(object.dli_fname, "libOSMesa");
+    const char *path = dladdr(caller, &object) && object.dli_fname ? object.dli_fname : "?", *name = strrchr(path, '/');
+    return name ? name + 1 : path;
 }
 
 /* Fails the n-th allocation, or the next one that is not Mesa's. */
 static bool allocation_fails(const void *caller) {
     if (!fails(&allocation, ENOMEM))
         return false;
-    if (!is_mesa(caller))
-        return true;
-    atomic_fetch_sub(&allocation.seen, 1);
-    return false;
+    const char *object = object_of(caller);
+    if (strstr(object, "libOSMesa")) {
+        atomic_fetch_sub(&allocation.seen, 1);
+        return false;
+    }
+    char text[128];
+    int length = snprintf(text, sizeof text, "allocation failed in %s\n", object);
+    (void)!write(STDERR_FILENO, text, (size_t)length);
+    return true;
 }
 
 #define NEXT(name) __typeof__(name) *next = (__typeof__(name) *)dlsym(RTLD_NEXT, #name)
