@@ -77,7 +77,7 @@ typedef struct Decide {
     const Rectangle *body;
     const Goal *goals;
     size_t goal_count;
-    bool quickly;  /* True if only the coarse grains are searched */
+    bool quickly;  /* True to search only at the coarse grains and to end with the first free way, however slow it is */
     double margin; /* m, that the start leaves, at most MARGIN */
     Way best;
     double kept;           /* m, the margin of the best */
@@ -121,7 +121,7 @@ static bool improve(Decide *decide, Way *way, double margin) {
         decide->latest = HUGE_VAL;
         decide->confirmed = 0;
     }
-    if (margin == decide->kept && time < WORTH_HASTENING * decide->time) {
+    if (!decide->quickly && margin == decide->kept && time < WORTH_HASTENING * decide->time) {
         Way quick = way_copy(way);
         whole = hasten_way(&quick, space, decide->body, query->profile, margin * SWEPT, SWEEPS, query->stop);
         if (whole && way_swept(&quick, space, decide->body, margin * SWEPT * SWEPT)) {
@@ -169,7 +169,7 @@ static bool confirms(const Decide *decide) {
 
 /* True if the decision needs no more ways. */
 static bool settled(const Decide *decide) {
-    return decide->confirmed == SURE - 1 && confirms(decide);
+    return decide->quickly ? decide->time < HUGE_VAL : decide->confirmed == SURE - 1 && confirms(decide);
 }
 
 /* Makes a proposed way free, once for each weight of comfort, then replaces the turns on the spot of each free way by
@@ -196,7 +196,7 @@ static bool realise(Decide *decide, const SearchTrack *track) {
     decide->before = decide->time;
     decide->latest = HUGE_VAL;
     if (way.piece_count > 0)
-        whole = free_and_bend(decide, &way) && (!way_join(&way) || free_and_bend(decide, &way));
+        whole = free_and_bend(decide, &way) && (settled(decide) || !way_join(&way) || free_and_bend(decide, &way));
     way_free(&way);
     if (confirms(decide))
         decide->confirmed++;
@@ -245,7 +245,8 @@ static DecideAnswer decide_how(const RouteQuery *query, const Rectangle *body, c
     SearchTrack proposal = {0};
     DecideAnswer result = DECIDE_NONE;
     bool whole = true;
-    for (int r = 0; r < RUNGS && whole && result == DECIDE_NONE && decide.confirmed < SURE; r++) {
+    int enough = quickly ? 1 : SURE;
+    for (int r = 0; r < RUNGS && whole && result == DECIDE_NONE && decide.confirmed < enough; r++) {
         bool begins = r > 0 && rungs[r].stage != rungs[r - 1].stage;
         if (begins && (decide.confirmed > 0 || query->most_reversals == 0))
             break;
