@@ -1,7 +1,7 @@
 /* The pictures that `run` of a beam writes to --out. */
 #pragma once
 
-#include "beam/response.h"
+#include "beam/beam_cycle.h"
 #include "options/options.h"
 #include "exchange/measured.h"
 

@@ -1,7 +1,7 @@
 /* The pictures of a beam: beam.png, .svg and .pdf in --out, `--frames` and `--movie`. */
 #pragma once
 
-#include "beam/response.h"
+#include "beam/beam_cycle.h"
 #include "options/options.h"
 
 /* Checks that the options fit together, before anything is computed. Returns 0, or an exit code after an error on

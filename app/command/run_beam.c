@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "beam/response.h"
+#include "beam/beam_cycle.h"
 #include "command/answer.h"
 #include "command/beam_files.h"
 #include "command/beam_frames.h"
@@ -178,7 +178,7 @@ int run_beam_file(const Options *options) {
     }
     Response response;
     TypeAnswer type;
-    response_run(&response, &rig, &beam, NULL, &progress_stop);
+    beam_cycle_respond(&response, &rig, &beam, NULL, &progress_stop);
     if (!type_tell(&type, &beam, options, &fault)) {
         beam_files_end(&files);
         response_clear(&response);

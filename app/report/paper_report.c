@@ -25,7 +25,7 @@ static void add_basis(Document *document, const Paper *paper, const Making *maki
         document_text(document,
                       "A motion is called chaotic by what it did in %d cycles or more after a transient of %d: it may "
                       "still settle later.",
-                      RESPONSE_CYCLES_LEAST, paper->beam.transient_cycles));
+                      BEAM_CYCLES_LEAST, paper->beam.transient_cycles));
     if (*paper->beam.note)
         document_add_note(document, paper->beam.note);
     report_basis_add_changes(document, making);

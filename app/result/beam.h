@@ -1,7 +1,7 @@
 /* The facts of a beam's response as rows, for `run`, `run --json` and the window's panel. */
 #pragma once
 
-#include "beam/response.h"
+#include "beam/beam_cycle.h"
 #include "result/result.h"
 
 /* One record of the drive and the motion: periodic or chaotic, and what that rests on. The beam may go before it. */

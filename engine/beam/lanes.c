@@ -276,7 +276,7 @@ static void end_run(Lanes *lanes, size_t l) {
 static bool note_cycle(Lane *lane) {
     LanesRun *run = lane->run;
     Motion *motion = &lane->motion;
-    if (motion_end_cycle(motion) != MOTION_GOOD)
+    if (motion_end_cycle(motion) != CYCLE_GOOD)
         return false;
     if (lane->cycle >= run->transient_cycles) {
         size_t at = run->recorded++, states = motion->rig->free.states;
@@ -299,7 +299,7 @@ static bool step_alone(const Lanes *lanes, Lane *lane) {
     Motion *motion = &lane->motion;
     const Rig *rig = motion->rig;
     for (;;) {
-        if ((motion->phase >= rig->period || motion->status != MOTION_GOOD) && !note_cycle(lane))
+        if ((motion->phase >= rig->period || motion->status != CYCLE_GOOD) && !note_cycle(lane))
             return false;
         if (can_hop(lanes, motion) && rig->period - motion->phase > rig->cell)
             return true;
@@ -369,7 +369,7 @@ void lanes_run(const Rig *rig, LanesRun *runs, size_t count, const Stop *stop) {
             end_run(&lanes, l);
     for (; more < runs + count; more++) {
         more->recorded = 0;
-        more->status = MOTION_GOOD;
+        more->status = CYCLE_GOOD;
     }
     memory_free(lanes.memory);
 }

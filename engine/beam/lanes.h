@@ -15,7 +15,7 @@ typedef struct LanesRun {
     int transient_cycles, cycles;
 
     /* Results; the arrays belong to the caller, NULL: not wanted. */
-    MotionStatus status;
+    CycleStatus status;
     size_t recorded;    /* cycles; fewer than `cycles` after chatter, divergence or interruption */
     double *peak;       /* (cycles x 2) N, largest force of each recorded cycle on the upper and the lower side */
     double *deflection; /* (cycles) m, of the tip at the end of each recorded cycle, phase 0 */
@@ -25,5 +25,5 @@ typedef struct LanesRun {
 } LanesRun;
 
 /* Simulates `count` runs of the rig's beam; the rig's own drive and clearance are ignored. When
- * `stop` is requested, runs that are not complete are MOTION_GOOD with fewer recorded cycles. */
+ * `stop` is requested, runs that are not complete are CYCLE_GOOD with fewer recorded cycles. */
 void lanes_run(const Rig *rig, LanesRun *runs, size_t count, const Stop *stop);

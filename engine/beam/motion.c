@@ -175,7 +175,7 @@ static MotionPlace classify_place(const Rig *rig, const double *state) {
 
 void motion_set_state(Motion *motion, const double *state) {
     motion->place = classify_place(motion->rig, state);
-    motion->status = MOTION_GOOD;
+    motion->status = CYCLE_GOOD;
     motion->phase = motion->since = 0;
     motion->now.sine = 0;
     motion->now.cosine = 1;
@@ -204,7 +204,7 @@ void motion_save(const Motion *motion, double *saved) {
 
 void motion_restore(Motion *motion, const double *saved) {
     motion->place = (MotionPlace)saved[0];
-    motion->status = MOTION_GOOD;
+    motion->status = CYCLE_GOOD;
     motion->phase = 0;
     motion->since = saved[1];
     motion->cycle_switches = 0;
@@ -436,7 +436,7 @@ static void change_place(Motion *motion, MotionPlace to) {
                   (motion_in_contact(from) && rig->release == RELEASE_GAP ? rig->damping : 0);
     motion->switches++;
     if (++motion->cycle_switches > MOTION_SWITCHES_MOST)
-        motion->status = MOTION_CHATTERS;
+        motion->status = CYCLE_CHATTERS;
     if (motion_in_contact(from) != motion_in_contact(to))
         change_regime(motion, to, jump);
     else if (motion_in_contact(from))
@@ -524,9 +524,9 @@ double motion_step_known(Motion *motion, MotionReading *end) {
     return make_step(motion, motion->rig->cell, regime_hop(regime, regime->cuts), end);
 }
 
-MotionStatus motion_end_cycle(Motion *motion) {
-    if (motion->status == MOTION_GOOD && !isfinite(motion->z.re[0] + motion->now.value[REGIME_TIP]))
-        motion->status = MOTION_DIVERGED;
+CycleStatus motion_end_cycle(Motion *motion) {
+    if (motion->status == CYCLE_GOOD && !isfinite(motion->z.re[0] + motion->now.value[REGIME_TIP]))
+        motion->status = CYCLE_DIVERGED;
     motion->phase = 0;
     motion->now.sine = 0;
     motion->now.cosine = 1;
@@ -535,9 +535,9 @@ MotionStatus motion_end_cycle(Motion *motion) {
     return motion->status;
 }
 
-MotionStatus motion_cycle(Motion *motion) {
+CycleStatus motion_cycle(Motion *motion) {
     double period = motion->rig->period;
-    while (motion->status == MOTION_GOOD && motion->phase < period)
+    while (motion->status == CYCLE_GOOD && motion->phase < period)
         motion_step(motion, period - motion->phase);
     return motion_end_cycle(motion);
 }

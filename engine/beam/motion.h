@@ -17,6 +17,7 @@
 #include <stddef.h>
 
 #include "beam/rig.h"
+#include "cycle/cycle.h"
 
 typedef enum MotionPlace {
     MOTION_OPEN,
@@ -27,13 +28,7 @@ typedef enum MotionPlace {
     MOTION_PLACES,
 } MotionPlace;
 
-typedef enum MotionStatus {
-    MOTION_GOOD,
-    MOTION_CHATTERS, /* more than MOTION_SWITCHES_MOST switches in one cycle: the motion stops there */
-    MOTION_DIVERGED, /* a number became infinite or NaN */
-} MotionStatus;
-
-enum { MOTION_SWITCHES_MOST = 1000 /* per cycle of the drive; an impacting beam makes about ten */ };
+enum { MOTION_SWITCHES_MOST = 1000 /* per cycle of the drive, else it chatters; an impacting beam makes about ten */ };
 
 /* Quantities at one instant. */
 typedef struct MotionReading {
@@ -45,7 +40,7 @@ typedef struct MotionReading {
 typedef struct Motion {
     const Rig *rig;
     MotionPlace place;
-    MotionStatus status;
+    CycleStatus status;
     size_t cycle; /* cycles of the drive since the start */
     double phase; /* s, within the cycle */
     double since; /* s, since the last switch */
@@ -100,10 +95,10 @@ double motion_step(Motion *motion, double longest);
 double motion_step_known(Motion *motion, MotionReading *end);
 
 /* Advances to the end of the cycle, phase 0. */
-MotionStatus motion_cycle(Motion *motion);
+CycleStatus motion_cycle(Motion *motion);
 
 /* Begins the next cycle once the steps have completed one. */
-MotionStatus motion_end_cycle(Motion *motion);
+CycleStatus motion_end_cycle(Motion *motion);
 
 /* Deflection and velocity of the tip, m, m/s. */
 double motion_deflection(const Motion *motion);

@@ -9,8 +9,8 @@
 #include "base/parameters_number.h"
 #include "base/random.h"
 #include "base/text.h"
+#include "beam/beam_cycle.h"
 #include "beam/lanes.h"
-#include "beam/response.h"
 #include "experiment/beam_numbers.h"
 
 const char *const beam_experiment_window[] = {"drive.frequency", "beam.length", "joint.clearance", "drive.force"};
@@ -229,7 +229,7 @@ static LanesRun make_lane(const Case *one, size_t states, double *room) {
 static void tell_lane(const Case *one, const LanesRun *lane) {
     Trial *trial = one->trial;
     bool whole = lane->recorded == (size_t)lane->cycles;
-    trial->done = whole || lane->status != MOTION_GOOD;
+    trial->done = whole || lane->status != CYCLE_GOOD;
     list_peaks(trial, lane->peak, lane->recorded);
     if (!whole)
         return;
@@ -271,7 +271,7 @@ static void tell_response(Trial *trial, const Response *response) {
 static void run_thoroughly(const Case *one, const Rig *rig, double *state, const Stop *stop) {
     Rig own = rig_share(rig, one->beam.frequency, one->beam.force, one->beam.clearance);
     Response response;
-    response_run(&response, &own, &one->beam, state, stop);
+    beam_cycle_respond(&response, &own, &one->beam, state, stop);
     tell_response(one->trial, &response);
     one->trial->done = response.verdict != RESPONSE_INTERRUPTED;
     if (response.section.count)

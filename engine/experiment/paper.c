@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "base/stop.h"
 #include "base/text.h"
+#include "beam/beam_cycle.h"
 #include "experiment/beam_experiment.h"
 
 /* Figures of the paper, as far as legible. */
@@ -58,7 +59,7 @@ typedef struct RunTask {
 
 static void make_run(void *context, size_t i) {
     RunTask *task = context;
-    response_run(&task->paper->responses[i], &task->rigs[i], &task->paper->beams[i], NULL, task->options->stop);
+    beam_cycle_respond(&task->paper->responses[i], &task->rigs[i], &task->paper->beams[i], NULL, task->options->stop);
 }
 
 static bool make_runs(Paper *paper, const PaperOptions *options, Fault *fault) {
@@ -229,7 +230,7 @@ static PaperMet met_verdict(const Response *response, ResponseVerdict verdict) {
 static double tip_speed(const Response *response) {
     double most = 0;
     for (size_t row = 0; row < response->trace.rows; row++)
-        most = fmax(most, fabs(trace_row(&response->trace, row)[RESPONSE_VELOCITY]));
+        most = fmax(most, fabs(trace_row(&response->trace, row)[BEAM_VELOCITY]));
     return most;
 }
 

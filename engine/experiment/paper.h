@@ -6,7 +6,7 @@
 #pragma once
 
 #include "base/stop.h"
-#include "beam/response.h"
+#include "beam/beam_cycle.h"
 #include "study/study.h"
 #include "study/types.h"
 

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "beam/beam_cycle.h"
 #include "bench.h"
 #include "command/studio.h"
 #include "paint/offscreen.h"
@@ -162,7 +163,7 @@ static void measure_beam(const char *source) {
     snprintf(path, sizeof path, "%s/assets/beams/ibs.json", source);
     if (!beam_read(&beam, path, NULL, 0, &fault) || !rig_build(&rig, &beam, path, &fault))
         return;
-    response_run(&response, &rig, &beam, NULL, NULL);
+    beam_cycle_respond(&response, &rig, &beam, NULL, NULL);
     beam_record_make(&record, &rig, &response);
     double last = BEAM_FILM_CYCLES * rig.period;
     beam_record_sample(&record, (BeamSpan){0, last, 2 * TURNS * FRAMES / last});

@@ -28,28 +28,29 @@ engine/space        mechanics plan
 engine/route        plan space
 engine/house        mechanics plan route space
 engine/inquiry      house plan space
-engine/beam         mechanics
+engine/cycle        mechanics
+engine/beam         cycle mechanics
 engine/study        -
-engine/experiment   beam house plan study
+engine/experiment   beam cycle house plan study
 engine/exchange     house mechanics plan space
 app/draw            -
 app/paint           draw
 app/plot            draw paint
 app/document        draw paint
-app/result          beam document draw experiment house inquiry study
+app/result          beam cycle document draw experiment house inquiry study
 app/visual/study    exchange plot study
 app/visual/house    draw experiment house plan plot result route space study visual/study
-app/visual/beam     beam draw exchange mechanics plot visual/house visual/study
+app/visual/beam     beam cycle draw exchange mechanics plot visual/house visual/study
 app/laboratory            beam draw exchange house plan plot visual/beam visual/house
 app/laboratory/edit       house inquiry laboratory plan result
 app/laboratory/house      draw house laboratory laboratory/edit plan result visual/house
-app/laboratory/beam       beam experiment laboratory mechanics plot result study visual/beam visual/study
+app/laboratory/beam       beam cycle experiment laboratory mechanics plot result study visual/beam visual/study
 app/widgets         draw paint
 app/platform        draw paint plot
 app/window          draw laboratory laboratory/edit laboratory/house paint platform plot widgets
 app/report          document exchange experiment house plan plot result visual/
 app/options         draw exchange study visual/beam visual/house
-app/command         beam document draw exchange experiment house inquiry laboratory mechanics options paint plan platform plot report result study visual/ window
+app/command         beam cycle document draw exchange experiment house inquiry laboratory mechanics options paint plan platform plot report result study visual/ window
 END
 }
 
@@ -136,7 +137,7 @@ check_order() {
     forbid "libm's transcendental functions outside base/real" \
         '^ *([^ */]([^/]|/[^*])*[^A-Za-z0-9_>.])?(a?(sin|cos|tan)h?|sincos|atan2|exp|exp2|expm1|exp10|log|log2|log10|log1p|pow|hypot|cbrt|fma|erfc?|[lt]gamma|c(abs|arg|exp|log|pow|sqrt|sin|cos))[fl]?\(' \
         $(sources engine app/command app/report app/document | grep -v base/real)
-    forbid 'LAPACK outside the beam and what makes ways free' '#include *<lapacke' $(sources engine app | grep -vE 'engine/(beam/|route/relax)')
+    forbid 'LAPACK outside what repeats and what makes ways free' '#include *<lapacke' $(sources engine app | grep -vE 'engine/((beam|cycle)/|route/relax)')
     forbid 'BLAS outside the spectrum' '#include *<cblas' $(sources engine app | grep -v mechanics/spectrum.c)
     forbid 'zip files and XML outside the homes' '#include *<(zip|expat)' $(sources engine app | grep -v exchange/sh3d_home.c)
     forbid 'GEOS outside what unites, reads and writes areas' '#include *<geos' \

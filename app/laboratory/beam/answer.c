@@ -43,8 +43,8 @@ static void title_periodic(char *title, size_t size, size_t period, size_t conta
 
 static void title_lately(BeamAnswer *answer, const BeamTape *tape, const BeamLately *lately) {
     size_t size = sizeof answer->title;
-    if (tape->status != MOTION_GOOD)
-        snprintf(answer->title, size, tape->status == MOTION_CHATTERS ? "Chatter" : "Diverged");
+    if (tape->status != CYCLE_GOOD)
+        snprintf(answer->title, size, tape->status == CYCLE_CHATTERS ? "Chatter" : "Diverged");
     else if (lately->period > 0)
         title_periodic(answer->title, size, (size_t)lately->period, lately->peaks.count);
     else if (lately->period == SECTION_NONE && lately->cycles >= BEAM_ANSWER_LATELY)
@@ -188,7 +188,7 @@ static void write_rows(BeamAnswer *answer, const BeamLately *lately, const BeamV
 
 void beam_answer_write(BeamAnswer *answer, const BeamTape *tape, const Beam *beam, const BeamLately *lately,
                        const BeamVerdict *verdict) {
-    bool failed = tape->status != MOTION_GOOD && !tape->next;
+    bool failed = tape->status != CYCLE_GOOD && !tape->next;
     if (failed || !verdict)
         title_lately(answer, tape, lately);
     else
@@ -208,7 +208,7 @@ void beam_answer_clear(BeamAnswer *answer) {
 }
 
 const char *beam_answer_error(const BeamTape *tape, Arena *arena) {
-    if (tape->status == MOTION_CHATTERS)
+    if (tape->status == CYCLE_CHATTERS)
         return text_in_arena(arena,
                              "In cycle %zu the tip switches more than %d times, and the run ends: use more contact "
                              "damping, a softer contact or a larger gap",

@@ -37,5 +37,5 @@ typedef struct BeamSession {
 
 /* True if the record has ended and can only grow after a change. */
 static inline bool beam_session_has_ended(const BeamSession *session) {
-    return session->tape.status != MOTION_GOOD && !session->tape.next;
+    return session->tape.status != CYCLE_GOOD && !session->tape.next;
 }

@@ -139,7 +139,7 @@ static void begin_part(BeamTape *tape) {
         forget_part(tape);
     tape->parts[tape->part_count++] = part;
     tape->next = NULL;
-    tape->status = MOTION_GOOD;
+    tape->status = CYCLE_GOOD;
     note_front(tape);
 }
 
@@ -164,7 +164,7 @@ static void follow_cycle(BeamTape *tape, BeamCycle *cycle) {
     double *state = memory_zeroed(motion->rig->free.states, sizeof *state);
     cycle->extent = (BeamExtent){0};
     motion->peak[0] = motion->peak[1] = 0;
-    while (motion->status == MOTION_GOOD && motion->phase < period) {
+    while (motion->status == CYCLE_GOOD && motion->phase < period) {
         motion_step(motion, period - motion->phase);
         cycle->extent.speed = fmax(cycle->extent.speed, fabs(motion_velocity(motion)));
         cycle->extent.tip_reach = fmax(cycle->extent.tip_reach, fabs(motion_deflection(motion)));
@@ -207,11 +207,11 @@ static void find_room(BeamTape *tape, BeamCycle *cycle) {
 bool beam_tape_advance(BeamTape *tape) {
     if (tape->next)
         begin_part(tape);
-    if (tape->status != MOTION_GOOD)
+    if (tape->status != CYCLE_GOOD)
         return false;
     BeamCycle *cycle = slot(tape, tape->front);
     follow_cycle(tape, cycle);
-    if (tape->status != MOTION_GOOD)
+    if (tape->status != CYCLE_GOOD)
         return false;
     find_room(tape, cycle);
     const BeamPart *part = tape->parts[tape->part_count - 1];
@@ -327,7 +327,7 @@ static int side_of(MotionPlace place) {
 
 static void follow_until(BeamSight *sight, double begin, double phase) {
     Motion *motion = &sight->motion;
-    while (motion->status == MOTION_GOOD && motion->phase < phase) {
+    while (motion->status == CYCLE_GOOD && motion->phase < phase) {
         int side = side_of(motion->place), i = side > 0 ? 0 : 1;
         motion_step(motion, phase - motion->phase);
         if (!side || side_of(motion->place) == side)

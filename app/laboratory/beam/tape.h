@@ -63,7 +63,7 @@ typedef struct BeamTape {
     size_t first, front;  /* cycles: `first` up to but excluding `front` are recorded */
     double front_time;    /* s, beginning of the front's cycle */
     Motion motion;        /* the motion at the front */
-    MotionStatus status;  /* not MOTION_GOOD: the front's cycle could not be followed, and the record has ended */
+    CycleStatus status;   /* not CYCLE_GOOD: the front's cycle could not be followed, and the record has ended */
     unsigned version;     /* changes when recorded cycles are discarded from the end, or all of them */
     unsigned part_serial; /* the serial that was assigned last */
     BeamCarry carry;

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/stop.h"
+#include "beam/beam_cycle.h"
 #include "experiment/beam_experiment.h"
 #include "result/types.h"
 
@@ -15,7 +16,7 @@ bool beam_verdict_decide(BeamVerdict *verdict, const Beam *beam, const Stop *sto
         return false;
     }
     Response response;
-    response_run(&response, &rig, beam, NULL, stop);
+    beam_cycle_respond(&response, &rig, beam, NULL, stop);
     verdict->verdict = response.verdict;
     bool decided = response.verdict != RESPONSE_INTERRUPTED;
     verdict->period = response.orbit.period;

@@ -3,7 +3,7 @@
 
 #include "base/stop.h"
 #include "base/text.h"
-#include "beam/response.h"
+#include "beam/beam_cycle.h"
 #include "result/beam.h"
 #include "study/types.h"
 

@@ -2,6 +2,7 @@
 
 #include <stdio.h>
 
+#include "beam/beam_cycle.h"
 #include "visual/study/measured_marks.h"
 #include "mechanics/spectrum.h"
 
@@ -48,20 +49,20 @@ static const char *note_of(const Given *given) {
 
 /* Returns the first row of the last `cycles` cycles of the trace. */
 static size_t last_rows(const Trace *trace, size_t cycles, size_t *count) {
-    size_t most = cycles * RESPONSE_SAMPLES;
+    size_t most = cycles * BEAM_SAMPLES;
     *count = trace->rows < most ? trace->rows : most;
     return trace->rows - *count;
 }
 
 static double factor_of(size_t column) {
-    return column == RESPONSE_TIME || column == RESPONSE_DEFLECTION ? MILLI : 1;
+    return column == BEAM_TIME || column == BEAM_DEFLECTION ? MILLI : 1;
 }
 
 /* Copies a column of the trace from a row on, scaled for display; time starts at the first displayed cycle. */
 static double *copy_column(const Given *given, size_t column, size_t from, size_t count) {
     const Trace *trace = &given->response->trace;
     double *values = arena_allocate(given->arena, (count + 1) * sizeof *values);
-    double begin = column == RESPONSE_TIME && count ? trace_row(trace, from)[RESPONSE_TIME] : 0;
+    double begin = column == BEAM_TIME && count ? trace_row(trace, from)[BEAM_TIME] : 0;
     for (size_t i = 0; i < count; i++)
         values[i] = factor_of(column) * (trace_row(trace, from + i)[column] - begin);
     return values;
@@ -104,8 +105,8 @@ static void lay_measured(Plot *plot, const Given *given, size_t x, size_t y) {
 static void make_phase(Plot *plot, const Given *given) {
     const Trace *trace = &given->response->trace;
     size_t count, from = last_rows(trace, ORBITS_SHOWN, &count);
-    const double *x = copy_column(given, RESPONSE_DEFLECTION, from, count),
-                 *y = copy_column(given, RESPONSE_VELOCITY, from, count);
+    const double *x = copy_column(given, BEAM_DEFLECTION, from, count),
+                 *y = copy_column(given, BEAM_VELOCITY, from, count);
     bool tangle = given->response->verdict != RESPONSE_PERIODIC;
     plot->title = "Phase plane of the tip";
     plot->x = (PlotAxis){.title = "deflection", .unit = "mm"};
@@ -114,16 +115,16 @@ static void make_phase(Plot *plot, const Given *given) {
     plot->guides[0].name = "contact";
     add_nought(plot, false);
     add_line(plot, x, y, count)->width = tangle ? TANGLE_WIDTH : LINE_WIDTH;
-    add_line(plot, x, y, count ? (count - 1) / RESPONSE_SAMPLES + 1 : 0);
+    add_line(plot, x, y, count ? (count - 1) / BEAM_SAMPLES + 1 : 0);
     PlotSeries *section = &plot->series[plot->series_count - 1];
-    section->stride = RESPONSE_SAMPLES;
+    section->stride = BEAM_SAMPLES;
     section->heading = section->name = "at phase 0 of the drive";
     section->role = ROLE_WALL;
     section->width = 0;
     section->symbol = SYMBOL_DIAMOND;
     section->size = tangle ? SIGN / 1.4 : SIGN;
     plot->series[0].heading = plot->series[0].name = "tip";
-    lay_measured(plot, given, RESPONSE_DEFLECTION, RESPONSE_VELOCITY);
+    lay_measured(plot, given, BEAM_DEFLECTION, BEAM_VELOCITY);
 }
 
 /* A few points say nothing about the size of the motion: they are shown on the axes of the phase plane. */
@@ -132,8 +133,8 @@ static void show_whole_plane(Plot *plot, const Given *given) {
     double edge = MILLI * given->beam->clearance;
     Box reach = {{-edge, 0}, {edge, 0}};
     for (size_t i = 0; i < trace->rows; i++)
-        reach = box_include(
-            reach, vec2(MILLI * trace_row(trace, i)[RESPONSE_DEFLECTION], trace_row(trace, i)[RESPONSE_VELOCITY]));
+        reach =
+            box_include(reach, vec2(MILLI * trace_row(trace, i)[BEAM_DEFLECTION], trace_row(trace, i)[BEAM_VELOCITY]));
     plot->x.low = 1.1 * reach.low.x;
     plot->x.high = 1.1 * reach.high.x;
     plot->y.low = 1.1 * reach.low.y;
@@ -164,7 +165,7 @@ static void make_poincare(Plot *plot, const Given *given) {
         show_whole_plane(plot, given);
     add_clearance(plot, given, true);
     add_nought(plot, false);
-    lay_measured(plot, given, RESPONSE_DEFLECTION, RESPONSE_VELOCITY);
+    lay_measured(plot, given, BEAM_DEFLECTION, BEAM_VELOCITY);
 }
 
 static void make_against_time(Plot *plot, const Given *given, size_t column) {
@@ -172,8 +173,8 @@ static void make_against_time(Plot *plot, const Given *given, size_t column) {
     plot->x = (PlotAxis){.title = "time since phase 0 of the drive", .unit = "ms"};
     plot->x.high = MILLI * (double)CYCLES_SHOWN / given->beam->frequency;
     add_nought(plot, false);
-    add_line(plot, copy_column(given, RESPONSE_TIME, from, count), copy_column(given, column, from, count), count);
-    lay_measured(plot, given, RESPONSE_TIME, column);
+    add_line(plot, copy_column(given, BEAM_TIME, from, count), copy_column(given, column, from, count), count);
+    lay_measured(plot, given, BEAM_TIME, column);
 }
 
 static void make_force(Plot *plot, const Given *given) {
@@ -185,30 +186,30 @@ static void make_force(Plot *plot, const Given *given) {
         snprintf(title, sizeof title, "Force of the joint, peaks %.0f to %.0f N", peaks->min, peaks->max);
     plot->title = arena_text(given->arena, title);
     plot->y = (PlotAxis){.title = "force on the tip, upwards", .unit = "N"};
-    make_against_time(plot, given, RESPONSE_FORCE);
+    make_against_time(plot, given, BEAM_FORCE);
 }
 
 static void make_displacement(Plot *plot, const Given *given) {
     plot->title = "Deflection of the tip";
     plot->y = (PlotAxis){.title = "deflection", .unit = "mm"};
     add_clearance(plot, given, false);
-    make_against_time(plot, given, RESPONSE_DEFLECTION);
+    make_against_time(plot, given, BEAM_DEFLECTION);
 }
 
 static void make_velocity(Plot *plot, const Given *given) {
     plot->title = "Velocity of the tip";
     plot->y = (PlotAxis){.title = "velocity", .unit = "m/s"};
-    make_against_time(plot, given, RESPONSE_VELOCITY);
+    make_against_time(plot, given, BEAM_VELOCITY);
 }
 
 /* Uses whole periods of the motion, so that its lines are not smeared. */
 static Spectrum deflection_spectrum(const Given *given) {
     const Trace *trace = &given->response->trace;
-    size_t cycles = trace->rows / RESPONSE_SAMPLES, period = given->response->orbit.period;
+    size_t cycles = trace->rows / BEAM_SAMPLES, period = given->response->orbit.period;
     if (period && cycles >= period)
         cycles -= cycles % period;
-    double interval = 1 / (given->beam->frequency * RESPONSE_SAMPLES);
-    return spectrum_make(trace->values + RESPONSE_DEFLECTION, cycles * RESPONSE_SAMPLES, trace->width, interval);
+    double interval = 1 / (given->beam->frequency * BEAM_SAMPLES);
+    return spectrum_make(trace->values + BEAM_DEFLECTION, cycles * BEAM_SAMPLES, trace->width, interval);
 }
 
 static void add_multiples(Plot *plot, const Given *given) {
@@ -264,10 +265,10 @@ const char *beam_plots_name(size_t index) {
 }
 
 const MeasuredKind *beam_plots_kinds(size_t *count) {
-    static const MeasuredKind kinds[] = {[RESPONSE_TIME] = {"time", "t", "s"},
-                                         [RESPONSE_DEFLECTION] = {"deflection", "displacement", "m"},
-                                         [RESPONSE_VELOCITY] = {"velocity", "v", "m/s"},
-                                         [RESPONSE_FORCE] = {"force", "F", "N"}};
+    static const MeasuredKind kinds[] = {[BEAM_TIME] = {"time", "t", "s"},
+                                         [BEAM_DEFLECTION] = {"deflection", "displacement", "m"},
+                                         [BEAM_VELOCITY] = {"velocity", "v", "m/s"},
+                                         [BEAM_FORCE] = {"force", "F", "N"}};
     *count = sizeof kinds / sizeof *kinds;
     return kinds;
 }

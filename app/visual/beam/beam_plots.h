@@ -2,7 +2,7 @@
  * recording itself (trace.csv) is in m and s. */
 #pragma once
 
-#include "beam/response.h"
+#include "beam/beam_cycle.h"
 #include "plot/plot.h"
 #include "exchange/measured.h"
 #include "visual/study/plot_choice.h"

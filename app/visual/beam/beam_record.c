@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/memory.h"
+#include "beam/beam_cycle.h"
 
 #define MILLI 1000.0 /* per m and per s, for plots */
 
@@ -27,7 +28,7 @@ static void begin_cycle(BeamRecord *record, size_t cycle) {
 }
 
 static void advance_until(Motion *motion, double phase) {
-    while (motion->status == MOTION_GOOD && motion->phase < phase)
+    while (motion->status == CYCLE_GOOD && motion->phase < phase)
         motion_step(motion, phase - motion->phase);
 }
 
@@ -96,7 +97,7 @@ static void advance_all(BeamRecord *record) {
         begin_cycle(record, cycle);
         note_step(record, side, (double)cycle * period);
         side = side_of(motion->place);
-        while (motion->status == MOTION_GOOD && motion->phase < period) {
+        while (motion->status == CYCLE_GOOD && motion->phase < period) {
             motion_step(motion, period - motion->phase);
             note_step(record, side, (double)cycle * period + motion->phase);
             side = side_of(motion->place);
@@ -122,13 +123,13 @@ const BeamImpact *beam_record_last_impact(const BeamRecord *record, double time,
 /* Finds the largest force or, without contact, the largest deflection. */
 static void find_hardest(BeamRecord *record) {
     const Trace *trace = &record->response->trace;
-    int column = record->largest > 0 ? RESPONSE_FORCE : RESPONSE_DEFLECTION;
+    int column = record->largest > 0 ? BEAM_FORCE : BEAM_DEFLECTION;
     double most = 0;
     for (size_t row = 0; row < trace->rows; row++) {
         const double *values = trace_row(trace, row);
-        if (fabs(values[column]) > most * (1 + ALIKE) && values[RESPONSE_TIME] < record->time) {
+        if (fabs(values[column]) > most * (1 + ALIKE) && values[BEAM_TIME] < record->time) {
             most = fabs(values[column]);
-            record->hardest = values[RESPONSE_TIME];
+            record->hardest = values[BEAM_TIME];
         }
     }
 }

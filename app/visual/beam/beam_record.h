@@ -3,7 +3,7 @@
  * the motion behind the answer, also where it is chaotic: rounding changes a cycle by 1e-12. */
 #pragma once
 
-#include "beam/response.h"
+#include "beam/beam_cycle.h"
 #include "visual/beam/beam_shape.h"
 
 /* The contact with a stop from touch to release. */

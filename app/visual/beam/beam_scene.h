@@ -11,7 +11,7 @@
  *                                                               +---------------+                                  */
 #pragma once
 
-#include "beam/response.h"
+#include "beam/beam_cycle.h"
 #include "draw/scene.h"
 #include "visual/beam/beam_record.h"
 

@@ -1,7 +1,7 @@
 /* A beam's answer and inputs as text, for pictures. */
 #pragma once
 
-#include "beam/response.h"
+#include "beam/beam_cycle.h"
 #include "draw/scene.h"
 
 /* Return "Chaotic: 485 to 989 N at 300 Hz", and one more line about it; they live as long as the scene. */

@@ -1,4 +1,5 @@
 /* The four pens print the same rows. */
+#include "beam/beam_cycle.h"
 #include "check.h"
 
 #include <stdint.h>
@@ -259,7 +260,7 @@ TEST(each_fact_of_a_beam_is_on_terminal_and_panel_and_in_json) {
     snprintf(path, sizeof path, "%s/assets/beams/ibs.json", check_source());
     CHECK(beam_read(&beam, path, (const char *const[]){"drive.frequency=290"}, 1, &fault));
     CHECK(rig_build(&rig, &beam, path, &fault));
-    response_run(&response, &rig, &beam, NULL, NULL);
+    beam_cycle_respond(&response, &rig, &beam, NULL, NULL);
     ResultTable motion = result_beam_motion(&beam, &response), forces = result_beam_forces(&rig, &response);
     json_t *answer = json_object();
     result_json_add(answer, &motion, 0);

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "beam/beam_cycle.h"
 #include "case.h"
 #include "check.h"
 #include "paint/offscreen.h"
@@ -174,7 +175,7 @@ static void paint_phase(unsigned char *pixels) {
     snprintf(path, sizeof path, "%s/assets/beams/ibs.json", check_source());
     CHECK(beam_read(&beam, path, (const char *[]){"drive.frequency=190"}, 1, &fault));
     CHECK(rig_build(&rig, &beam, path, &fault));
-    response_run(&response, &rig, &beam, NULL, NULL);
+    beam_cycle_respond(&response, &rig, &beam, NULL, NULL);
     BeamPlots plots = beam_plots_make(&response, &beam, NULL, &(PlotChoice){{0}, 1});
     paint_plot(&plots.plots[0], pixels, THEME_BOARD);
     beam_plots_free(&plots);
@@ -217,7 +218,7 @@ static void paint_beam(const char *setting, double time, Theme theme, unsigned c
     Rig rig = oscillator_beam_rig("ibs", setting);
     Response response;
     BeamRecord record;
-    response_run(&response, &rig, &beam, NULL, NULL);
+    beam_cycle_respond(&response, &rig, &beam, NULL, NULL);
     beam_record_make(&record, &rig, &response);
     beam_record_sample(&record, (BeamSpan){0, 8 * rig.period, 1 / rig.period});
     BeamFilm *film = beam_film_create(&beam, &rig, &response, &record, 500);

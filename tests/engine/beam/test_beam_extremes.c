@@ -1,8 +1,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "beam/beam_cycle.h"
 #include "beam/lanes.h"
-#include "beam/response.h"
 #include "check.h"
 #include "scratch.h"
 #include "oscillator.h"
@@ -65,13 +65,13 @@ TEST(an_undamped_mode_driven_near_its_own_frequency_grows_and_at_it_diverges) {
         double omega = 1 + off[i];
         rig_drive(&rig, omega / (2 * M_PI), 1);
         Motion motion = motion_create(&rig, 0);
-        MotionStatus status = MOTION_GOOD;
+        CycleStatus status = CYCLE_GOOD;
         for (int cycle = 0; cycle < 10; cycle++)
             status = motion_cycle(&motion);
         if (off[i] < 1e-8) {
-            CHECK(status == MOTION_DIVERGED);
+            CHECK(status == CYCLE_DIVERGED);
         } else {
-            CHECK(status == MOTION_GOOD);
+            CHECK(status == CYCLE_GOOD);
             CHECK_NEAR(motion_deflection(&motion), -omega * sin(20 * M_PI / omega) / (1 - omega * omega), 1e-6);
         }
         motion_destroy(&motion);
@@ -92,7 +92,7 @@ static double shared_apart(const char *const *settings, size_t count, double fre
     for (int i = 0; i < 2; i++) {
         LanesRun run = {.frequency = frequency, .force = force, .clearance = clearance, .cycles = 20, .end = end[i]};
         lanes_run(&rigs[i], &run, 1, NULL);
-        CHECK(run.status == MOTION_GOOD && run.recorded == 20);
+        CHECK(run.status == CYCLE_GOOD && run.recorded == 20);
     }
     for (size_t i = 0; i < rigs[0].free.states; i++) {
         difference += (end[0][i] - end[1][i]) * (end[0][i] - end[1][i]);
@@ -120,7 +120,7 @@ TEST(runs_of_a_rig_that_was_made_for_a_slower_drive_are_as_exact) {
 static void fine_cycle(Motion *motion) {
     const double longest = motion->rig->cell / 37, shortest = motion->rig->cell / 1e4;
     double step = shortest, period = motion->rig->period;
-    while (motion->phase < period && motion->status == MOTION_GOOD) {
+    while (motion->phase < period && motion->status == CYCLE_GOOD) {
         size_t switches = motion->switches;
         motion_step(motion, fmin(step, period - motion->phase));
         step = motion->switches == switches ? fmin(1.3 * step, longest) : shortest;
@@ -156,7 +156,7 @@ static Apart step_apart(const char *const *settings, size_t count) {
     for (int i = 0; i < 40; i++) {
         motion.peak[0] = motion.peak[1] = 0;
         motion_copy(&fine, &motion);
-        CHECK(motion_cycle(&motion) == MOTION_GOOD);
+        CHECK(motion_cycle(&motion) == CYCLE_GOOD);
         fine_cycle(&fine);
         compare(&motion, &fine, &apart);
     }
@@ -238,14 +238,14 @@ static double misplaced(const char *const *settings, size_t count, int cycles) {
     Motion motion = motion_create(&rig, 0);
     double worst = 0;
     for (int i = 0; i < cycles; i++) {
-        while (motion.phase < rig.period && motion.status == MOTION_GOOD) {
+        while (motion.phase < rig.period && motion.status == CYCLE_GOOD) {
             MotionPlace before = motion.place;
             motion_step(&motion, rig.period - motion.phase);
             double depth = fabs(motion_deflection(&motion)) - rig.clearance;
             bool inside = motion.place != MOTION_OPEN, crossed = inside != (before != MOTION_OPEN);
             worst = fmax(worst, crossed ? fabs(depth) : inside ? -depth : depth);
         }
-        CHECK(motion_cycle(&motion) == MOTION_GOOD);
+        CHECK(motion_cycle(&motion) == CYCLE_GOOD);
     }
     motion_destroy(&motion);
     double clearance = rig.clearance;
@@ -291,7 +291,7 @@ TEST(a_drive_faster_than_the_modes_switches_at_the_wall) {
     Motion motion = motion_create(&rig, 0);
     motion_set_state(&motion, (double[]){33e-6, 69e-6});
     double largest = 0, crossing = 0;
-    while (motion.phase < rig.period && motion.status == MOTION_GOOD) {
+    while (motion.phase < rig.period && motion.status == CYCLE_GOOD) {
         bool lower = motion.place == MOTION_LOWER || motion.place == MOTION_LOWER_LEAVING;
         motion_step(&motion, rig.period - motion.phase);
         double deflection = fabs(motion_deflection(&motion));
@@ -313,7 +313,7 @@ TEST(a_beam_without_a_force_rests_between_walls_that_touch_it) {
         Beam beam = changed(settings[release], 3), same = changed(settings[release], 3);
         Rig rig = rig_of(&same);
         Response response;
-        response_run(&response, &rig, &beam, NULL, NULL);
+        beam_cycle_respond(&response, &rig, &beam, NULL, NULL);
         CHECK_TEXT(response_verdict_name(response.verdict), "periodic");
         CHECK(response.orbit.period == 1 && response.peaks.max == 0);
         response_clear(&response);

@@ -16,9 +16,9 @@ static void run_alone(const Rig *rig, LanesRun *run) {
     if (run->start)
         motion_set_state(&motion, run->start);
     run->recorded = 0;
-    for (int i = 0; i < TRANSIENT + CYCLES && motion.status == MOTION_GOOD; i++) {
+    for (int i = 0; i < TRANSIENT + CYCLES && motion.status == CYCLE_GOOD; i++) {
         motion.peak[0] = motion.peak[1] = 0;
-        if (motion_cycle(&motion) == MOTION_GOOD && i >= TRANSIENT) {
+        if (motion_cycle(&motion) == CYCLE_GOOD && i >= TRANSIENT) {
             memcpy(run->peak + 2 * run->recorded, motion.peak, sizeof motion.peak);
             motion_state(&motion, run->section + run->recorded++ * states);
         }

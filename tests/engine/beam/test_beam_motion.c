@@ -96,7 +96,7 @@ TEST(an_orbit_without_impacts_is_there_exactly_when_the_steady_amplitude_is_belo
             Motion motion = motion_create(&rig, 0);
             motion_set_state(&motion, state);
             for (int i = 0; i < 20; i++)
-                CHECK(motion_cycle(&motion) == MOTION_GOOD);
+                CHECK(motion_cycle(&motion) == CYCLE_GOOD);
             CHECK((motion.switches > 0) == above);
             motion_destroy(&motion);
         }
@@ -257,7 +257,7 @@ static void check_energy(const char *setting, int release) {
             if (motion.switches != switches) /* a spring released before it has recovered keeps its energy */
                 lost += spring_energy(&motion, before.place) - spring_energy(&motion, motion.place);
         }
-        CHECK(motion_cycle(&motion) == MOTION_GOOD);
+        CHECK(motion_cycle(&motion) == CYCLE_GOOD);
     }
     double change = stored_energy(&motion, state) - begin;
     CHECK(work > 100);
@@ -284,9 +284,9 @@ TEST(switches_that_never_end_are_bounded_and_said) {
     Rig rig = oscillator_rig(&mass);
     Motion motion = motion_create(&rig, 0);
     motion_set_state(&motion, (double[]){0, 1});
-    CHECK(motion_cycle(&motion) == MOTION_CHATTERS);
+    CHECK(motion_cycle(&motion) == CYCLE_CHATTERS);
     CHECK(motion.switches == MOTION_SWITCHES_MOST + 1);
-    CHECK(motion_cycle(&motion) == MOTION_CHATTERS);
+    CHECK(motion_cycle(&motion) == CYCLE_CHATTERS);
     CHECK(motion.switches == MOTION_SWITCHES_MOST + 1);
     motion_destroy(&motion);
     rig_clear(&rig);
@@ -298,7 +298,7 @@ TEST(with_no_clearance_there_is_always_contact) {
         rig.release = release;
         Motion motion = motion_create(&rig, 0);
         for (int i = 0; i < 100; i++) {
-            CHECK(motion_cycle(&motion) == MOTION_GOOD);
+            CHECK(motion_cycle(&motion) == CYCLE_GOOD);
             CHECK(motion.place != MOTION_OPEN);
         }
         CHECK(motion.switches > 100);

@@ -3,7 +3,7 @@
 
 #include "base/memory.h"
 #include "base/stop.h"
-#include "beam/response.h"
+#include "beam/beam_cycle.h"
 #include "check.h"
 #include "oscillator.h"
 
@@ -17,15 +17,16 @@ static void check_derivative(const char *setting, int release) {
     double start[STATES_MOST], along[STATES_MOST], up[STATES_MOST], down[STATES_MOST];
     double *derivative = memory_zeroed(states * states, sizeof *derivative);
     oscillator_start(&rig, 3, start);
-    CHECK(orbit_map(&rig, start, 40, NULL, NULL) == ORBIT_GOOD);
+    CHECK(orbit_map(beam_cycle_of(&rig), start, 40, NULL, NULL) == ORBIT_GOOD);
     oscillator_start(&rig, 4, along);
     const double small = 1e-6;
     for (size_t i = 0; i < states; i++) {
         up[i] = start[i] + small * along[i];
         down[i] = start[i] - small * along[i];
     }
-    CHECK(orbit_map(&rig, start, 3, derivative, NULL) == ORBIT_GOOD);
-    CHECK(orbit_map(&rig, up, 3, NULL, NULL) == ORBIT_GOOD && orbit_map(&rig, down, 3, NULL, NULL) == ORBIT_GOOD);
+    CHECK(orbit_map(beam_cycle_of(&rig), start, 3, derivative, NULL) == ORBIT_GOOD);
+    CHECK(orbit_map(beam_cycle_of(&rig), up, 3, NULL, NULL) == ORBIT_GOOD &&
+          orbit_map(beam_cycle_of(&rig), down, 3, NULL, NULL) == ORBIT_GOOD);
     double apart = 0, length = 0;
     for (size_t i = 0; i < states; i++) {
         double exact = 0, difference = (up[i] - down[i]) / (2 * small);
@@ -52,14 +53,14 @@ TEST(newtons_orbit_is_found_from_nearby_and_repeats) {
     Rig rig = oscillator_beam_rig("ibs", "drive.frequency=290");
     double start[STATES_MOST], again[STATES_MOST];
     oscillator_start(&rig, 1, start);
-    CHECK(orbit_map(&rig, start, 100, NULL, NULL) == ORBIT_GOOD);
+    CHECK(orbit_map(beam_cycle_of(&rig), start, 100, NULL, NULL) == ORBIT_GOOD);
     Orbit orbit;
-    CHECK(orbit_find(&orbit, &rig, start, 1, NULL) == ORBIT_GOOD);
+    CHECK(orbit_find(&orbit, beam_cycle_of(&rig), start, 1, NULL) == ORBIT_GOOD);
     CHECK(orbit.error < 1e-11);
     CHECK(orbit_is_stable(&orbit));
     memcpy(again, orbit.point, orbit.states * sizeof *again);
-    CHECK(orbit_map(&rig, again, 5, NULL, NULL) == ORBIT_GOOD);
-    CHECK_NEAR(orbit_distance(&orbit, &rig, again), 0, 1e-10);
+    CHECK(orbit_map(beam_cycle_of(&rig), again, 5, NULL, NULL) == ORBIT_GOOD);
+    CHECK_NEAR(orbit_distance(&orbit, beam_cycle_of(&rig), again), 0, 1e-10);
     orbit_clear(&orbit);
     rig_clear(&rig);
 }
@@ -67,11 +68,11 @@ TEST(newtons_orbit_is_found_from_nearby_and_repeats) {
 TEST(a_search_that_is_stopped_finds_nothing) {
     Rig rig = oscillator_beam_rig("ibs", "drive.frequency=290");
     double state[STATES_MOST] = {0};
-    CHECK(orbit_map(&rig, state, 100, NULL, NULL) == ORBIT_GOOD);
+    CHECK(orbit_map(beam_cycle_of(&rig), state, 100, NULL, NULL) == ORBIT_GOOD);
     Stop stop = {1};
     Orbit orbit;
-    CHECK(orbit_find(&orbit, &rig, state, 1, &stop) == ORBIT_INTERRUPTED && !orbit.point);
-    CHECK(orbit_map(&rig, state, 1, NULL, &stop) == ORBIT_INTERRUPTED);
+    CHECK(orbit_find(&orbit, beam_cycle_of(&rig), state, 1, &stop) == ORBIT_INTERRUPTED && !orbit.point);
+    CHECK(orbit_map(beam_cycle_of(&rig), state, 1, NULL, &stop) == ORBIT_INTERRUPTED);
     rig_clear(&rig);
 }
 
@@ -79,15 +80,16 @@ TEST(a_search_that_is_stopped_finds_nothing) {
 TEST(the_largest_multiplier_is_how_fast_the_orbit_is_approached) {
     Rig rig = oscillator_beam_rig("ibs", "drive.frequency=20");
     double state[STATES_MOST] = {0};
-    CHECK(orbit_map(&rig, state, 300, NULL, NULL) == ORBIT_GOOD);
+    CHECK(orbit_map(beam_cycle_of(&rig), state, 300, NULL, NULL) == ORBIT_GOOD);
     Orbit orbit;
-    CHECK(orbit_find(&orbit, &rig, state, 2, NULL) == ORBIT_GOOD);
+    CHECK(orbit_find(&orbit, beam_cycle_of(&rig), state, 2, NULL) == ORBIT_GOOD);
     for (size_t i = 0; i < orbit.states; i++)
         state[i] = orbit.point[i] * (1 + 1e-4);
-    CHECK(orbit_map(&rig, state, 6, NULL, NULL) == ORBIT_GOOD); /* until only the slowest is left */
-    double before = orbit_distance(&orbit, &rig, state);
-    CHECK(orbit_map(&rig, state, 4, NULL, NULL) == ORBIT_GOOD);
-    CHECK_NEAR(orbit_distance(&orbit, &rig, state) / before, orbit.largest * orbit.largest, 0.05 * orbit.largest);
+    CHECK(orbit_map(beam_cycle_of(&rig), state, 6, NULL, NULL) == ORBIT_GOOD); /* until only the slowest is left */
+    double before = orbit_distance(&orbit, beam_cycle_of(&rig), state);
+    CHECK(orbit_map(beam_cycle_of(&rig), state, 4, NULL, NULL) == ORBIT_GOOD);
+    CHECK_NEAR(orbit_distance(&orbit, beam_cycle_of(&rig), state) / before, orbit.largest * orbit.largest,
+               0.05 * orbit.largest);
     orbit_clear(&orbit);
     rig_clear(&rig);
 }
@@ -99,7 +101,7 @@ static Response respond(const char *name, const char *setting, unsigned start) {
     double state[STATES_MOST];
     Response response;
     oscillator_start(&rig, start, state);
-    response_run(&response, &rig, &beam, state, NULL);
+    beam_cycle_respond(&response, &rig, &beam, state, NULL);
     rig_clear(&rig);
     beam_free(&beam);
     return response;
@@ -112,13 +114,13 @@ TEST(released_at_the_gap_the_peak_is_little_higher_and_the_verdict_the_same) {
     Rig rig;
     CHECK(rig_build(&rig, &beam, "ibs", &fault));
     Response response;
-    response_run(&response, &rig, &beam, NULL, NULL);
+    beam_cycle_respond(&response, &rig, &beam, NULL, NULL);
     CHECK(response.verdict == RESPONSE_PERIODIC && response.orbit.period == 1);
     CHECK_NEAR(response.peaks.max, 571.5, 1);
     response_clear(&response);
     beam.frequency = 300;
     rig_drive(&rig, 300, beam.force);
-    response_run(&response, &rig, &beam, NULL, NULL);
+    beam_cycle_respond(&response, &rig, &beam, NULL, NULL);
     CHECK(response.verdict == RESPONSE_CHAOTIC);
     response_clear(&response);
     rig_clear(&rig);
@@ -140,7 +142,7 @@ TEST(a_response_that_is_stopped_says_nothing_of_periods) {
     Rig rig = oscillator_beam_rig("ibs", NULL);
     Stop stop = {1};
     Response response;
-    response_run(&response, &rig, &beam, NULL, &stop);
+    beam_cycle_respond(&response, &rig, &beam, NULL, &stop);
     CHECK(response.verdict == RESPONSE_INTERRUPTED);
     CHECK(response.section.count == 0 && response.trace.rows == 0);
     response_clear(&response);
@@ -151,10 +153,10 @@ TEST(a_response_that_is_stopped_says_nothing_of_periods) {
 TEST(the_trace_holds_the_peaks_force_and_no_force_inside_the_clearance) {
     Response response = respond("ibs", "drive.frequency=190", 0);
     double largest = 0;
-    CHECK(response.trace.rows == (size_t)RESPONSE_TRACE_CYCLES * RESPONSE_SAMPLES);
+    CHECK(response.trace.rows == (size_t)RESPONSE_TRACE_CYCLES * BEAM_SAMPLES);
     for (size_t row = 0; row < response.trace.rows; row++) {
         const double *at = trace_row(&response.trace, row);
-        CHECK_NEAR(at[0], (double)row / 190 / RESPONSE_SAMPLES, 1e-12);
+        CHECK_NEAR(at[0], (double)row / 190 / BEAM_SAMPLES, 1e-12);
         CHECK(fabs(at[1]) > 0.127e-3 || at[3] == 0);
         largest = fmax(largest, fabs(at[3]));
     }
@@ -169,7 +171,7 @@ TEST(a_beam_that_comes_to_rest_is_periodic) {
     double start[STATES_MOST];
     oscillator_start(&rig, 1, start);
     Response response;
-    response_run(&response, &rig, &beam, start, NULL);
+    beam_cycle_respond(&response, &rig, &beam, start, NULL);
     CHECK_TEXT(response_verdict_name(response.verdict), "periodic");
     CHECK(response.orbit.period == 1);
     CHECK(response.peaks.max == 0);

@@ -12,7 +12,7 @@ static double apart_after(const char *setting, double frequency, int cycles, dou
     Motion motion = motion_create(&rig, 0);
     Peer *peer = peer_create(&rig, start, tolerance);
     for (int i = 0; i < cycles; i++) {
-        CHECK(motion_cycle(&motion) == MOTION_GOOD);
+        CHECK(motion_cycle(&motion) == CYCLE_GOOD);
         peer_cycle(peer);
     }
     motion_state(&motion, state);

@@ -1,7 +1,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "beam/response.h"
+#include "beam/beam_cycle.h"
 #include "check.h"
 #include "oscillator.h"
 
@@ -39,7 +39,7 @@ static Response respond(const Rig *rig, const Beam *beam, unsigned start) {
     double state[STATES_MOST];
     Response response;
     oscillator_start(rig, start, state);
-    response_run(&response, rig, beam, state, NULL);
+    beam_cycle_respond(&response, rig, beam, state, NULL);
     return response;
 }
 
@@ -112,8 +112,9 @@ TEST(what_set_r_does_at_290_hz_depends_on_the_start) {
 static SectionPeaks watch_peaks(Motion *motion, int cycles) {
     Section section = {0};
     motion->peak[0] = motion->peak[1] = 0;
-    for (int i = 0; i < cycles && motion_cycle(motion) == MOTION_GOOD; i++)
-        section_add(&section, motion);
+    CycleMotion same = beam_cycle_motion(motion);
+    for (int i = 0; i < cycles && motion_cycle(motion) == CYCLE_GOOD; i++)
+        section_add(&section, &same);
     SectionPeaks peaks = section_peaks(&section);
     section_clear(&section);
     return peaks;

@@ -5,8 +5,8 @@
 #include <unistd.h>
 
 #include "base/stop.h"
+#include "beam/beam_cycle.h"
 #include "beam/lanes.h"
-#include "beam/response.h"
 #include "check.h"
 #include "laboratory/beam/tape.h"
 #include "oscillator.h"
@@ -51,7 +51,7 @@ TEST(the_record_goes_through_the_state_in_which_the_response_is_recorded) {
     Response response;
     Stop stop = {0};
     beam.cycles = 1;
-    response_run(&response, &rig, &beam, NULL, &stop);
+    beam_cycle_respond(&response, &rig, &beam, NULL, &stop);
     CHECK(beam_tape_open(&tape, &beam, "ibs-r", &fault));
     for (int i = 0; i < beam.transient_cycles; i++)
         beam_tape_advance(&tape);

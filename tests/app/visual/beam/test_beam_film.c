@@ -1,6 +1,7 @@
 /* Tests films of a beam: a picture shows the motion at its time, magnified as stated, regardless of earlier
  * pictures. */
 
+#include "beam/beam_cycle.h"
 #include "draw/caption.h"
 #include "visual/beam/beam_film.h"
 
@@ -27,7 +28,7 @@ typedef struct Shown {
 
 static void show(Shown *shown, const char *setting, double first, double last) {
     *shown = (Shown){.beam = oscillator_beam("ibs", setting), .rig = oscillator_beam_rig("ibs", setting)};
-    response_run(&shown->response, &shown->rig, &shown->beam, NULL, NULL);
+    beam_cycle_respond(&shown->response, &shown->rig, &shown->beam, NULL, NULL);
     beam_record_make(&shown->record, &shown->rig, &shown->response);
     beam_record_sample(&shown->record, (BeamSpan){first, last, RATE});
     shown->scale = beam_scene_scale(&shown->beam, shown->record.reach, shown->record.tip_reach);
@@ -211,7 +212,7 @@ TEST(the_film_follows_the_run_that_the_answer_rests_on) {
     Shown shown;
     show(&shown, "drive.frequency=300", 0, 0.02);
     const Trace *trace = &shown.response.trace;
-    CHECK(shown.record.cycles == 100 && trace->rows == 100 * RESPONSE_SAMPLES);
+    CHECK(shown.record.cycles == 100 && trace->rows == 100 * BEAM_SAMPLES);
     for (size_t row = 0; row < trace->rows; row += 97) {
         const double *values = trace_row(trace, row);
         beam_record_seek(&shown.record, values[0]);

@@ -1,3 +1,4 @@
+#include "beam/beam_cycle.h"
 #include "check.h"
 
 #include <string.h>
@@ -15,7 +16,7 @@ static void run_beam(Response *response, Beam *beam, const char *setting) {
     *beam = (Beam){0};
     CHECK(beam_read(beam, scratch_source("assets/beams/ibs.json"), &setting, 1, &fault));
     CHECK(rig_build(&rig, beam, "beam", &fault));
-    response_run(response, &rig, beam, NULL, NULL);
+    beam_cycle_respond(response, &rig, beam, NULL, NULL);
     rig_clear(&rig);
 }
 
@@ -39,7 +40,7 @@ TEST(plots_show_the_trace_in_mm_and_ms_and_live_without_it) {
     Beam beam;
     Response response;
     run_beam(&response, &beam, "drive.frequency=300");
-    size_t last = response.trace.rows - 1, shown = 8 * RESPONSE_SAMPLES;
+    size_t last = response.trace.rows - 1, shown = 8 * BEAM_SAMPLES;
     double row[4];
     memcpy(row, trace_row(&response.trace, last), sizeof row);
     BeamPlots plots = beam_plots_make(&response, &beam, NULL, &ALL);
@@ -48,12 +49,12 @@ TEST(plots_show_the_trace_in_mm_and_ms_and_live_without_it) {
     const PlotSeries *force = &find_plot(&plots, "force")->series[0];
     CHECK(force->count == shown);
     CHECK_NEAR(plot_value(force, 0).x, 0, 0);
-    CHECK_NEAR(plot_value(force, shown - 1).x, (8 - 1.0 / RESPONSE_SAMPLES) * 1000 / 300, 1e-9);
+    CHECK_NEAR(plot_value(force, shown - 1).x, (8 - 1.0 / BEAM_SAMPLES) * 1000 / 300, 1e-9);
     CHECK_NEAR(plot_value(force, shown - 1).y, row[3], 0);
     const PlotSeries *tip = &find_plot(&plots, "phase")->series[0];
     CHECK_NEAR(plot_value(tip, tip->count - 1).x, 1000 * row[1], 0);
     CHECK_NEAR(plot_value(tip, tip->count - 1).y, row[2], 0);
-    CHECK(analysed >= RESPONSE_CYCLES_LEAST && find_plot(&plots, "poincare")->series[0].count == analysed);
+    CHECK(analysed >= BEAM_CYCLES_LEAST && find_plot(&plots, "poincare")->series[0].count == analysed);
     beam_plots_free(&plots);
     beam_free(&beam);
 }

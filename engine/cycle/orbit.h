@@ -1,5 +1,4 @@
-/* Periodic orbits, found and certified on the Poincare map x -> P(x), one cycle of the drive from phase 0 to phase
- * 0.
+/* Periodic orbits, found and certified on the Poincare map x -> P(x), one cycle.
  *
  * Newton's iteration on P^p(x) = x with the exact derivative (tangents with saltation) finds stable and unstable
  * orbits; an orbit is stable if the eigenvalues of the derivative, its multipliers, lie inside the unit circle. */
@@ -9,7 +8,7 @@
 #include <stddef.h>
 
 #include "base/stop.h"
-#include "beam/motion.h"
+#include "cycle/cycle.h"
 
 enum { ORBIT_PERIOD_MOST = 16 /* cycles */ };
 
@@ -29,7 +28,7 @@ typedef enum OrbitAnswer {
 typedef struct Orbit {
     size_t period; /* cycles */
     size_t states;
-    double *point;                         /* (states) at phase 0 */
+    double *point;                         /* (states) at the cycle's end */
     double *multiplier_re, *multiplier_im; /* (states) in order of decreasing magnitude */
     double largest;                        /* |multiplier| */
     OrbitLeaving leaving;                  /* the bifurcation that the largest multiplier is nearest to */
@@ -38,17 +37,17 @@ typedef struct Orbit {
 
 /* Runs Newton's iteration from `start` (states) for an orbit of `period` cycles or of a divisor of it. There is
  * an orbit, which orbit_clear releases, only with ORBIT_GOOD. `stop` NULL: never. */
-__attribute__((warn_unused_result)) OrbitAnswer orbit_find(Orbit *orbit, const Rig *rig, const double *start,
+__attribute__((warn_unused_result)) OrbitAnswer orbit_find(Orbit *orbit, Cycle cycle, const double *start,
                                                            size_t period, const Stop *stop);
 
 /* True if all multipliers lie inside the unit circle. */
 bool orbit_is_stable(const Orbit *orbit);
 
-/* Returns the distance of a state from the orbit's nearest point at phase 0, as a fraction of that point's length;
- * sqrt(J). */
-double orbit_distance(const Orbit *orbit, const Rig *rig, const double *state);
+/* Returns the distance of a state from the orbit's nearest point at a cycle's end, as a fraction of that point's
+ * length. */
+double orbit_distance(const Orbit *orbit, Cycle cycle, const double *state);
 
 void orbit_clear(Orbit *orbit);
 
 /* Computes P^cycles(x) into `state` and, unless NULL, its derivative (states x states, column by column). */
-OrbitAnswer orbit_map(const Rig *rig, double *state, size_t cycles, double *derivative, const Stop *stop);
+OrbitAnswer orbit_map(Cycle cycle, double *state, size_t cycles, double *derivative, const Stop *stop);

@@ -1,4 +1,4 @@
-#include "beam/chaos.h"
+#include "cycle/chaos.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -17,12 +17,13 @@ static double dot(const double *a, const double *b, size_t count) {
     return sum;
 }
 
-void chaos_renew_tangents(Motion *motion, double *growth) {
-    size_t states = motion->rig->free.states;
+void chaos_renew_tangents(CycleMotion *motion, double *growth) {
+    const CycleKind *kind = motion->cycle.kind;
+    size_t states = motion->states;
     double *all = memory_zeroed(motion->tangents * states, sizeof *all);
     for (size_t t = 0; t < motion->tangents; t++) {
         double *own = all + t * states;
-        motion_tangent(motion, t, own);
+        kind->tangent(motion->own, t, own);
         for (int twice = 0; twice < 2; twice++)
             for (size_t s = 0; s < t; s++) {
                 double along = dot(own, all + s * states, states);
@@ -33,7 +34,7 @@ void chaos_renew_tangents(Motion *motion, double *growth) {
         growth[t] += real_log(length);
         for (size_t i = 0; i < states; i++)
             own[i] /= length;
-        motion_set_tangent(motion, t, own);
+        kind->set_tangent(motion->own, t, own);
     }
     memory_free(all);
 }
@@ -52,14 +53,6 @@ ChaosExponent chaos_exponent(const double *growth, size_t count) {
         variance += (batch - mean) * (batch - mean) / (CHAOS_BATCHES - 1);
     }
     return (ChaosExponent){mean, sqrt(variance / CHAOS_BATCHES)};
-}
-
-double chaos_exponent_sum(const Rig *rig, double contact_share) {
-    const Modes *modes = &rig->modes;
-    double sum = 0;
-    for (size_t i = 0; i < modes->count; i++)
-        sum -= modes->damping[i * modes->count + i] + contact_share * rig->damping * modes->tip[i] * modes->tip[i];
-    return sum;
 }
 
 /* The 0-1 test ---------------------------------------------------------------------------------------------------- */

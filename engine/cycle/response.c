@@ -1,4 +1,4 @@
-#include "beam/response.h"
+#include "cycle/response.h"
 
 #include <math.h>
 
@@ -21,11 +21,6 @@ enum { ZERO_ONE_CYCLES = 4000 };
 /* Fraction of the state's length: a motion this close to an orbit has settled on it. */
 static const double SETTLED = 1e-3;
 
-static const TraceColumn columns[] = {[RESPONSE_TIME] = {"time", "s"},
-                                      [RESPONSE_DEFLECTION] = {"displacement", "m"},
-                                      [RESPONSE_VELOCITY] = {"velocity", "m/s"},
-                                      [RESPONSE_FORCE] = {"force", "N"}};
-
 const char *response_verdict_name(ResponseVerdict verdict) {
     static const char *const names[] = {"periodic", "chaotic", "unresolved", "chatters", "diverged", "interrupted"};
     return names[verdict];
@@ -33,7 +28,7 @@ const char *response_verdict_name(ResponseVerdict verdict) {
 
 /* A motion and the data for its verdict. */
 typedef struct Watch {
-    Motion motion;
+    CycleMotion motion;
     const Stop *stop;
     double *growth; /* (analysed.count) logarithm of the tangent's growth in each cycle */
     size_t growth_capacity;
@@ -41,21 +36,22 @@ typedef struct Watch {
 } Watch;
 
 static bool goes_on(const Watch *watch) {
-    return watch->motion.status == MOTION_GOOD && !stop_requested(watch->stop);
+    return cycle_status(&watch->motion) == CYCLE_GOOD && !stop_requested(watch->stop);
 }
 
 static void pass_transient(Watch *watch, int cycles) {
     double growth = 0;
     for (int i = 0; i < cycles && goes_on(watch); i++) {
-        motion_cycle(&watch->motion);
+        cycle_run(&watch->motion);
         chaos_renew_tangents(&watch->motion, &growth);
     }
-    watch->motion.peak[0] = watch->motion.peak[1] = 0;
+    double *peak = watch->motion.cycle.kind->peaks(watch->motion.own);
+    peak[0] = peak[1] = 0;
 }
 
 /* Records the cycle that has just ended. */
 static void note_cycle(Watch *watch) {
-    if (watch->motion.status != MOTION_GOOD)
+    if (cycle_status(&watch->motion) != CYCLE_GOOD)
         return;
     size_t at = watch->analysed.count;
     section_add(&watch->analysed, &watch->motion);
@@ -64,62 +60,60 @@ static void note_cycle(Watch *watch) {
     chaos_renew_tangents(&watch->motion, &watch->growth[at]);
 }
 
-static void add_sample(Trace *trace, const Motion *motion, double time) {
-    trace_add(trace, (double[]){time, motion_deflection(motion), motion_velocity(motion), motion_force(motion)});
-}
-
 /* Adds one cycle to the trace, in as many parts as it has samples. */
-static void trace_cycle(Trace *trace, Motion *motion, size_t cycle) {
-    double period = motion->rig->period;
-    for (int sample = 0; sample < RESPONSE_SAMPLES; sample++) {
-        double until = period * (sample + 1) / RESPONSE_SAMPLES;
-        add_sample(trace, motion, (double)cycle * period + period * sample / RESPONSE_SAMPLES);
-        while (motion->status == MOTION_GOOD && motion->phase < until)
-            motion_step(motion, until - motion->phase);
+static void trace_cycle(Trace *trace, CycleMotion *motion, size_t cycle) {
+    const CycleKind *kind = motion->cycle.kind;
+    double period = cycle_period(motion->cycle), *row = memory_zeroed(kind->column_count, sizeof *row);
+    for (int part = 0; part < kind->samples; part++) {
+        row[0] = (double)cycle * period + period * part / kind->samples;
+        kind->sample(motion->own, part, row);
+        trace_add(trace, row);
     }
-    motion_cycle(motion);
+    memory_free(row);
+    cycle_run(motion);
 }
 
 static void record(Response *response, Watch *watch, int cycles) {
-    Motion *motion = &watch->motion;
-    size_t switches = motion->switches, grazes = motion->grazes;
-    double contact_time = motion->contact_time;
+    CycleMotion *motion = &watch->motion;
+    const CycleKind *kind = motion->cycle.kind;
+    CycleTally before = kind->tally(motion->own);
     response->digest = DIGEST_START;
-    response->start = memory_zeroed(motion->rig->free.states, sizeof *response->start);
-    motion_state(motion, response->start);
+    response->start = memory_zeroed(motion->states, sizeof *response->start);
+    kind->state(motion->own, response->start);
     for (int i = 0; i < cycles && goes_on(watch); i++) {
         if (i < RESPONSE_TRACE_CYCLES)
             trace_cycle(&response->trace, motion, (size_t)i);
         else
-            motion_cycle(motion);
-        if (motion->status == MOTION_GOOD)
+            cycle_run(motion);
+        if (cycle_status(motion) == CYCLE_GOOD)
             section_add(&response->section, motion);
-        for (size_t side = 0; motion->status == MOTION_GOOD && side < 2; side++)
-            motion->peak[side] = response->section.peak[2 * (response->section.count - 1) + side];
+        for (size_t side = 0; cycle_status(motion) == CYCLE_GOOD && side < CYCLE_SIDES; side++)
+            kind->peaks(motion->own)[side] = response->section.peak[2 * (response->section.count - 1) + side];
         note_cycle(watch);
     }
     const Section *section = &response->section;
     for (size_t i = 0; i < section->count * section->states; i++)
         response->digest = digest_mix(response->digest, section->state[i]);
     response->peaks = section_peaks(section);
+    CycleTally after = kind->tally(motion->own);
     double seen = fmax(1, (double)section->count);
-    response->switches = (double)(motion->switches - switches) / seen;
-    response->contact_share = (motion->contact_time - contact_time) / (seen * motion->rig->period);
-    response->grazes = motion->grazes - grazes;
+    response->switches = (double)(after.switches - before.switches) / seen;
+    response->contact_share = (after.contact_time - before.contact_time) / (seen * cycle_period(motion->cycle));
+    response->grazes = after.grazes - before.grazes;
 }
 
 /* Replaces an orbit found with a multiple of its period by the orbit with its own period. Returns false if
  * interrupted. */
-static bool reduce_period(Orbit *orbit, const Rig *rig, const Stop *stop) {
+static bool reduce_period(Orbit *orbit, Cycle cycle, const Stop *stop) {
     for (size_t period = 1; period < orbit->period; period++) {
         Orbit shorter;
         OrbitAnswer answer =
-            orbit->period % period ? ORBIT_NONE : orbit_find(&shorter, rig, orbit->point, period, stop);
+            orbit->period % period ? ORBIT_NONE : orbit_find(&shorter, cycle, orbit->point, period, stop);
         if (answer == ORBIT_INTERRUPTED)
             return false;
         if (answer == ORBIT_NONE)
             continue;
-        if (orbit_distance(&shorter, rig, orbit->point) < SETTLED) {
+        if (orbit_distance(&shorter, cycle, orbit->point) < SETTLED) {
             orbit_clear(orbit);
             *orbit = shorter;
             return true;
@@ -141,21 +135,21 @@ static bool tangent_grows(const Watch *watch) {
 /* Finds the stable orbit near the motion. */
 static OrbitAnswer find_orbit(Response *response, const Watch *watch) {
     const Section *seen = &watch->analysed;
-    const Rig *rig = watch->motion.rig;
-    double rest = rig_rest_state(rig);
+    Cycle cycle = watch->motion.cycle;
+    double rest = cycle_rest_state(cycle);
     if (tangent_grows(watch))
         return ORBIT_NONE;
     for (size_t period = 1; period <= ORBIT_PERIOD_MOST && period < seen->count; period++) {
         Orbit orbit;
         OrbitAnswer answer = section_return(seen, period, rest) > NEAR_RETURN
                                  ? ORBIT_NONE
-                                 : orbit_find(&orbit, rig, section_last(seen), period, watch->stop);
+                                 : orbit_find(&orbit, cycle, section_last(seen), period, watch->stop);
         if (answer == ORBIT_INTERRUPTED)
             return ORBIT_INTERRUPTED;
         if (answer == ORBIT_NONE)
             continue;
-        if (orbit_is_stable(&orbit) && orbit_distance(&orbit, rig, section_last(seen)) < NEAR_RETURN) {
-            bool whole = reduce_period(&orbit, rig, watch->stop);
+        if (orbit_is_stable(&orbit) && orbit_distance(&orbit, cycle, section_last(seen)) < NEAR_RETURN) {
+            bool whole = reduce_period(&orbit, cycle, watch->stop);
             if (whole)
                 response->orbit = orbit;
             else
@@ -167,16 +161,16 @@ static OrbitAnswer find_orbit(Response *response, const Watch *watch) {
     return ORBIT_NONE;
 }
 
-static ResponseVerdict bad_verdict(const Motion *motion) {
-    return motion->status == MOTION_CHATTERS ? RESPONSE_CHATTERS : RESPONSE_DIVERGED;
+static ResponseVerdict bad_verdict(const CycleMotion *motion) {
+    return cycle_status(motion) == CYCLE_CHATTERS ? RESPONSE_CHATTERS : RESPONSE_DIVERGED;
 }
 
 static bool is_chaotic(const Response *response) {
     return response->exponent.value - 3 * response->exponent.error > 0 && response->zero_one > RESPONSE_ZERO_ONE_LEAST;
 }
 
-static void note_orbit(Response *response, const Rig *rig) {
-    response->settled = orbit_distance(&response->orbit, rig, response->section.state) < SETTLED;
+static void note_orbit(Response *response, Cycle cycle) {
+    response->settled = orbit_distance(&response->orbit, cycle, response->section.state) < SETTLED;
     response->exponent = (ChaosExponent){real_log(response->orbit.largest) / (double)response->orbit.period, 0};
     response->zero_one = NAN;
 }
@@ -190,10 +184,11 @@ static ResponseVerdict interrupt(Response *response) {
 
 /* Continues, doubling the number of cycles each time, until a verdict is reached. */
 static ResponseVerdict decide(Response *response, Watch *watch) {
-    for (size_t cycles = RESPONSE_CYCLES_LEAST;; cycles *= 2) {
+    const CycleKind *kind = watch->motion.cycle.kind;
+    for (size_t cycles = kind->cycles_least;; cycles *= 2) {
         switch (watch->analysed.count > 1 ? find_orbit(response, watch) : ORBIT_NONE) {
         case ORBIT_GOOD:
-            note_orbit(response, watch->motion.rig);
+            note_orbit(response, watch->motion.cycle);
             return RESPONSE_PERIODIC;
         case ORBIT_INTERRUPTED:
             return interrupt(response);
@@ -202,13 +197,13 @@ static ResponseVerdict decide(Response *response, Watch *watch) {
         }
         if (is_chaotic(response))
             return RESPONSE_CHAOTIC;
-        if (cycles > RESPONSE_CYCLES_MOST)
+        if (cycles > kind->cycles_most)
             return RESPONSE_UNRESOLVED;
         while (watch->analysed.count < cycles && goes_on(watch)) {
-            motion_cycle(&watch->motion);
+            cycle_run(&watch->motion);
             note_cycle(watch);
         }
-        if (watch->motion.status != MOTION_GOOD)
+        if (cycle_status(&watch->motion) != CYCLE_GOOD)
             return bad_verdict(&watch->motion);
         if (watch->analysed.count < cycles)
             return interrupt(response);
@@ -218,21 +213,20 @@ static ResponseVerdict decide(Response *response, Watch *watch) {
     }
 }
 
-void response_run(Response *response, const Rig *rig, const Beam *beam, const double *start, const Stop *stop) {
+void response_run(Response *response, Cycle cycle, int transient, int cycles, const double *start, const Stop *stop) {
     *response = (Response){.verdict = RESPONSE_INTERRUPTED, .exponent = {NAN, NAN}, .zero_one = NAN};
-    trace_init(&response->trace, columns, sizeof columns / sizeof *columns);
-    Watch watch = {.motion = motion_create(rig, 1), .stop = stop};
-    motion_unit_tangents(&watch.motion);
+    trace_init(&response->trace, cycle.kind->columns, cycle.kind->column_count);
+    Watch watch = {.motion = cycle_create(cycle, 1), .stop = stop};
     if (start)
-        motion_set_state(&watch.motion, start);
-    pass_transient(&watch, beam->transient_cycles);
-    record(response, &watch, beam->cycles);
-    if (watch.motion.status != MOTION_GOOD)
+        cycle.kind->set_state(watch.motion.own, start);
+    pass_transient(&watch, transient);
+    record(response, &watch, cycles);
+    if (cycle_status(&watch.motion) != CYCLE_GOOD)
         response->verdict = bad_verdict(&watch.motion);
-    else if (response->section.count == (size_t)beam->cycles)
+    else if (response->section.count == (size_t)cycles)
         response->verdict = decide(response, &watch);
     response->cycles = watch.analysed.count;
-    motion_destroy(&watch.motion);
+    cycle_destroy(&watch.motion);
     response->analysed = watch.analysed;
     memory_free(watch.growth);
 }

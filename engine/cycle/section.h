@@ -1,22 +1,22 @@
-/* The Poincare section: the state once per cycle of the drive, at phase 0 (stroboscopic), and each cycle's largest
+/* The Poincare section: the state once per cycle (stroboscopic), and each cycle's largest
  * force on either side of the joint. */
 #pragma once
 
 #include <stddef.h>
 
-#include "beam/motion.h"
+#include "cycle/cycle.h"
 
 typedef struct Section {
     size_t count, states;
-    double *state;                 /* (count x states) sqrt(J) */
+    double *state;                 /* (count x states) */
     double *deflection, *velocity; /* (count) of the tip, m and m/s */
     double *peak;                  /* (count x 2) N, on the upper and the lower side; 0: no contact in that cycle */
     size_t state_capacity, deflection_capacity, velocity_capacity, peak_capacity;
 } Section;
 
-/* Adds the present state of the motion, at phase 0, and the peaks since the last addition, and resets the peaks. A
- * zeroed section is empty. */
-void section_add(Section *section, Motion *motion);
+/* Adds the present state of the motion, at the end of a cycle, and the peaks since the last addition, and resets the
+ * peaks. A zeroed section is empty. */
+void section_add(Section *section, CycleMotion *motion);
 
 void section_clear(Section *section);
 
@@ -28,7 +28,7 @@ typedef struct SectionPeaks {
 
 SectionPeaks section_peaks(const Section *section);
 
-/* Returns |x_last - x_(last - lag)| / |x_last|, with |x_last| at least `rest` (rig_rest_state); lag is below the
+/* Returns |x_last - x_(last - lag)| / |x_last|, with |x_last| at least `rest` (cycle_rest_state); lag is below the
  * count. */
 double section_return(const Section *section, size_t lag, double rest);
 

@@ -1,4 +1,4 @@
-#include "beam/orbit.h"
+#include "cycle/orbit.h"
 
 #include <lapacke.h>
 #include <math.h>
@@ -26,18 +26,21 @@ static double share(double apart, double size, double rest) {
     return apart > 0 ? apart / fmax(size, rest) : 0;
 }
 
-OrbitAnswer orbit_map(const Rig *rig, double *state, size_t cycles, double *derivative, const Stop *stop) {
-    size_t states = rig->free.states, done = 0;
-    Motion motion = motion_create(rig, derivative ? states : 0);
-    motion_set_state(&motion, state);
-    motion_unit_tangents(&motion);
-    for (; done < cycles && motion.status == MOTION_GOOD && !stop_requested(stop); done++)
-        motion_cycle(&motion);
-    OrbitAnswer answer = motion.status != MOTION_GOOD ? ORBIT_NONE : done < cycles ? ORBIT_INTERRUPTED : ORBIT_GOOD;
-    motion_state(&motion, state);
+OrbitAnswer orbit_map(Cycle cycle, double *state, size_t cycles, double *derivative, const Stop *stop) {
+    const CycleKind *kind = cycle.kind;
+    size_t done = 0;
+    CycleMotion motion = cycle_create(cycle, derivative ? cycle_states(cycle) : 0);
+    kind->set_state(motion.own, state);
+    kind->unit_tangents(motion.own);
+    for (; done < cycles && cycle_status(&motion) == CYCLE_GOOD && !stop_requested(stop); done++)
+        cycle_run(&motion);
+    OrbitAnswer answer = cycle_status(&motion) != CYCLE_GOOD ? ORBIT_NONE
+                         : done < cycles                     ? ORBIT_INTERRUPTED
+                                                             : ORBIT_GOOD;
+    kind->state(motion.own, state);
     for (size_t t = 0; t < motion.tangents; t++)
-        motion_tangent(&motion, t, derivative + t * states);
-    motion_destroy(&motion);
+        kind->tangent(motion.own, t, derivative + t * motion.states);
+    cycle_destroy(&motion);
     return answer;
 }
 
@@ -54,17 +57,29 @@ static bool newton_step(double *state, double *derivative, double *gap, size_t s
     return good;
 }
 
+static double magnitude(const Orbit *orbit, size_t which) {
+    return real_hypot(orbit->multiplier_re[which], orbit->multiplier_im[which]);
+}
+
+/* Puts the multipliers in order of decreasing magnitude; those of a pair stay side by side. */
+static void sort_multipliers(Orbit *orbit) {
+    for (size_t i = 1; i < orbit->states; i++)
+        for (size_t k = i; k > 0 && magnitude(orbit, k) > magnitude(orbit, k - 1); k--) {
+            double re = orbit->multiplier_re[k], im = orbit->multiplier_im[k];
+            orbit->multiplier_re[k] = orbit->multiplier_re[k - 1];
+            orbit->multiplier_im[k] = orbit->multiplier_im[k - 1];
+            orbit->multiplier_re[k - 1] = re;
+            orbit->multiplier_im[k - 1] = im;
+        }
+}
+
 /* Classifies the crossing of the unit circle nearest to the largest multiplier. */
 static void name_leaving(Orbit *orbit) {
-    size_t which = 0;
-    for (size_t i = 1; i < orbit->states; i++)
-        if (real_hypot(orbit->multiplier_re[i], orbit->multiplier_im[i]) >
-            real_hypot(orbit->multiplier_re[which], orbit->multiplier_im[which]))
-            which = i;
-    orbit->largest = real_hypot(orbit->multiplier_re[which], orbit->multiplier_im[which]);
-    orbit->leaving = orbit->multiplier_im[which] != 0  ? ORBIT_NEIMARK
-                     : orbit->multiplier_re[which] < 0 ? ORBIT_FLIP
-                                                       : ORBIT_FOLD;
+    sort_multipliers(orbit);
+    orbit->largest = magnitude(orbit, 0);
+    orbit->leaving = orbit->multiplier_im[0] != 0  ? ORBIT_NEIMARK
+                     : orbit->multiplier_re[0] < 0 ? ORBIT_FLIP
+                                                   : ORBIT_FOLD;
 }
 
 static bool find_multipliers(Orbit *orbit, double *derivative) {
@@ -75,20 +90,20 @@ static bool find_multipliers(Orbit *orbit, double *derivative) {
     return good;
 }
 
-OrbitAnswer orbit_find(Orbit *orbit, const Rig *rig, const double *start, size_t period, const Stop *stop) {
-    size_t states = rig->free.states;
+OrbitAnswer orbit_find(Orbit *orbit, Cycle cycle, const double *start, size_t period, const Stop *stop) {
+    size_t states = cycle_states(cycle);
     *orbit = (Orbit){.period = period, .states = states, .point = memory_zeroed(3 * states, sizeof(double))};
     orbit->multiplier_re = orbit->point + states;
     orbit->multiplier_im = orbit->multiplier_re + states;
     memcpy(orbit->point, start, states * sizeof *start);
     double *derivative = memory_zeroed(states * states, sizeof *derivative);
     double *gap = memory_zeroed(states, sizeof *gap);
-    double rest = rig_rest_state(rig);
+    double rest = cycle_rest_state(cycle);
     bool found = false;
     OrbitAnswer answer = ORBIT_GOOD;
     for (int i = 0; i < ITERATIONS_MOST && answer == ORBIT_GOOD && !found; i++) {
         memcpy(gap, orbit->point, states * sizeof *gap);
-        answer = orbit_map(rig, gap, period, derivative, stop);
+        answer = orbit_map(cycle, gap, period, derivative, stop);
         for (size_t k = 0; k < states; k++)
             gap[k] -= orbit->point[k];
         orbit->error = share(length_of(gap, states), length_of(orbit->point, states), rest);
@@ -109,15 +124,15 @@ bool orbit_is_stable(const Orbit *orbit) {
     return orbit->largest < 1;
 }
 
-double orbit_distance(const Orbit *orbit, const Rig *rig, const double *state) {
-    double rest = rig_rest_state(rig), nearest = HUGE_VAL, *point = memory_zeroed(2 * orbit->states, sizeof *point),
+double orbit_distance(const Orbit *orbit, Cycle cycle, const double *state) {
+    double rest = cycle_rest_state(cycle), nearest = HUGE_VAL, *point = memory_zeroed(2 * orbit->states, sizeof *point),
            *apart = point + orbit->states;
     memcpy(point, orbit->point, orbit->states * sizeof *point);
     for (size_t i = 0; i < orbit->period; i++) {
         for (size_t k = 0; k < orbit->states; k++)
             apart[k] = state[k] - point[k];
         nearest = fmin(nearest, share(length_of(apart, orbit->states), length_of(point, orbit->states), rest));
-        orbit_map(rig, point, 1, NULL, NULL);
+        orbit_map(cycle, point, 1, NULL, NULL);
     }
     memory_free(point);
     return nearest;

@@ -1,7 +1,8 @@
-#include "beam/section.h"
+#include "cycle/section.h"
 
 #include <assert.h>
 #include <math.h>
+#include <stdbool.h>
 
 #include "base/memory.h"
 #include "base/real.h"
@@ -14,18 +15,20 @@ static const double RETURN_NEAR = 1e-4;
  * sometimes returns this close, but not for a quarter of the record. */
 static const double RETURN_SETTLING = 0.05;
 
-void section_add(Section *section, Motion *motion) {
-    size_t states = section->states = motion->rig->free.states, at = section->count++, count = section->count;
+void section_add(Section *section, CycleMotion *motion) {
+    size_t states = section->states = motion->states, at = section->count++, count = section->count;
     section->state = memory_reserve(section->state, &section->state_capacity, count * states, sizeof(double));
     section->deflection = memory_reserve(section->deflection, &section->deflection_capacity, count, sizeof(double));
     section->velocity = memory_reserve(section->velocity, &section->velocity_capacity, count, sizeof(double));
     section->peak = memory_reserve(section->peak, &section->peak_capacity, 2 * count, sizeof(double));
-    motion_state(motion, section->state + at * states);
-    section->deflection[at] = motion_deflection(motion);
-    section->velocity[at] = motion_velocity(motion);
-    for (size_t side = 0; side < 2; side++) {
-        section->peak[2 * at + side] = motion->peak[side];
-        motion->peak[side] = 0;
+    motion->cycle.kind->state(motion->own, section->state + at * states);
+    double tip[2], *peak = motion->cycle.kind->peaks(motion->own);
+    motion->cycle.kind->tip(motion->own, tip);
+    section->deflection[at] = tip[0];
+    section->velocity[at] = tip[1];
+    for (size_t side = 0; side < CYCLE_SIDES; side++) {
+        section->peak[2 * at + side] = peak[side];
+        peak[side] = 0;
     }
 }
 

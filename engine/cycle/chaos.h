@@ -4,26 +4,22 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "beam/motion.h"
+#include "cycle/cycle.h"
 
-/* A Lyapunov exponent and its standard error, per cycle of the drive. */
+/* A Lyapunov exponent and its standard error, per cycle. */
 typedef struct ChaosExponent {
     double value, error; /* 1 */
 } ChaosExponent;
 
 /* Orthonormalises the tangents (Gram-Schmidt, applied twice) and adds the logarithms of their growth factors to
  * `growth` (tangents). */
-void chaos_renew_tangents(Motion *motion, double *growth);
+void chaos_renew_tangents(CycleMotion *motion, double *growth);
 
 /* Returns the mean growth per cycle over `count` cycles and its standard error, from the means of CHAOS_BATCHES
  * nearly independent batches. */
 ChaosExponent chaos_exponent(const double *growth, size_t count);
 
 enum { CHAOS_BATCHES = 20 };
-
-/* Returns the theoretical sum of the exponents, 1/s, for release at zero force: the trace of the damping, -2 sum
- * zeta omega - c (phi phi) times the fraction of time in contact. */
-double chaos_exponent_sum(const Rig *rig, double contact_share);
 
 /* Returns the result of the 0-1 test (Gottwald and Melbourne 2009, with the oscillation of the mean removed): the
  * median over 100 values of c of the correlation K of the mean square displacement with time; 0 is regular, 1 is
