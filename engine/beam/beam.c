@@ -4,11 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/file_write.h"
-#include "base/parameters_number.h"
-#include "base/parameters_schema.h"
-#include "base/provenance.h"
-#include "base/text.h"
+#include "base/provenance_file.h"
 
 #define NUMBER(name_, field_, unit_, low_, high_, meaning_)                                                            \
     {                                                                                                                  \
@@ -57,86 +53,21 @@ _Static_assert((int)ROWS <= (int)BEAM_VALUES, "a provenance for every row");
 static const ParameterTable table = {"beam", beam_rows, ROWS};
 
 static const char *const groups[] = {"beam", "pivot", "shaker", "drive", "joint", "run"};
-enum { GROUPS = sizeof groups / sizeof *groups };
 
-/* Provenance of a value given as a bare number. */
-#define WITHOUT "given without provenance"
+static const ProvenanceFile kind = {"beam",
+                                    "clearance-beam",
+                                    "A beam of clearance",
+                                    &table,
+                                    groups,
+                                    sizeof groups / sizeof *groups,
+                                    "paper|reconstructed|identified|literature: |assumed"};
 
-/* Allowed beginnings of the provenance of a value in a file. */
-#define SOURCES "paper|reconstructed|identified|literature: |assumed"
+static ProvenanceTarget target_of(Beam *beam) {
+    return (ProvenanceTarget){beam, beam->provenance, &beam->name, &beam->note, &beam->arena};
+}
 
 const ParameterTable *beam_table(void) {
     return &table;
-}
-
-/* Reads a value, either bare or as {"value": .., "provenance": ..}. */
-static void read_value(Beam *beam, size_t row, const JsonNode *group, const char *name, Fault *fault) {
-    JsonNode node = json_member(group, name);
-    beam->provenance[row] = node.value ? WITHOUT : "assumed: the usual value";
-    if (!node.value) {
-        if (beam_rows[row].needed)
-            json_fault(group, fault, "%s has no \"%s\" (%s, %s)", group->key, name, beam_rows[row].meaning,
-                       beam_rows[row].unit);
-        return;
-    }
-    if (json_is_object(node.value))
-        provenance_read(&beam_rows[row], beam, &beam->provenance[row], &node, SOURCES, &beam->arena, fault);
-    else
-        parameters_read_value(&beam_rows[row], beam, &node, &beam->arena, fault);
-}
-
-static void read_group(Beam *beam, const JsonNode *root, const char *group, Fault *fault) {
-    JsonNode node = json_member(root, group);
-    bool optional = strcmp(group, "run") == 0;
-    if (!json_is_object(node.value) && (node.value || !optional)) {
-        json_fault(node.value ? &node : root, fault, "%s\"%s\"%s", node.value ? "" : "a beam has no ", group,
-                   node.value ? " must be an object { ... }" : ", must be an object { ... }");
-        return;
-    }
-    const char *names[ROWS + 1] = {0};
-    size_t count = 0;
-    for (size_t i = 0; i < ROWS; i++)
-        if (provenance_name(&beam_rows[i], group))
-            names[count++] = provenance_name(&beam_rows[i], group);
-    if (node.value)
-        json_check_keys(&node, names, fault);
-    for (size_t i = 0; i < ROWS; i++)
-        if (provenance_name(&beam_rows[i], group))
-            read_value(beam, i, &node, provenance_name(&beam_rows[i], group), fault);
-}
-
-static void read_file(Beam *beam, const JsonNode *root, Fault *fault) {
-    static const char *const keys[] = {"format", "version", "name",  "note", "beam", "pivot",
-                                       "shaker", "drive",   "joint", "run",  NULL};
-    json_check_keys(root, keys, fault);
-    parameters_reset(&table, beam);
-    beam->name = json_read_text(root, "name", &beam->arena, fault);
-    beam->note = json_read_text(root, "note", &beam->arena, fault);
-    if (!json_object_get(root->value, "name"))
-        json_fault(root, fault, "a beam has no \"name\" (a text)");
-    for (size_t g = 0; g < GROUPS; g++)
-        read_group(beam, root, groups[g], fault);
-}
-
-/* Applies a NAME=VALUE of the command line; VALUE is a number or a choice. */
-static void read_setting(Beam *beam, const char *setting, Fault *fault) {
-    const char *equals = strchr(setting, '=');
-    if (!equals || equals == setting || !equals[1]) {
-        fault_add(fault, "--set %.80s: must be NAME=VALUE, for instance drive.frequency=300", setting);
-        return;
-    }
-    char name[80], path[100];
-    snprintf(name, sizeof name, "%.*s", (int)(equals - setting < 79 ? equals - setting : 79), setting);
-    snprintf(path, sizeof path, "--set %s: ", name);
-    json_t *value = json_loads(equals + 1, JSON_DECODE_ANY, NULL);
-    JsonFile file = {.path = path, .root = value ? value : json_string(equals + 1)};
-    JsonNode node = json_root(&file);
-    const Parameter *row = parameters_find(&table, name);
-    if (!row)
-        parameters_fault_unknown(&table, name, &node, fault);
-    else if (parameters_read_value(row, beam, &node, &beam->arena, fault))
-        beam->provenance[row - beam_rows] = "assumed: set for this run";
-    json_decref(file.root);
 }
 
 /* Two places on the beam must coincide within SAME_PLACE times the length or differ by at least APART_LEAST times
@@ -195,14 +126,7 @@ bool beam_check(const Beam *beam, const char *place, Fault *fault) {
 }
 
 bool beam_is_file(const char *path) {
-    JsonFile file = {0};
-    Fault fault = {0};
-    bool is = json_read(&file, path, &fault);
-    const char *format = is ? json_string_value(json_object_get(file.root, "format")) : NULL;
-    is = format && strcmp(format, "clearance-beam") == 0;
-    json_free(&file);
-    fault_clear(&fault);
-    return is;
+    return provenance_file_is(&kind, path);
 }
 
 bool beam_read(Beam *beam, const char *path, const char *const *settings, size_t setting_count, Fault *fault) {
@@ -212,10 +136,11 @@ bool beam_read(Beam *beam, const char *path, const char *const *settings, size_t
         return false;
     Beam read = {0};
     JsonNode root = json_root(&file);
-    if (json_check_header(&root, "beam", "clearance-beam", fault)) {
-        read_file(&read, &root, fault);
+    if (json_check_header(&root, kind.what, kind.format, fault)) {
+        ProvenanceTarget target = target_of(&read);
+        provenance_file_read(&kind, &target, &root, fault);
         for (size_t i = 0; i < setting_count; i++)
-            read_setting(&read, settings[i], fault);
+            provenance_file_set(&kind, &target, settings[i], fault);
         if (fault->total == before)
             check_whole(&read, &root, fault);
     }
@@ -229,43 +154,10 @@ bool beam_read(Beam *beam, const char *path, const char *const *settings, size_t
     return true;
 }
 
-/* Writing: one value a line ---------------------------------------------------------------------------------------- */
-
-static void add_json(Text *lines, json_t *value) {
-    char *line = json_line(value);
-    text_add(lines, line);
-    memory_free(line);
-    json_decref(value);
-}
-
-static void add_group(Text *lines, const Beam *beam, const char *group) {
-    text_format(lines, ",\n  \"%s\": {", group);
-    const char *between = "\n    ";
-    for (size_t i = 0; i < ROWS; i++) {
-        const char *name = provenance_name(&beam_rows[i], group);
-        if (!name)
-            continue;
-        text_format(lines, "%s\"%s\": ", between, name);
-        bool told = strcmp(beam->provenance[i], WITHOUT) != 0;
-        json_t *value = parameters_number_json(&beam_rows[i], parameters_number_get(&beam_rows[i], beam));
-        add_json(lines, told ? json_pack("{s:o,s:s}", "value", value, "provenance", beam->provenance[i]) : value);
-        between = ",\n    ";
-    }
-    text_add(lines, "\n  }");
-}
-
 int beam_write(const Beam *beam, const char *path) {
-    Text lines = {0};
-    text_add(&lines, "{\n  \"format\": \"clearance-beam\", \"version\": 1,\n  \"name\": ");
-    add_json(&lines, json_string(beam->name));
-    text_add(&lines, ",\n  \"note\": ");
-    add_json(&lines, json_string(beam->note));
-    for (size_t g = 0; g < GROUPS; g++)
-        add_group(&lines, beam, groups[g]);
-    text_add(&lines, "\n}\n");
-    int error = file_write_bytes(path, lines.text, lines.used);
-    memory_free(lines.text);
-    return error;
+    Beam written = *beam;
+    ProvenanceTarget target = target_of(&written);
+    return provenance_file_write(&kind, &target, path);
 }
 
 void beam_free(Beam *beam) {
@@ -274,28 +166,5 @@ void beam_free(Beam *beam) {
 }
 
 json_t *beam_schema(void) {
-    json_t *properties = json_object();
-    json_object_set_new(properties, "format", json_pack("{s:s}", "const", "clearance-beam"));
-    json_object_set_new(properties, "version", json_pack("{s:i}", "const", 1));
-    json_object_set_new(properties, "name", json_pack("{s:s}", "type", "string"));
-    json_object_set_new(properties, "note", json_pack("{s:s}", "type", "string"));
-    for (size_t g = 0; g < GROUPS; g++) {
-        json_t *members = json_object(), *needed = json_array();
-        for (size_t i = 0; i < ROWS; i++) {
-            const char *name = provenance_name(&beam_rows[i], groups[g]);
-            if (!name)
-                continue;
-            json_t *bare = parameters_schema_value(&beam_rows[i]), *whole = provenance_schema(&beam_rows[i], SOURCES);
-            json_object_set_new(members, name, json_pack("{s:[o,o]}", "anyOf", bare, whole));
-            if (beam_rows[i].needed)
-                json_array_append_new(needed, json_string(name));
-        }
-        json_object_set_new(properties, groups[g],
-                            json_pack("{s:s, s:b, s:o, s:o}", "type", "object", "additionalProperties", 0, "properties",
-                                      members, "required", needed));
-    }
-    return json_pack("{s:s, s:s, s:s, s:b, s:o, s:[s,s,s,s,s,s,s,s]}", "$schema",
-                     "https://json-schema.org/draft/2020-12/schema", "title", "A beam of clearance", "type", "object",
-                     "additionalProperties", 0, "properties", properties, "required", "format", "version", "name",
-                     "beam", "pivot", "shaker", "drive", "joint");
+    return provenance_file_schema(&kind);
 }
