@@ -4,6 +4,7 @@
 #include "beam/beam.h"
 #include "command/answer.h"
 #include "command/command.h"
+#include "crank/crank.h"
 #include "plan/plan.h"
 #include "plan/profile.h"
 
@@ -15,8 +16,10 @@ int command_schema(const Options *options) {
         answer_print(profile_schema());
     } else if (strcmp(kind, "beam") == 0) {
         answer_print(beam_schema());
+    } else if (strcmp(kind, "crank") == 0) {
+        answer_print(crank_schema());
     } else {
-        fprintf(stderr, "clearance: there are schemas of house, profile and beam, not of \"%s\"\n", kind);
+        fprintf(stderr, "clearance: there are schemas of house, profile, beam and crank, not of \"%s\"\n", kind);
         return EXIT_WRONG_INPUT;
     }
     return EXIT_ANSWERED;

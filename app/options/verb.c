@@ -51,7 +51,7 @@ const Verb verb_rows[VERBS] = {
     [VERB_EXPORT] = {"export", 1, 1, "HOUSE", ".json", "",
                      "Write the walkable area of a house, or a picture of its plan, for other programs.",
                      "clearance export houses/ube-techno-house.json --to wkt --out ube.wkt\n"},
-    [VERB_SCHEMA] = {"schema", 1, 1, "house|profile|beam", "", "house|profile|beam",
+    [VERB_SCHEMA] = {"schema", 1, 1, "house|profile|beam|crank", "", "house|profile|beam|crank",
                      "Print the JSON Schema of a kind of file, for editors that complete and check.",
                      "clearance schema house > house.schema.json\n"},
     [VERB_HELP] = {"help", 0, 3, "[TOPIC|VERB]", "", "", "Explain a topic at length; without a topic, list the topics.",

@@ -30,6 +30,7 @@ engine/house        mechanics plan route space
 engine/inquiry      house plan space
 engine/cycle        mechanics
 engine/beam         cycle mechanics
+engine/crank        cycle mechanics
 engine/study        -
 engine/experiment   beam cycle house plan study
 engine/exchange     house mechanics plan space
@@ -50,7 +51,7 @@ app/platform        draw paint plot
 app/window          draw laboratory laboratory/edit laboratory/house paint platform plot widgets
 app/report          document exchange experiment house plan plot result visual/
 app/options         draw exchange study visual/beam visual/house
-app/command         beam cycle document draw exchange experiment house inquiry laboratory mechanics options paint plan platform plot report result study visual/ window
+app/command         beam crank cycle document draw exchange experiment house inquiry laboratory mechanics options paint plan platform plot report result study visual/ window
 END
 }
 
