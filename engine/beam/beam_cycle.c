@@ -101,6 +101,7 @@ static void restore(void *motion, const double *saved) {
 static const CycleKind kind = {.columns = columns,
                                .column_count = sizeof columns / sizeof *columns,
                                .samples = BEAM_SAMPLES,
+                               .closing = 1e-11,
                                .cycles_least = BEAM_CYCLES_LEAST,
                                .cycles_most = BEAM_CYCLES_MOST,
                                .states = states_of,

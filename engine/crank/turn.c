@@ -242,7 +242,7 @@ static void locate_peak(Turn *turn, const Path *path, double low, double high) {
     static const Watch force = {true, 1, BALL_CONTACT};
     double part = path_root(path, turn->tree, &force, true, low, high), length = part * path->length;
     Signal most = path_signal(path, turn->tree, part);
-    if (!(most.push > PEAK_NEAR * turn->peak))
+    if (!(most.push > PEAK_NEAR * turn->peak[0]))
         return;
     double gap = 1e-3 * (high - low);
     double bend =
@@ -252,7 +252,7 @@ static void locate_peak(Turn *turn, const Path *path, double low, double high) {
     for (int i = 0; i < CORRECTIONS_MOST; i++) {
         try_step(turn, length, &trial);
         Signal signal = signal_of(turn->tree, &trial.ball);
-        turn->peak = real_max(turn->peak, signal.push);
+        turn->peak[0] = real_max(turn->peak[0], signal.push);
         double better = real_clamp(length - signal.push_rate / bend, low * path->length, high * path->length);
         if (!(bend < 0) || fabs((better - length) * signal.push_rate) < PEAK_LOCATED)
             return;
@@ -262,7 +262,7 @@ static void locate_peak(Turn *turn, const Path *path, double low, double high) {
 
 /* Notes the largest force of a step that was taken. */
 static void watch_peak(Turn *turn, const Path *path, const Signal samples[SAMPLES + 1]) {
-    turn->peak = real_max(turn->peak, real_max(samples[0].push, samples[SAMPLES].push));
+    turn->peak[0] = real_max(turn->peak[0], real_max(samples[0].push, samples[SAMPLES].push));
     for (int j = 1; j <= SAMPLES; j++)
         if (samples[j - 1].push_rate > 0 && samples[j].push_rate <= 0)
             locate_peak(turn, path, (double)(j - 1) / SAMPLES, (double)j / SAMPLES);
@@ -282,13 +282,13 @@ static void change_place(Turn *turn, BallPlace place) {
     turn->evaluations++;
     turn->ball = ball_of(turn->tree, turn->time, turn->state, turn->rates);
     if (turn->cycle_switches > TURN_SWITCHES_MOST)
-        turn->status = TURN_CHATTERS;
+        turn->status = CYCLE_CHATTERS;
 }
 
 /* Tries steps until one is accurate enough. */
 static bool try_accurately(Turn *turn, double longest, Trial *trial) {
     double length = real_min(turn->step, longest);
-    while (turn->status == TURN_GOOD) {
+    while (turn->status == CYCLE_GOOD) {
         try_step(turn, length, trial);
         double next = stepper_next(length, trial->error);
         if (trial->error <= 1) {
@@ -298,7 +298,7 @@ static bool try_accurately(Turn *turn, double longest, Trial *trial) {
         }
         turn->step = length = next;
         if (!(length > 1e-15 * turn->tree->period))
-            turn->status = TURN_DIVERGED;
+            turn->status = CYCLE_DIVERGED;
     }
     return false;
 }
@@ -327,7 +327,7 @@ static void take(Turn *turn, const Trial *trial) {
     turn->ball = trial->ball;
     for (size_t i = 0; i < states; i++)
         if (!isfinite(turn->state[i]))
-            turn->status = TURN_DIVERGED;
+            turn->status = CYCLE_DIVERGED;
 }
 
 static void sample_path(const Turn *turn, const Path *path, const Trial *trial, Signal samples[SAMPLES + 1]) {
@@ -347,10 +347,9 @@ static void end_revolution(Turn *turn) {
         if (tree->turns)
             turn->state[angle] -= 2 * M_PI;
         turn->cycle++;
-        turn->time = 0;
-        turn->cycle_switches = 0;
+        turn_restore(turn, turn->state, turn->place, turn->step);
     } else if (tree->turns && turn->time > TURN_PERIODS_MOST * tree->period) {
-        turn->status = TURN_STALLED;
+        turn->status = CYCLE_DIVERGED;
     }
 }
 
@@ -388,31 +387,35 @@ double turn_step(Turn *turn, double longest) {
     if (turn->place == BALL_CONTACT && !turn->unwatched)
         watch_peak(turn, &path, samples);
     take(turn, &trial);
-    if (first && turn->status == TURN_GOOD)
+    if (first && turn->status == CYCLE_GOOD)
         change_place(turn, first->next);
-    if (turn->status == TURN_GOOD)
+    if (turn->status == CYCLE_GOOD)
         end_revolution(turn);
     return trial.length;
 }
 
-TurnStatus turn_cycle(Turn *turn) {
-    for (size_t cycle = turn->cycle; turn->cycle == cycle && turn->status == TURN_GOOD;)
+CycleStatus turn_cycle(Turn *turn) {
+    for (size_t cycle = turn->cycle; turn->cycle == cycle && turn->status == CYCLE_GOOD;)
         turn_step(turn, HUGE_VAL);
     return turn->status;
 }
 
-void turn_set_state(Turn *turn, const double *state) {
+void turn_restore(Turn *turn, const double *state, BallPlace place, double step) {
     const Tree *tree = turn->tree;
     memmove(turn->state, state, 2 * tree->coordinates * sizeof *state);
     turn->time = 0;
     turn->cycle_switches = 0;
-    TreePose pose = tree_pose(tree, 0, state);
-    BallReading reading = ball_read(tree, &pose);
-    turn->place = ball_place(tree, &reading);
-    turn->step = restart_step(tree);
+    turn->place = place;
+    turn->step = step;
     rates_of(turn, 0, turn->state, turn->rates);
     turn->evaluations++;
     turn->ball = ball_of(tree, 0, turn->state, turn->rates);
+}
+
+void turn_set_state(Turn *turn, const double *state) {
+    TreePose pose = tree_pose(turn->tree, 0, state);
+    BallReading reading = ball_read(turn->tree, &pose);
+    turn_restore(turn, state, ball_place(turn->tree, &reading), restart_step(turn->tree));
 }
 
 Turn turn_create(const Tree *tree, double tolerance) {

@@ -9,15 +9,12 @@
 #pragma once
 
 #include "crank/ball.h"
+#include "cycle/cycle.h"
 
-typedef enum TurnStatus {
-    TURN_GOOD,
-    TURN_CHATTERS, /* more than TURN_SWITCHES_MOST switches in one revolution: the motion stops there */
-    TURN_DIVERGED, /* a number became infinite or NaN, or the mechanism folded */
-    TURN_STALLED,  /* the motor did not complete a revolution in TURN_PERIODS_MOST periods */
-} TurnStatus;
-
-enum { TURN_SWITCHES_MOST = 5000, TURN_PERIODS_MOST = 100 };
+enum {
+    TURN_SWITCHES_MOST = 5000, /* in a revolution: the motion stops there */
+    TURN_PERIODS_MOST = 100,   /* until a motor that has not completed its revolution counts as diverged */
+};
 
 /* Tolerances: for answers, and for sweeps and the window. */
 #define TURN_FINE 1e-8
@@ -32,7 +29,7 @@ typedef struct Turn {
     const Tree *tree;
     double tolerance; /* 1, of one step's scaled error */
     double scale[TREE_STATES_MOST];
-    TurnStatus status;
+    CycleStatus status;
     BallPlace place;
     size_t cycle; /* revolutions since the start */
     double time;  /* s, since the revolution began */
@@ -44,7 +41,7 @@ typedef struct Turn {
     size_t touches;                  /* since the start */
     size_t evaluations;              /* of the right side, since the start */
     double contact_time;             /* s, since the start */
-    double peak;                     /* N, largest force since it was last reset */
+    double peak[CYCLE_SIDES];        /* N, largest force since it was last reset; the second is 0: one wall all round */
     bool unwatched;                  /* the peak is not located, which saves time */
 } Turn;
 
@@ -54,12 +51,16 @@ Turn turn_create(const Tree *tree, double tolerance);
 /* Begins a revolution with a state (2 x coordinates), in the place that the state determines. */
 void turn_set_state(Turn *turn, const double *state);
 
+/* Begins a revolution where a turn ended one: its state, place and proposed step (s). It continues with the same bits.
+ */
+void turn_restore(Turn *turn, const double *state, BallPlace place, double step);
+
 /* Advances to the next switch, to the end of a step, to the end of the revolution or by `longest` s, whichever is
  * first; returns the elapsed time. */
 double turn_step(Turn *turn, double longest);
 
 /* Advances to the end of the revolution. */
-TurnStatus turn_cycle(Turn *turn);
+CycleStatus turn_cycle(Turn *turn);
 
 /* Returns the joint's force on the ball, N, at least 0. */
 double turn_force(const Turn *turn);

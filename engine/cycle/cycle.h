@@ -28,7 +28,8 @@ typedef struct CycleTally {
 typedef struct CycleKind {
     const TraceColumn *columns; /* (column_count) of a recording; the first one is the time, s */
     size_t column_count;
-    int samples;                      /* rows of a recording per cycle */
+    int samples;    /* rows of a recording per cycle */
+    double closing; /* fraction of a state's length within which an orbit closes: what rounding leaves, with room */
     size_t cycles_least, cycles_most; /* after the transient, on which a verdict rests; the most until it is given up */
 
     size_t (*states)(const void *given);

@@ -8,8 +8,6 @@
 #include "base/stop.h"
 #include "base/real.h"
 
-/* Fraction of the state at which Newton's iteration ends: rounding leaves about 1e-13. */
-static const double CONVERGED = 1e-11;
 /* Fraction of the state's length: a start that misses closing by more does not lead to a nearby orbit. */
 static const double FAR = 1;
 enum { ITERATIONS_MOST = 12 };
@@ -107,7 +105,7 @@ OrbitAnswer orbit_find(Orbit *orbit, Cycle cycle, const double *start, size_t pe
         for (size_t k = 0; k < states; k++)
             gap[k] -= orbit->point[k];
         orbit->error = share(length_of(gap, states), length_of(orbit->point, states), rest);
-        found = answer == ORBIT_GOOD && orbit->error < CONVERGED;
+        found = answer == ORBIT_GOOD && orbit->error < cycle.kind->closing;
         if (answer == ORBIT_GOOD && !found &&
             !(orbit->error < FAR && newton_step(orbit->point, derivative, gap, states)))
             answer = ORBIT_NONE;

@@ -18,9 +18,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (good) {
         Tree tree = tree_of(&crank);
         Turn turn = turn_create(&tree, TURN_QUICK);
-        for (int i = 0; i < STEPS && turn.status == TURN_GOOD; i++)
+        for (int i = 0; i < STEPS && turn.status == CYCLE_GOOD; i++)
             fuzz_expect(turn_step(&turn, HUGE_VAL) >= 0, "time goes on");
-        fuzz_expect(turn.status != TURN_GOOD || isfinite(turn.state[0]), "a good turn is finite");
+        fuzz_expect(turn.status != CYCLE_GOOD || isfinite(turn.state[0]), "a good turn is finite");
     }
     crank_free(&crank);
     return 0;

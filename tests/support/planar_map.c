@@ -106,6 +106,7 @@ Cycle planar_map_cycle(const PlanarMap *map) {
     static const CycleKind kind = {.columns = columns,
                                    .column_count = COLUMNS,
                                    .samples = 1,
+                                   .closing = 1e-11,
                                    .cycles_least = 2000,
                                    .cycles_most = 16000,
                                    .states = states_of,

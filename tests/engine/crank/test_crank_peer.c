@@ -10,7 +10,7 @@ static double apart_after(const char *settings, double tolerance) {
     Turn turn = turn_create(&tree, 1e-11);
     CrankPeer *peer = crank_peer_create(&tree, tolerance);
     double most = 0;
-    CHECK(turn_cycle(&turn) == TURN_GOOD);
+    CHECK(turn_cycle(&turn) == CYCLE_GOOD);
     crank_peer_cycle(peer);
     CHECK(turn.switches == crank_peer_switches(peer));
     for (size_t i = 0; i < tree.coordinates; i++)

@@ -1,0 +1,289 @@
+#include "crank/crank_cycle.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/parallel.h"
+
+/* Distance of a neighbour, in the scales of the states' errors: near enough that it is one, and far enough that the
+ * errors of the steps do not matter beside it. */
+static const double BESIDE = 1e-5, BESIDE_BOTH = 3e-5;
+
+static const TraceColumn columns[CRANK_COLUMNS] = {
+    [CRANK_TIME] = {"time", "s"},
+    [CRANK_ANGLE] = {"angle", "deg"},
+    [CRANK_ALONG] = {"along", "m"},
+    [CRANK_ALONG_RATE] = {"along_rate", "m/s"},
+    [CRANK_ACROSS] = {"across", "m"},
+    [CRANK_UP] = {"up", "m"},
+    [CRANK_FORCE] = {"force", "N"},
+    [CRANK_SLIDER] = {"slider", "m"},
+    [CRANK_SLIDER_OFF] = {"slider_off", "m"},
+};
+
+/* A turn and its neighbours. */
+typedef struct Motion {
+    Turn turn;
+    double ideal[TREE_STATES_MOST]; /* the ideal mechanism at the beginning of a revolution */
+    size_t states, tangents, sides; /* neighbours of each tangent: 1 or 2 */
+    Turn *near;                     /* (tangents x sides) */
+    double *length;                 /* (tangents) of the tangent; its neighbour is BESIDE away */
+    double *direction;              /* (tangents x states) at the beginning of the revolution, of length 1 */
+} Motion;
+
+static double beside(const Motion *motion) {
+    return motion->sides == 1 ? BESIDE : BESIDE_BOTH;
+}
+
+static size_t states_of(const void *given) {
+    return 2 * ((const Tree *)given)->coordinates;
+}
+
+static double period_of(const void *given) {
+    return ((const Tree *)given)->period;
+}
+
+static double rest_state(const void *given) {
+    const Tree *tree = given;
+    Turn turn = turn_create(tree, TURN_FINE);
+    return CRANK_REST * (tree->clearance > 0 ? tree->clearance / turn.scale[0] : 1);
+}
+
+static void scaled(const Motion *motion, const Turn *turn, double *state) {
+    for (size_t i = 0; i < motion->states; i++)
+        state[i] = (turn->state[i] - motion->ideal[i]) / turn->scale[i];
+}
+
+static void set_scaled(const Motion *motion, Turn *turn, const double *state) {
+    double own[TREE_STATES_MOST];
+    for (size_t i = 0; i < motion->states; i++)
+        own[i] = motion->ideal[i] + turn->scale[i] * state[i];
+    turn_set_state(turn, own);
+}
+
+/* Puts the neighbours of a tangent beside the turn, which is at the beginning of a revolution. */
+static void place_neighbours(Motion *motion, size_t index) {
+    double state[TREE_STATES_MOST], moved[TREE_STATES_MOST];
+    const double *direction = motion->direction + index * motion->states;
+    scaled(motion, &motion->turn, state);
+    for (size_t side = 0; side < motion->sides; side++) {
+        double by = side ? -beside(motion) : beside(motion);
+        for (size_t i = 0; i < motion->states; i++)
+            moved[i] = state[i] + by * direction[i];
+        Turn *turn = &motion->near[index * motion->sides + side];
+        *turn = motion->turn;
+        turn->unwatched = true;
+        set_scaled(motion, turn, moved);
+    }
+}
+
+static void *create(const void *given, size_t tangents) {
+    Motion *motion = memory_zeroed(1, sizeof *motion);
+    const Tree *tree = given;
+    motion->turn = turn_create(tree, TURN_FINE);
+    motion->states = states_of(given);
+    motion->tangents = tangents;
+    motion->sides = tangents == 1 ? 1 : 2;
+    motion->near = memory_zeroed(tangents * motion->sides + 1, sizeof *motion->near);
+    motion->length = memory_zeroed(tangents + 1, sizeof *motion->length);
+    motion->direction = memory_zeroed(tangents * motion->states + 1, sizeof *motion->direction);
+    tree_ideal(tree, 0, tree->omega, motion->ideal);
+    return motion;
+}
+
+static void destroy(void *own) {
+    Motion *motion = own;
+    memory_free(motion->near);
+    memory_free(motion->length);
+    memory_free(motion->direction);
+    memory_free(motion);
+}
+
+static void copy(void *to_own, const void *from_own) {
+    Motion *to = to_own;
+    const Motion *from = from_own;
+    to->turn = from->turn;
+    memcpy(to->near, from->near, from->tangents * from->sides * sizeof *from->near);
+    memcpy(to->length, from->length, from->tangents * sizeof *from->length);
+    memcpy(to->direction, from->direction, from->tangents * from->states * sizeof *from->direction);
+}
+
+static void state_of(const void *own, double *state) {
+    const Motion *motion = own;
+    scaled(motion, &motion->turn, state);
+}
+
+static void set_state(void *own, const double *state) {
+    Motion *motion = own;
+    set_scaled(motion, &motion->turn, state);
+    for (size_t i = 0; i < motion->tangents; i++)
+        place_neighbours(motion, i);
+}
+
+static void tangent_of(const void *own, size_t index, double *tangent) {
+    const Motion *motion = own;
+    double other[TREE_STATES_MOST];
+    const Turn *near = motion->near + index * motion->sides;
+    scaled(motion, near, tangent);
+    scaled(motion, motion->sides == 1 ? &motion->turn : near + 1, other);
+    double factor = motion->length[index] / ((double)motion->sides * beside(motion));
+    for (size_t i = 0; i < motion->states; i++)
+        tangent[i] = factor * (tangent[i] - other[i]);
+}
+
+static void set_tangent(void *own, size_t index, const double *tangent) {
+    Motion *motion = own;
+    double square = 0, *direction = motion->direction + index * motion->states;
+    for (size_t i = 0; i < motion->states; i++)
+        square += tangent[i] * tangent[i];
+    motion->length[index] = sqrt(square);
+    for (size_t i = 0; i < motion->states; i++)
+        direction[i] = square > 0 ? tangent[i] / motion->length[index] : 0;
+    place_neighbours(motion, index);
+}
+
+static void unit_tangents(void *own) {
+    Motion *motion = own;
+    for (size_t t = 0; t < motion->tangents; t++) {
+        double unit[TREE_STATES_MOST] = {0};
+        unit[t] = 1;
+        set_tangent(motion, t, unit);
+    }
+}
+
+static void run_neighbour(void *context, size_t index) {
+    turn_cycle(&((Motion *)context)->near[index]);
+}
+
+/* A neighbour that cannot be followed makes the motion one that cannot. */
+static CycleStatus run(void *own) {
+    Motion *motion = own;
+    size_t neighbours = motion->tangents * motion->sides;
+    turn_cycle(&motion->turn);
+    parallel_for(neighbours > 1 ? parallel_processors() : 1, neighbours, run_neighbour, motion);
+    for (size_t i = 0; i < neighbours && motion->turn.status == CYCLE_GOOD; i++)
+        motion->turn.status = motion->near[i].status;
+    return motion->turn.status;
+}
+
+static CycleStatus status_of(const void *own) {
+    return ((const Motion *)own)->turn.status;
+}
+
+static CycleTally tally_of(const void *own) {
+    const Turn *turn = &((const Motion *)own)->turn;
+    return (CycleTally){turn->switches, 0, turn->contact_time};
+}
+
+static double *peaks_of(void *own) {
+    return ((Motion *)own)->turn.peak;
+}
+
+void crank_cycle_tip(const Turn *turn, double tip[2]) {
+    TreePose pose = turn_pose(turn);
+    tip[0] = tip[1] = 0;
+    for (size_t i = 0; i < 3; i++) {
+        double turned = pose.turn[2] * pose.across[i] - pose.turn[1] * pose.up[i];
+        tip[0] += pose.apart[i] * pose.along[i];
+        tip[1] += pose.apart_rate[i] * pose.along[i] + pose.apart[i] * turned;
+    }
+}
+
+static void tip_of(const void *own, double *tip) {
+    crank_cycle_tip(&((const Motion *)own)->turn, tip);
+}
+
+/* Advances to a part of the revolution: in time, or with a motor in angle. */
+static void advance(Turn *turn, double part) {
+    enum { TRIES = 6 };
+    const Tree *tree = turn->tree;
+    size_t cycle = turn->cycle, angle = tree->coordinates - 1;
+    if (!tree->turns) {
+        while (turn->cycle == cycle && turn->status == CYCLE_GOOD && turn->time < part * tree->period)
+            turn_step(turn, part * tree->period - turn->time);
+        return;
+    }
+    for (int i = 0; i < TRIES; i++) {
+        double until = turn->time + (2 * M_PI * part - turn->state[angle]) / turn->state[tree->coordinates + angle];
+        while (turn->cycle == cycle && turn->status == CYCLE_GOOD && turn->time < until)
+            turn_step(turn, until - turn->time);
+    }
+}
+
+static void sample(void *own, int part, double *row) {
+    Motion *motion = own;
+    const Tree *tree = motion->turn.tree;
+    TreePose pose = turn_pose(&motion->turn);
+    double tip[2];
+    crank_cycle_tip(&motion->turn, tip);
+    row[CRANK_ANGLE] = pose.theta * 180 / M_PI;
+    row[CRANK_ALONG] = tip[0];
+    row[CRANK_ALONG_RATE] = tip[1];
+    row[CRANK_ACROSS] = row[CRANK_UP] = 0;
+    for (size_t i = 0; i < 3; i++) {
+        row[CRANK_ACROSS] += pose.apart[i] * pose.across[i];
+        row[CRANK_UP] += pose.apart[i] * pose.up[i];
+    }
+    row[CRANK_FORCE] = turn_force(&motion->turn);
+    row[CRANK_SLIDER] = motion->turn.state[0];
+    row[CRANK_SLIDER_OFF] = motion->turn.state[0] - tree_ideal_slider(tree, pose.theta);
+    if (part + 1 == CRANK_SAMPLES)
+        return; /* the revolution is ended with the neighbours */
+    double until = (double)(part + 1) / CRANK_SAMPLES;
+    advance(&motion->turn, until);
+    for (size_t i = 0; i < motion->tangents * motion->sides; i++)
+        advance(&motion->near[i], until); /* the same steps, so that their errors are alike */
+}
+
+/* Saved are the state, the place and the step. */
+static size_t saved_size(const void *given) {
+    return states_of(given) + 2;
+}
+
+static void save(const void *own, double *saved) {
+    const Motion *motion = own;
+    memcpy(saved, motion->turn.state, motion->states * sizeof *saved);
+    saved[motion->states] = motion->turn.place;
+    saved[motion->states + 1] = motion->turn.step;
+}
+
+static void restore(void *own, const double *saved) {
+    Motion *motion = own;
+    turn_restore(&motion->turn, saved, (BallPlace)saved[motion->states], saved[motion->states + 1]);
+    for (size_t i = 0; i < motion->tangents; i++)
+        place_neighbours(motion, i);
+}
+
+const CycleKind crank_cycle = {
+    .columns = columns,
+    .column_count = CRANK_COLUMNS,
+    .samples = CRANK_SAMPLES,
+    .closing = 1e-9,
+    .cycles_least = 200,
+    .cycles_most = 1600,
+    .states = states_of,
+    .period = period_of,
+    .rest_state = rest_state,
+    .create = create,
+    .destroy = destroy,
+    .copy = copy,
+    .state = state_of,
+    .set_state = set_state,
+    .tangent = tangent_of,
+    .set_tangent = set_tangent,
+    .unit_tangents = unit_tangents,
+    .run = run,
+    .status = status_of,
+    .tally = tally_of,
+    .peaks = peaks_of,
+    .tip = tip_of,
+    .sample = sample,
+    .saved_size = saved_size,
+    .save = save,
+    .restore = restore,
+};
+
+Cycle crank_cycle_of(const Tree *tree) {
+    return (Cycle){&crank_cycle, tree};
+}
