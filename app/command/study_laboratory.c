@@ -1,19 +1,26 @@
 #include "command/study_laboratory.h"
 
 #include "beam/beam.h"
+#include "crank/crank.h"
 #include "experiment/beam_experiment.h"
+#include "experiment/crank_experiment.h"
 #include "experiment/house_experiment.h"
 #include "laboratory/shipped.h"
 
-static bool open_beam(Experiment *experiment, const Options *options, Fault *fault) {
+/* Adds an error when the command line has an option for houses only. */
+static bool refuse_foreign(const Options *options, const char *what, Fault *fault) {
     const char *foreign = options->route                      ? "--route"
                           : options->driving >= 0             ? "--driving"
                           : options->study.shakes             ? "--shake"
                           : options_given(options, "--until") ? "--until"
                                                               : NULL;
     if (foreign)
-        fault_add(fault, "clearance: %s is for houses, %s is a beam", foreign, options->files[0]);
-    if (foreign ||
+        fault_add(fault, "clearance: %s is for houses, %s is a %s", foreign, options->files[0], what);
+    return foreign != NULL;
+}
+
+static bool open_beam(Experiment *experiment, const Options *options, Fault *fault) {
+    if (refuse_foreign(options, "beam", fault) ||
         !beam_experiment_open(experiment, options->files[0], options->settings, options->setting_count, fault))
         return false;
     if (options->thorough)
@@ -21,9 +28,18 @@ static bool open_beam(Experiment *experiment, const Options *options, Fault *fau
     return true;
 }
 
+static bool open_crank(Experiment *experiment, const Options *options, Fault *fault) {
+    if (refuse_foreign(options, "crank", fault) ||
+        !crank_experiment_open(experiment, options->files[0], options->settings, options->setting_count, fault))
+        return false;
+    if (options->thorough)
+        crank_experiment_be_thorough(experiment);
+    return true;
+}
+
 static bool open_house(Experiment *experiment, const Options *options, Fault *fault) {
     if (options->thorough) {
-        fault_add(fault, "clearance: --thorough is for beams, %s is a house", options->files[0]);
+        fault_add(fault, "clearance: --thorough is for beams and cranks, %s is a house", options->files[0]);
         return false;
     }
     HouseOptions house_options = {.profiles = shipped_places()->profiles,
@@ -37,6 +53,7 @@ static bool open_house(Experiment *experiment, const Options *options, Fault *fa
 
 static const StudyLaboratory laboratories[] = {
     {beam_is_file, open_beam, beam_experiment_close},
+    {crank_is_file, open_crank, crank_experiment_close},
     {NULL, open_house, house_experiment_close},
 };
 

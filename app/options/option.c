@@ -143,7 +143,7 @@ const Option option_rows[] = {
      "trouble; with --vary, at each point",
      GROUP_STUDY, FOR_STUDY, NULL, NULL},
     {"--thorough", OPTION_FLAG, FIELD(thorough), NO_RANGE, NULL,
-     "beams only: full analysis of every run (Lyapunov exponents, 0-1 test); slower", GROUP_STUDY, FOR_STUDY, NULL,
+     "beams and cranks: full analysis of every run (Lyapunov exponents, 0-1 test); slower", GROUP_STUDY, FOR_STUDY, NULL,
      NULL},
     {"--paper", OPTION_FLAG, FIELD(paper), NO_RANGE, NULL,
      "beams only: compare each claim and figure of Gu and Dubowsky's paper with our results; --out holds the page",

@@ -25,7 +25,6 @@ static const TraceColumn columns[CRANK_COLUMNS] = {
 /* A turn and its neighbours. */
 typedef struct Motion {
     Turn turn;
-    double ideal[TREE_STATES_MOST]; /* the ideal mechanism at the beginning of a revolution */
     size_t states, tangents, sides; /* neighbours of each tangent: 1 or 2 */
     Turn *near;                     /* (tangents x sides) */
     double *length;                 /* (tangents) of the tangent; its neighbour is BESIDE away */
@@ -50,15 +49,18 @@ static double rest_state(const void *given) {
     return CRANK_REST * (tree->clearance > 0 ? tree->clearance / turn.scale[0] : 1);
 }
 
-static void scaled(const Motion *motion, const Turn *turn, double *state) {
-    for (size_t i = 0; i < motion->states; i++)
-        state[i] = (turn->state[i] - motion->ideal[i]) / turn->scale[i];
+void crank_cycle_state(const Turn *turn, double *state) {
+    double ideal[TREE_STATES_MOST];
+    tree_ideal(turn->tree, 0, turn->tree->omega, ideal);
+    for (size_t i = 0; i < 2 * turn->tree->coordinates; i++)
+        state[i] = (turn->state[i] - ideal[i]) / turn->scale[i];
 }
 
-static void set_scaled(const Motion *motion, Turn *turn, const double *state) {
+void crank_cycle_set_state(Turn *turn, const double *state) {
     double own[TREE_STATES_MOST];
-    for (size_t i = 0; i < motion->states; i++)
-        own[i] = motion->ideal[i] + turn->scale[i] * state[i];
+    tree_ideal(turn->tree, 0, turn->tree->omega, own);
+    for (size_t i = 0; i < 2 * turn->tree->coordinates; i++)
+        own[i] += turn->scale[i] * state[i];
     turn_set_state(turn, own);
 }
 
@@ -66,7 +68,7 @@ static void set_scaled(const Motion *motion, Turn *turn, const double *state) {
 static void place_neighbours(Motion *motion, size_t index) {
     double state[TREE_STATES_MOST], moved[TREE_STATES_MOST];
     const double *direction = motion->direction + index * motion->states;
-    scaled(motion, &motion->turn, state);
+    crank_cycle_state(&motion->turn, state);
     for (size_t side = 0; side < motion->sides; side++) {
         double by = side ? -beside(motion) : beside(motion);
         for (size_t i = 0; i < motion->states; i++)
@@ -74,7 +76,7 @@ static void place_neighbours(Motion *motion, size_t index) {
         Turn *turn = &motion->near[index * motion->sides + side];
         *turn = motion->turn;
         turn->unwatched = true;
-        set_scaled(motion, turn, moved);
+        crank_cycle_set_state(turn, moved);
     }
 }
 
@@ -88,7 +90,6 @@ static void *create(const void *given, size_t tangents) {
     motion->near = memory_zeroed(tangents * motion->sides + 1, sizeof *motion->near);
     motion->length = memory_zeroed(tangents + 1, sizeof *motion->length);
     motion->direction = memory_zeroed(tangents * motion->states + 1, sizeof *motion->direction);
-    tree_ideal(tree, 0, tree->omega, motion->ideal);
     return motion;
 }
 
@@ -111,12 +112,12 @@ static void copy(void *to_own, const void *from_own) {
 
 static void state_of(const void *own, double *state) {
     const Motion *motion = own;
-    scaled(motion, &motion->turn, state);
+    crank_cycle_state(&motion->turn, state);
 }
 
 static void set_state(void *own, const double *state) {
     Motion *motion = own;
-    set_scaled(motion, &motion->turn, state);
+    crank_cycle_set_state(&motion->turn, state);
     for (size_t i = 0; i < motion->tangents; i++)
         place_neighbours(motion, i);
 }
@@ -125,8 +126,8 @@ static void tangent_of(const void *own, size_t index, double *tangent) {
     const Motion *motion = own;
     double other[TREE_STATES_MOST];
     const Turn *near = motion->near + index * motion->sides;
-    scaled(motion, near, tangent);
-    scaled(motion, motion->sides == 1 ? &motion->turn : near + 1, other);
+    crank_cycle_state(near, tangent);
+    crank_cycle_state(motion->sides == 1 ? &motion->turn : near + 1, other);
     double factor = motion->length[index] / ((double)motion->sides * beside(motion));
     for (size_t i = 0; i < motion->states; i++)
         tangent[i] = factor * (tangent[i] - other[i]);

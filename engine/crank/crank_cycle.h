@@ -36,3 +36,8 @@ Cycle crank_cycle_of(const Tree *tree);
 
 /* Computes the place (m) and velocity (m/s) of the ball in its socket, along the coupler. */
 void crank_cycle_tip(const Turn *turn, double tip[2]);
+
+/* A state of the cycle (2 x coordinates) of a turn at the beginning of a revolution; setting one begins a revolution.
+ */
+void crank_cycle_state(const Turn *turn, double *state);
+void crank_cycle_set_state(Turn *turn, const double *state);

@@ -32,7 +32,7 @@ engine/cycle        mechanics
 engine/beam         cycle mechanics
 engine/crank        cycle mechanics
 engine/study        -
-engine/experiment   beam cycle house plan study
+engine/experiment   beam crank cycle house plan study
 engine/exchange     house mechanics plan space
 app/draw            -
 app/paint           draw

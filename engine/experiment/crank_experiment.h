@@ -1,0 +1,43 @@
+/* The slider crank as what a study runs.
+ *
+ * Parameters are the rows of a crank file that are numbers, whole ones too. A trial of seed 0 begins as the file and
+ * the parameters say. Of another seed, the ball begins anywhere in the middle nine tenths of its socket, and the
+ * slider's velocity beside the ideal one is anything up to the clearance times the drive's angular speed.
+ *
+ * Carried on, a trial begins with what the state of the one before had beside its ideal mechanism, at angle 0; where
+ * the coupler has another number of modes, as its seed says.
+ *
+ * Quick trials are told by how the ball returns (section.h) in run.cycles revolutions after run.transient_cycles;
+ * thorough ones as `clearance run` tells them (response.h). */
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/fault.h"
+#include "crank/crank.h"
+#include "study/experiment.h"
+
+typedef enum CrankObservable {
+    CRANK_REGULAR, /* 1 periodic, 0 chaotic or not periodic within the record, NAN undetermined */
+    CRANK_PERIOD,
+    CRANK_PEAK_MIN,
+    CRANK_PEAK_MAX,
+    CRANK_PEAK_MEAN,
+    CRANK_TOUCHES,
+    CRANK_CLEARANCE_RATIO, /* 1, c/r */
+    CRANK_LYAPUNOV,        /* this and the following in thorough trials only */
+    CRANK_LYAPUNOV_ERROR,
+    CRANK_ZERO_ONE,
+    CRANK_OBSERVABLES,
+} CrankObservable;
+
+/* Opens the experiment of a crank file with `setting_count` settings and quick trials. Returns false after errors, with
+ * nothing to close. */
+bool crank_experiment_open(Experiment *experiment, const char *path, const char *const *settings, size_t setting_count,
+                           Fault *fault);
+
+/* Analyses each later trial fully. */
+void crank_experiment_be_thorough(Experiment *experiment);
+
+void crank_experiment_close(Experiment *experiment);
