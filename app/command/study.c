@@ -16,6 +16,7 @@
 #include "command/shake_words.h"
 #include "command/study_answer.h"
 #include "command/study_laboratory.h"
+#include "command/study_shards.h"
 #include "command/study_types.h"
 #include "command/study_text.h"
 #include "command/terminal.h"
@@ -35,7 +36,9 @@ typedef struct StudyJob {
     uint64_t content;  /* digest of the file */
     Measured measured; /* points to draw over the plots */
     StoreFound found;
-    double begin; /* s, by the clock */
+    char store[OUTPUT_NAME]; /* name of the file of results in --out */
+    StudyShard shard;        /* the trials to run */
+    double begin;            /* s, by the clock */
     size_t done_before;
     bool shown;                    /* progress was printed */
     bool kept;                     /* study.sqlite is complete, or was not asked for */
@@ -148,34 +151,44 @@ static void show_progress(void *context, size_t done, size_t all) {
     job->shown = true;
 }
 
-/* Prints how many runs study.sqlite holds already. */
+/* Prints how many runs the file of results holds already. */
 static void tell_found(const StudyJob *job) {
-    size_t done = job->found.done, all = job->study.trial_count;
-    if (job->options->quiet)
+    size_t done = job->found.done, all = study_shard_trials(&job->study, job->shard);
+    const Options *options = job->options;
+    if (options->quiet)
         return;
-    if (done == all)
-        fprintf(stderr, "clearance: all %zu runs are read back from %s/study.sqlite\n", all, job->options->out);
+    if (*options->study.shard_named)
+        fprintf(stderr, "clearance: shard %zu of %zu, from %s\n", job->shard.number, job->shard.count,
+                options->study.shard_named);
+    if (done == all && all)
+        fprintf(stderr, "clearance: all %zu runs are read back from %s/%s\n", all, options->out, job->store);
     else if (done)
-        fprintf(stderr, "clearance: continues in %s/study.sqlite, where %zu of %zu runs are done\n", job->options->out,
+        fprintf(stderr, "clearance: continues in %s/%s, where %zu of %zu runs are done\n", options->out, job->store,
                 done, all);
     else if (job->found.others)
         fprintf(
             stderr,
-            "clearance: %s/study.sqlite holds another study, since the file, settings, range or program have changed; "
-            "this one starts from the beginning, and the old one is kept\n",
-            job->options->out);
+            "clearance: %s/%s holds another study, since the file, settings, range or program have changed; this one "
+            "starts from the beginning, and the old one is kept\n",
+            options->out, job->store);
 }
 
-static bool is_whole(const Study *study) {
-    return study_done(study) == study->trial_count;
+static size_t done_of(const StudyJob *job) {
+    return study_shard_done(&job->study, job->shard);
+}
+
+/* True if all runs of the study, or of its shard, are done. */
+static bool is_whole(const StudyJob *job) {
+    return done_of(job) == study_shard_trials(&job->study, job->shard);
 }
 
 static void run_study(StudyJob *job, Store *store) {
     const Options *options = job->options;
     bool show = progress_is_shown(options);
     job->begin = stopwatch_now();
-    job->done_before = study_done(&job->study);
+    job->done_before = done_of(job);
     study_run(&job->study, &(StudyOptions){.jobs = options->jobs,
+                                           .shard = job->shard,
                                            .stop = &progress_stop,
                                            .progress = show ? show_progress : NULL,
                                            .context = job,
@@ -183,11 +196,11 @@ static void run_study(StudyJob *job, Store *store) {
                                            .keeper = store});
     if (job->shown)
         terminal_clear_progress();
-    if (!is_whole(&job->study))
+    if (!is_whole(job))
         fprintf(stderr,
                 store ? "clearance: interrupted after %zu of %zu runs; the same command continues from there\n"
                       : "clearance: interrupted after %zu of %zu runs\n",
-                study_done(&job->study), job->study.trial_count);
+                done_of(job), study_shard_trials(&job->study, job->shard));
 }
 
 /* True if the files have not changed since the study began: each run of a house reads them. */
@@ -204,20 +217,36 @@ static bool is_unchanged(const StudyJob *job) {
     return same;
 }
 
-/* Runs the missing runs and stores them in study.sqlite if there is --out. False: there is no answer, `fault` says why.
- * A file that could not be written completely adds an error, but there is an answer. */
-static bool run_kept(StudyJob *job, Fault *fault) {
+/* Opens the file of results. False: `fault` says why it is unusable. */
+static bool open_store(StudyJob *job, Store **store, Fault *fault) {
+    const Options *options = job->options;
+    if (!options->out)
+        return true;
+    char path[OUTPUT_PATH];
+    study_shards_name(options, job->store);
+    snprintf(path, sizeof path, "%s/%s", options->out, job->store);
+    *store = store_open(path, job->shard.count ? STORE_WITH_READERS : STORE_ALONE, &job->study,
+                        study_digest(&job->study, given_digest(job)), &job->found, fault);
+    if (*store)
+        tell_found(job);
+    return *store;
+}
+
+/* Runs the missing runs and stores them if there is --out, after taking those of the shards that are merged. Returns 0,
+ * or if there is no answer, the exit code; `fault` says why. A file that could not be written completely adds an error,
+ * but there is an answer. */
+static int run_kept(StudyJob *job, Fault *fault) {
     const Options *options = job->options;
     Store *store = NULL;
-    if (options->out) {
-        char path[OUTPUT_PATH];
-        snprintf(path, sizeof path, "%s/study.sqlite", options->out);
-        store = store_open(path, &job->study, study_digest(&job->study, given_digest(job)), &job->found, fault);
-        if (!store)
-            return false;
-        tell_found(job);
+    if (!open_store(job, &store, fault))
+        return EXIT_WRONG_INPUT;
+    int code = options->study.merge ? study_shards_merge(options, &job->study, store, fault) : 0;
+    if (code) {
+        store_abandon(store);
+        return code;
     }
-    run_study(job, store);
+    if (!options->study.no_run)
+        run_study(job, store);
     bool same = is_unchanged(job);
     if (!same)
         fault_add(fault, "%s or a profile changed during the study; the runs mix both versions and are not kept",
@@ -225,7 +254,7 @@ static bool run_kept(StudyJob *job, Fault *fault) {
     if (store && !same)
         store_forget(store);
     job->kept = !store || store_close(store, fault);
-    return same;
+    return same ? 0 : EXIT_WRONG_INPUT;
 }
 
 /* Answering -------------------------------------------------------------------------------------------------------- */
@@ -280,7 +309,7 @@ static void print_words(const StudyJob *job) {
 }
 
 static bool is_interrupted(const StudyJob *job) {
-    return !is_whole(&job->study) || (job->findings && job->findings->calm == SHAKE_CALM_INTERRUPTED);
+    return !is_whole(job) || (job->findings && job->findings->calm == SHAKE_CALM_INTERRUPTED);
 }
 
 /* Prints and writes the answer. Returns the exit code. */
@@ -305,12 +334,14 @@ static int answer_study(const StudyJob *job) {
 /* Answers the study; earthquakes without --vary have findings of their own. */
 static int answer_all(StudyJob *job) {
     const Options *options = job->options;
+    if (job->shard.count)
+        return job->kept ? study_shards_answer(options, &job->study) : EXIT_WRONG_INPUT;
     if (!options->study.shakes || job->study.axis_count || options->types)
         return answer_study(job);
     ShakeFindings findings = shake_findings_make(&job->study);
     size_t route = options->route ? plan_find_route(&findings.house->plan, options->route) : SIZE_MAX;
     shake_findings_run_calm(&findings, route, options->jobs, &progress_stop);
-    if (is_whole(&job->study) && findings.calm == SHAKE_CALM_INTERRUPTED)
+    if (is_whole(job) && findings.calm == SHAKE_CALM_INTERRUPTED)
         fprintf(stderr, "clearance: interrupted in the run without a shake\n");
     job->findings = &findings;
     int code = answer_study(job);
@@ -354,11 +385,11 @@ static bool is_one_question(const Options *options, Fault *fault) {
 }
 
 int command_study(const Options *options) {
-    StudyJob job = {.options = options};
+    StudyJob job = {.options = options, .shard = options->study.shard};
     Fault fault = {0};
-    if (!is_one_question(options, &fault) || !is_one_chance(options, &fault))
+    if (!study_shards_check(options, &fault) || !is_one_question(options, &fault) || !is_one_chance(options, &fault))
         return house_file_report(&fault);
-    if (options->out && !output_directory(options->out))
+    if (options->out && !options->study.print_shards && !output_directory(options->out))
         return EXIT_WRONG_INPUT;
     if (options->types && !options->study.axis_count && options->study.runs < 2)
         return study_types_answer(options);
@@ -367,10 +398,15 @@ int command_study(const Options *options) {
     if (!open_study(&job, &fault))
         return house_file_report(&fault);
     study_begin(&job.study);
-    bool ran = run_kept(&job, &fault);
-    int code = house_file_report(&fault);
-    if (ran)
-        code = answer_all(&job);
+    int code;
+    if (options->study.print_shards) {
+        code = study_shards_print(options, &job.study);
+    } else {
+        code = run_kept(&job, &fault);
+        house_file_report(&fault);
+        if (!code)
+            code = answer_all(&job);
+    }
     study_clear(&job.study);
     measured_free(&job.measured);
     close_experiment(&job);

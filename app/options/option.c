@@ -77,6 +77,10 @@ static bool read_sweep(Options *options, const char *value) {
     return study_request_sweep(&options->study, value);
 }
 
+static bool read_shard(Options *options, const char *value) {
+    return study_request_shard(&options->study, value);
+}
+
 static bool read_unit(Options *options, const char *value) {
     options->unit = import_unit(value);
     return options->unit > 0;
@@ -148,6 +152,19 @@ const Option option_rows[] = {
     {"--paper", OPTION_FLAG, FIELD(paper), NO_RANGE, NULL,
      "beams only: compare each claim and figure of Gu and Dubowsky's paper with our results; --out holds the page",
      GROUP_STUDY, FOR_STUDY, NULL, NULL},
+
+    {"--shard", OPTION_MAYBE, NO_FIELD, NO_RANGE, "I/N",
+     "run only the I-th of N parts of the study and keep it in --out as study-I-of-N.sqlite; without I/N, the part of "
+     "a "
+     "task in a job array (SLURM_ARRAY_TASK_ID, SGE_TASK_ID or OMPI_COMM_WORLD_RANK, with its count)",
+     GROUP_STUDY, FOR_STUDY, NULL, read_shard},
+    {"--merge", OPTION_FLAG, FIELD(study.merge), NO_RANGE, NULL,
+     "join the files of all shards in --out, run what they lack, and answer", GROUP_STUDY, FOR_STUDY, NULL, NULL},
+    {"--no-run", OPTION_FLAG, FIELD(study.no_run), NO_RANGE, NULL,
+     "with --merge: run nothing, answer from what there is", GROUP_STUDY, FOR_STUDY, NULL, NULL},
+    {"--print-shards", OPTION_WHOLE, FIELD(study.print_shards), 1, STUDY_SHARDS_MOST, "N",
+     "print how to run this study in N shards with Slurm or GNU parallel, and run nothing", GROUP_STUDY, FOR_STUDY,
+     NULL, NULL},
 
     {"--json", OPTION_FLAG, FIELD(json), NO_RANGE, NULL, "print the answer as one JSON object and nothing else",
      GROUP_OUTPUT, FOR_HOUSES | FOR_CASES | FOR_IMPORT, NULL, NULL},
@@ -352,6 +369,9 @@ bool option_take(const Option *option, Options *options, const char *value) {
     case OPTION_NAME:
     case OPTION_READ:
         good = value && option->read(options, value);
+        break;
+    case OPTION_MAYBE:
+        good = option->read(options, value);
         break;
     }
     options->given[option - option_rows] |= good;

@@ -15,6 +15,7 @@ typedef enum OptionKind {
     OPTION_FOLDER, /* as OPTION_TEXT */
     OPTION_NAME,   /* read by `read`; the value begins with the name of a parameter, as --set takes it */
     OPTION_READ,   /* read by `read` */
+    OPTION_MAYBE,  /* as OPTION_READ; the value, which begins with a digit, may be absent: then `read` takes NULL */
 } OptionKind;
 
 /* Under which heading --help lists an option, in this order. */

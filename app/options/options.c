@@ -1,5 +1,6 @@
 #include "options/options.h"
 
+#include <ctype.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
@@ -83,7 +84,9 @@ static int read_option(Options *options, VerbId verb, int *at) {
         return options_complain("unknown option", name, known, option_names(verb, known));
     }
     const char *value = equals ? equals + 1 : NULL;
-    if (option->argument && !value && *at + 1 < options->argument_count)
+    const char *next = *at + 1 < options->argument_count ? options->arguments[*at + 1] : NULL;
+    bool follows = next && (option->kind != OPTION_MAYBE || isdigit((unsigned char)*next));
+    if (option->argument && !value && follows)
         value = options->arguments[++*at];
     return option_take(option, options, value) ? 0 : complain_of_value(option, options, value);
 }

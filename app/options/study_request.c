@@ -2,6 +2,7 @@
 
 #include <ctype.h>
 #include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -67,4 +68,53 @@ bool study_request_sweep(StudyRequest *request, const char *words) {
         words += length + 1;
     }
     return false;
+}
+
+/* Reads a whole number that is followed by `end`. */
+static bool take_whole(const char **words, char end, size_t *number) {
+    char *after;
+    errno = 0;
+    unsigned long long value = strtoull(*words, &after, 10);
+    bool good = isdigit((unsigned char)**words) && *after == end && !errno;
+    *words = good && end ? after + 1 : after;
+    *number = (size_t)value;
+    return good;
+}
+
+static bool take_variable(const char *name, size_t *number) {
+    const char *value = name ? getenv(name) : NULL;
+    return value && take_whole(&value, 0, number);
+}
+
+/* How a scheduler numbers the tasks of an array. */
+typedef struct ArrayVariables {
+    const char *task, *count, *first; /* names; `first` may be NULL */
+    size_t from;                      /* number of the first task where `first` is not set */
+} ArrayVariables;
+
+/* Takes the task's number in its array. An array with gaps is one that repeats some tasks of a larger one. */
+static bool take_array(StudyRequest *request, const ArrayVariables *variables) {
+    size_t task, count, first;
+    if (!take_variable(variables->task, &task) || !take_variable(variables->count, &count))
+        return false;
+    if (!take_variable(variables->first, &first))
+        first = variables->from;
+    if (first > 1 || task < first || task - first >= count || count > STUDY_SHARDS_MOST)
+        return false;
+    request->shard = (StudyShard){task - first + 1, count};
+    snprintf(request->shard_named, sizeof request->shard_named, "%s and %s", variables->task, variables->count);
+    return true;
+}
+
+bool study_request_shard(StudyRequest *request, const char *words) {
+    static const ArrayVariables arrays[] = {
+        {"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT", "SLURM_ARRAY_TASK_MIN", 1},
+        {"SGE_TASK_ID", "SGE_TASK_LAST", "SGE_TASK_FIRST", 1},
+        {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", NULL, 0}};
+    for (size_t a = 0; !words && a < sizeof arrays / sizeof *arrays; a++)
+        if (take_array(request, &arrays[a]))
+            return true;
+    StudyShard *shard = &request->shard;
+    return words && take_whole(&words, '/', &shard->number) && take_whole(&words, 0, &shard->count) &&
+           shard->number >= 1 && shard->number <= shard->count && shard->count <= STUDY_SHARDS_MOST;
 }

@@ -1,9 +1,12 @@
 #include "study/store.h"
 
+#include <errno.h>
+#include <fcntl.h>
 #include <math.h>
 #include <sqlite3.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/stopwatch.h"
 #include "base/digest.h"
@@ -14,7 +17,9 @@ enum {
     FORMAT = 1,
     APPLICATION = 0x436c6561, /* "Clea": the application id that SQLite keeps at byte 68 */
     PATIENCE = 2000,          /* ms, for another program that reads the file */
+    LAST_PATIENCE = 60000,    /* ms, the same for the last commit */
     REASON = 200,             /* size of a reason, characters */
+    WRITER_BYTE = 0x3fffffff, /* that a writer locks, just before those that SQLite locks */
 };
 
 /* Numbers are in this machine's byte order: a double is stored as in memory. A trial's digest covers its row. */
@@ -27,10 +32,16 @@ struct Store {
     sqlite3 *database;
     sqlite3_stmt *insert;
     char *path;
-    int64_t study;
+    uint64_t digest;     /* of the study */
+    int64_t study;       /* its row */
+    int writer;          /* file descriptor that holds the lock of the writer of a file with readers, or -1 */
     double committed;    /* s, clock time of the last commit */
     bool open;           /* a transaction is open */
     char reason[REASON]; /* reason of the first failed write, or "" */
+
+    char **merged; /* (merged_count) paths of the merged files */
+    size_t merged_count, merged_capacity;
+    uint32_t *origins; /* (trials) which of them a trial is from, from 1; 0: from this file; NULL: nothing was merged */
 };
 
 static bool run_statement(Store *store, const char *statement) {
@@ -63,22 +74,8 @@ static void add_database_fault(const Store *store, Fault *fault) {
         fault_add(fault, "%s is damaged (%s); move it or choose another --out", path, sqlite3_errmsg(store->database));
 }
 
-/* Creates the tables in a file without tables. */
-static bool prepare_tables(Store *store, Fault *fault) {
-    int64_t known = ask(store, "SELECT count(*) FROM sqlite_master");
-    if (known < 0) {
-        add_database_fault(store, fault);
-        return false;
-    }
-    char statement[100];
-    if (!known) {
-        snprintf(statement, sizeof statement, "PRAGMA application_id = %d; PRAGMA user_version = %d", APPLICATION,
-                 FORMAT);
-        if (run_statement(store, statement) && run_statement(store, tables))
-            return true;
-        add_database_fault(store, fault);
-        return false;
-    }
+/* Checks that a file with tables is one of a store. */
+static bool check_format(Store *store, Fault *fault) {
     if (ask(store, "PRAGMA application_id") != APPLICATION) {
         fault_add(fault, "%s is another program's database; move it or choose another --out", store->path);
         return false;
@@ -90,24 +87,57 @@ static bool prepare_tables(Store *store, Fault *fault) {
     return version == FORMAT;
 }
 
-/* Reading -------------------------------------------------------------------------------------------------------- */
-
-static uint64_t row_digest(const Trial *trial, size_t observables, int64_t index) {
-    uint64_t digest = digest_bytes(DIGEST_START, trial->observed, observables * sizeof *trial->observed);
-    digest = digest_bytes(digest, trial->series, trial->series_count * sizeof *trial->series);
-    return digest_mix(digest_text(digest, trial->fault ? trial->fault : ""), (double)index);
+/* Returns the number of tables, or -1 after an error. */
+static int64_t count_tables(Store *store, Fault *fault) {
+    int64_t known = ask(store, "SELECT count(*) FROM sqlite_master");
+    if (known < 0)
+        add_database_fault(store, fault);
+    return known;
 }
 
-/* Reads a row into its trial. Returns false if the row is not as it was written, or its trial was read before, since a
- * damaged file can have a row twice. */
-static bool take_row(sqlite3_stmt *row, Study *study) {
+/* Creates the tables in a file without tables. */
+static bool prepare_tables(Store *store, Fault *fault) {
+    int64_t known = count_tables(store, fault);
+    if (known)
+        return known > 0 && check_format(store, fault);
+    char statement[100];
+    snprintf(statement, sizeof statement, "PRAGMA application_id = %d; PRAGMA user_version = %d", APPLICATION, FORMAT);
+    if (run_statement(store, statement) && run_statement(store, tables))
+        return true;
+    add_database_fault(store, fault);
+    return false;
+}
+
+/* Reading -------------------------------------------------------------------------------------------------------- */
+
+/* Series are counted in numbers, not in bytes. */
+static uint64_t row_digest(const void *observed, size_t observables, const void *series, size_t series_count,
+                           const char *reason, int64_t index) {
+    uint64_t digest = digest_bytes(DIGEST_START, observed, observables * sizeof(double));
+    digest = digest_bytes(digest, series, series_count * sizeof(double));
+    return digest_mix(digest_text(digest, reason ? reason : ""), (double)index);
+}
+
+static uint64_t trial_digest(const Trial *trial, size_t observables, size_t index) {
+    return row_digest(trial->observed, observables, trial->series, trial->series_count, trial->fault, (int64_t)index);
+}
+
+static const char rows[] = "SELECT trial, observed, series, fault, digest FROM trial WHERE study = ?";
+
+/* Returns the trial of a row, or SIZE_MAX if the row is not as it was written. */
+static size_t check_row(sqlite3_stmt *row, const Study *study) {
     int64_t index = sqlite3_column_int64(row, 0);
-    size_t observables = study->experiment->observable_count;
-    if (index < 0 || index >= (int64_t)study->trial_count || study->trials[index].done ||
-        (size_t)sqlite3_column_bytes(row, 1) != observables * sizeof(double) ||
-        (size_t)sqlite3_column_bytes(row, 2) % sizeof(double))
-        return false;
-    Trial *trial = &study->trials[index];
+    size_t observables = study->experiment->observable_count, bytes = (size_t)sqlite3_column_bytes(row, 2);
+    if (index < 0 || index >= (int64_t)study->trial_count ||
+        (size_t)sqlite3_column_bytes(row, 1) != observables * sizeof(double) || bytes % sizeof(double))
+        return SIZE_MAX;
+    uint64_t digest = row_digest(sqlite3_column_blob(row, 1), observables, sqlite3_column_blob(row, 2),
+                                 bytes / sizeof(double), (const char *)sqlite3_column_text(row, 3), index);
+    return (uint64_t)sqlite3_column_int64(row, 4) == digest ? (size_t)index : SIZE_MAX;
+}
+
+/* Reads a sound row into its trial. */
+static void take_row(sqlite3_stmt *row, Trial *trial, size_t observables) {
     if (observables)
         memcpy(trial->observed, sqlite3_column_blob(row, 1), observables * sizeof(double));
     trial->series_count = (size_t)sqlite3_column_bytes(row, 2) / sizeof(double);
@@ -117,8 +147,7 @@ static bool take_row(sqlite3_stmt *row, Study *study) {
     }
     const char *text = (const char *)sqlite3_column_text(row, 3);
     trial->fault = text ? text_copy(text) : NULL;
-    trial->done = (uint64_t)sqlite3_column_int64(row, 4) == row_digest(trial, observables, index);
-    return trial->done;
+    trial->done = true;
 }
 
 /* Clears the trials after a failed reading. */
@@ -134,12 +163,14 @@ static void forget_trials(Study *study) {
 
 static bool read_trials(Store *store, Study *study, StoreFound *found, Fault *fault) {
     sqlite3_stmt *select = NULL;
-    int code = sqlite3_prepare_v2(
-        store->database, "SELECT trial, observed, series, fault, digest FROM trial WHERE study = ?", -1, &select, NULL);
+    int code = sqlite3_prepare_v2(store->database, rows, -1, &select, NULL);
     bool sound = true;
     sqlite3_bind_int64(select, 1, store->study);
     while (code == SQLITE_OK && sound && sqlite3_step(select) == SQLITE_ROW) {
-        sound = take_row(select, study);
+        size_t index = check_row(select, study);
+        sound = index < SIZE_MAX && !study->trials[index].done; /* a damaged file can have a row twice */
+        if (sound)
+            take_row(select, &study->trials[index], study->experiment->observable_count);
         found->done++;
     }
     if (code == SQLITE_OK && !sound)
@@ -171,15 +202,33 @@ static bool find_study(Store *store, const Study *study, uint64_t digest, StoreF
     return store->study >= 0;
 }
 
-static bool open_database(Store *store, Study *study, uint64_t digest, StoreFound *found, Fault *fault) {
+/* Makes this program the only one that writes a file with readers. SQLite would let another one in between two
+ * commits. */
+static bool become_writer(Store *store, Fault *fault) {
+    store->writer = open(store->path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (store->writer < 0) {
+        fault_add(fault, "%s cannot be written: %s", store->path, strerror(errno));
+        return false;
+    }
+    struct flock lock = {.l_type = F_WRLCK, .l_whence = SEEK_SET, .l_start = WRITER_BYTE, .l_len = 1};
+    if (fcntl(store->writer, F_OFD_SETLK, &lock) == 0 || (errno != EAGAIN && errno != EACCES))
+        return true; /* there are file systems without locks */
+    fault_add(fault, "%s is in use by another program: wait until it has ended, or choose another --out", store->path);
+    return false;
+}
+
+static bool open_database(Store *store, StoreUse use, Study *study, uint64_t digest, StoreFound *found, Fault *fault) {
+    if (use == STORE_WITH_READERS && !become_writer(store, fault))
+        return false;
     if (sqlite3_open(store->path, &store->database) != SQLITE_OK) {
         add_database_fault(store, fault);
         return false;
     }
     sqlite3_extended_result_codes(store->database, 0);
     sqlite3_busy_timeout(store->database, PATIENCE);
-    /* one program at a time, so that another cannot change the file meanwhile */
-    if (!run_statement(store, "PRAGMA locking_mode = EXCLUSIVE; BEGIN IMMEDIATE")) {
+    if (use == STORE_ALONE)
+        run_statement(store, "PRAGMA locking_mode = EXCLUSIVE");
+    if (!run_statement(store, "BEGIN IMMEDIATE")) {
         add_database_fault(store, fault);
         return false;
     }
@@ -200,15 +249,23 @@ static void free_store(Store *store) {
     if (store->open)
         run_statement(store, "ROLLBACK");
     sqlite3_close(store->database);
+    if (store->writer >= 0)
+        close(store->writer); /* after SQLite, whose own locks end with the first descriptor that is closed */
+    for (size_t m = 0; m < store->merged_count; m++)
+        memory_free(store->merged[m]);
+    memory_free(store->merged);
+    memory_free(store->origins);
     memory_free(store->path);
     memory_free(store);
 }
 
-Store *store_open(const char *path, Study *study, uint64_t digest, StoreFound *found, Fault *fault) {
+Store *store_open(const char *path, StoreUse use, Study *study, uint64_t digest, StoreFound *found, Fault *fault) {
     Store *store = memory_zeroed(1, sizeof *store);
     store->path = text_copy(path);
+    store->writer = -1;
+    store->digest = digest;
     *found = (StoreFound){0};
-    if (!open_database(store, study, digest, found, fault)) {
+    if (!open_database(store, use, study, digest, found, fault)) {
         free_store(store);
         return NULL;
     }
@@ -234,14 +291,16 @@ static bool write_trial(Store *store, const Study *study, size_t index) {
     sqlite3_bind_blob64(insert, 4, trial->series_count ? (const void *)trial->series : "",
                         trial->series_count * sizeof(double), SQLITE_STATIC);
     sqlite3_bind_text(insert, 5, trial->fault, -1, SQLITE_STATIC);
-    sqlite3_bind_int64(insert, 6, (int64_t)row_digest(trial, observables, (int64_t)index));
+    sqlite3_bind_int64(insert, 6, (int64_t)trial_digest(trial, observables, index));
     bool good = sqlite3_step(insert) == SQLITE_DONE;
     return sqlite3_reset(insert) == SQLITE_OK && good;
 }
 
+/* Commits, unless others read the file for longer than we wait: then the transaction stays open for a later commit. */
 static bool commit(Store *store) {
-    store->open = false;
-    return run_statement(store, "COMMIT");
+    bool good = run_statement(store, "COMMIT");
+    store->open = !good && sqlite3_errcode(store->database) == SQLITE_BUSY;
+    return good || store->open;
 }
 
 void store_write(void *keeper, const Study *study, const size_t *done, size_t count) {
@@ -274,11 +333,132 @@ void store_forget(Store *store) {
 }
 
 bool store_close(Store *store, Fault *fault) {
-    if (store->open && !*store->reason && !commit(store))
+    sqlite3_busy_timeout(store->database, LAST_PATIENCE);
+    if (store->open && !*store->reason && (!commit(store) || store->open))
         note_failure(store);
     bool good = !*store->reason;
     if (!good)
         fault_add(fault, "%s cannot be written: %s; earlier results are kept", store->path, store->reason);
     free_store(store);
     return good;
+}
+
+void store_abandon(Store *store) {
+    free_store(store);
+}
+
+/* Merging -------------------------------------------------------------------------------------------------------- */
+
+/* Opens a file of a shard to read this study, which it must have, in one transaction. */
+static bool open_other(Store *other, const char *path, uint64_t digest, Fault *fault) {
+    *other = (Store){.path = text_copy(path), .writer = -1};
+    /* a file whose program was killed within a commit is first put back to the commit before, by SQLite */
+    if (sqlite3_open_v2(path, &other->database, SQLITE_OPEN_READWRITE, NULL) != SQLITE_OK) {
+        fault_add(fault, "%s cannot be read: %s", path, sqlite3_errmsg(other->database));
+        return false;
+    }
+    sqlite3_busy_timeout(other->database, LAST_PATIENCE);
+    other->open = run_statement(other, "PRAGMA query_only = 1; BEGIN");
+    int64_t known = other->open ? count_tables(other, fault) : -1;
+    if (!other->open)
+        add_database_fault(other, fault);
+    if (known == 0)
+        fault_add(fault, "%s is empty", path);
+    if (known <= 0 || !check_format(other, fault))
+        return false;
+    char statement[100];
+    snprintf(statement, sizeof statement, "SELECT id FROM study WHERE digest = %lld", (long long)digest);
+    other->study = ask(other, statement);
+    if (other->study < 0)
+        fault_add(fault,
+                  "%s is of another study: its file, settings, range or program differ; give all shards the same "
+                  "command, and install the same clearance on all machines",
+                  path);
+    return other->study >= 0;
+}
+
+static void close_other(Store *other) {
+    if (other->open)
+        run_statement(other, "ROLLBACK");
+    sqlite3_close(other->database);
+    memory_free(other->path);
+}
+
+/* Adds which two results a trial has. */
+static void tell_conflict(const Store *store, const Study *study, size_t index, sqlite3_stmt *row, const char *path,
+                          Fault *fault) {
+    const Experiment *experiment = study->experiment;
+    const Trial *trial = &study->trials[index];
+    size_t origin = store->origins[index];
+    Text text = {0};
+    text_format(&text, "run %zu (pass %s, seed %llu", index + 1,
+                study_pass_name(study->passes[study_pass_of(study, index)]), (unsigned long long)trial->seed);
+    for (size_t n = 0; n < study->name_count; n++)
+        text_format(&text, ", %s %.9g", study->names[n], trial->at[n]);
+    text_add(&text, ") has two results");
+    for (size_t o = 0; o < experiment->observable_count; o++) {
+        double other;
+        memcpy(&other, (const char *)sqlite3_column_blob(row, 1) + o * sizeof other, sizeof other);
+        if (memcmp(&other, &trial->observed[o], sizeof other) == 0)
+            continue;
+        text_format(&text, ": %s is %.17g in %s, %.17g in %s", experiment->observables[o].name, trial->observed[o],
+                    origin ? store->merged[origin - 1] : store->path, other, path);
+        break;
+    }
+    fault_add(fault, "%s; a machine computes wrongly, or a file was changed: remove the wrong file and merge again",
+              text.text);
+    memory_free(text.text);
+}
+
+/* Goes through the rows of the other file: first only to see that all are sound, then to take them. */
+static StoreMerge read_other(Store *store, Study *study, Store *other, bool take, Fault *fault) {
+    size_t observables = study->experiment->observable_count;
+    sqlite3_stmt *select = NULL;
+    StoreMerge end = STORE_MERGED;
+    int code = sqlite3_prepare_v2(other->database, rows, -1, &select, NULL);
+    sqlite3_bind_int64(select, 1, other->study);
+    bool good = code == SQLITE_OK, sound = true;
+    while (good && sound && sqlite3_step(select) == SQLITE_ROW) {
+        size_t index = check_row(select, study);
+        sound = index < SIZE_MAX;
+        if (!take || !sound)
+            continue;
+        Trial *trial = &study->trials[index];
+        if (!trial->done) {
+            take_row(select, trial, observables);
+            store->origins[index] = (uint32_t)store->merged_count;
+            if (!*store->reason && !write_trial(store, study, index))
+                note_failure(store);
+        } else if (trial_digest(trial, observables, index) != (uint64_t)sqlite3_column_int64(select, 4)) {
+            tell_conflict(store, study, index, select, other->path, fault);
+            end = STORE_CONFLICT;
+        }
+    }
+    if (good)
+        sqlite3_reset(select);
+    if (good && !sound)
+        fault_add(fault, "%s is damaged (a row was changed)", other->path);
+    else if (sqlite3_errcode(other->database) != SQLITE_OK) {
+        add_database_fault(other, fault);
+        sound = false;
+    }
+    sqlite3_finalize(select);
+    return good && sound ? end : STORE_REFUSED;
+}
+
+StoreMerge store_merge(Store *store, Study *study, const char *path, Fault *fault) {
+    Store other;
+    StoreMerge end = STORE_REFUSED;
+    if (open_other(&other, path, store->digest, fault)) {
+        if (!store->origins)
+            store->origins = memory_zeroed(study->trial_count, sizeof *store->origins);
+        store->merged =
+            memory_reserve(store->merged, &store->merged_capacity, store->merged_count + 1, sizeof *store->merged);
+        store->merged[store->merged_count++] = text_copy(path);
+        end = read_other(store, study, &other, false, fault);
+        if (end == STORE_MERGED)
+            end = read_other(store, study, &other, true, fault);
+    }
+    close_other(&other);
+    return end;
 }

@@ -222,6 +222,29 @@ size_t study_done(const Study *study) {
     return done;
 }
 
+size_t study_shard_of(const Study *study, size_t count, size_t trial) {
+    bool carried = study->passes[study_pass_of(study, trial)] != STUDY_RESET;
+    return (carried ? trial / study_steps(study, 0) : trial) % count + 1;
+}
+
+bool study_shard_has(const Study *study, StudyShard shard, size_t trial) {
+    return !shard.count || study_shard_of(study, shard.count, trial) == shard.number;
+}
+
+size_t study_shard_trials(const Study *study, StudyShard shard) {
+    size_t trials = 0;
+    for (size_t t = 0; t < study->trial_count; t++)
+        trials += study_shard_has(study, shard, t);
+    return trials;
+}
+
+size_t study_shard_done(const Study *study, StudyShard shard) {
+    size_t done = 0;
+    for (size_t t = 0; t < study->trial_count; t++)
+        done += study->trials[t].done && study_shard_has(study, shard, t);
+    return done;
+}
+
 /* Running -------------------------------------------------------------------------------------------------------- */
 
 /* The trials of one call of the experiment. */
@@ -236,7 +259,7 @@ typedef struct Work {
     size_t *order; /* (trial_count) indices of trials */
     Piece *pieces; /* (piece_count) */
     size_t piece_count, capacity, ordered;
-    size_t done;
+    size_t done, all;     /* trials of the shard */
     pthread_mutex_t lock; /* protects `done`, the progress report and the keeper */
 } Work;
 
@@ -256,7 +279,7 @@ static void add_batches(Work *work, size_t pass) {
     const Study *study = work->study;
     size_t each = study->trial_count / study->pass_count, begin = work->ordered;
     for (size_t t = pass * each; t < (pass + 1) * each; t++)
-        if (!study->trials[t].done)
+        if (!study->trials[t].done && study_shard_has(study, work->options->shard, t))
             work->order[work->ordered++] = t;
     size_t end = work->ordered, jobs = work->options->jobs > 1 ? (size_t)work->options->jobs : 1;
     size_t batch = study->experiment->batch, share = (end - begin + jobs - 1) / jobs;
@@ -268,11 +291,13 @@ static void add_batches(Work *work, size_t pass) {
     work->ordered = end;
 }
 
-/* Adds the trials along axis 0, one after another, if any is missing. */
+/* Adds the trials along axis 0, one after another, if the shard has them and any is missing. */
 static void add_chain(Work *work, size_t pass, size_t run, size_t i1) {
     const Study *study = work->study;
     size_t steps = study_steps(study, 0), first = work->ordered;
     bool missing = false;
+    if (!study_shard_has(study, work->options->shard, study_index(study, pass, run, i1, 0)))
+        return;
     for (size_t i0 = 0; i0 < steps; i0++)
         missing |= !study_trial(study, pass, run, i1, i0)->done;
     for (size_t i = 0; i < steps && missing; i++) {
@@ -342,7 +367,7 @@ static void run_piece(void *context, size_t index) {
     if (options->keep && fresh_count)
         options->keep(options->keeper, study, fresh, fresh_count);
     if (options->progress)
-        options->progress(options->context, work->done, study->trial_count);
+        options->progress(options->context, work->done, work->all);
     pthread_mutex_unlock(&work->lock);
     memory_free(fresh);
     memory_free(observed);
@@ -353,7 +378,8 @@ void study_run(Study *study, const StudyOptions *options) {
     Work work = {.study = study,
                  .options = options,
                  .order = memory_zeroed(study->trial_count, sizeof *work.order),
-                 .done = study_done(study),
+                 .done = study_shard_done(study, options->shard),
+                 .all = study_shard_trials(study, options->shard),
                  .lock = PTHREAD_MUTEX_INITIALIZER};
     make_pieces(&work);
     parallel_for(options->jobs, work.piece_count, run_piece, &work);

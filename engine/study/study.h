@@ -51,11 +51,20 @@ typedef struct Study {
     double *values; /* memory of the trials' `at` and `observed` */
 } Study;
 
+/* The part of a study that one machine runs: the `number`-th of `count` parts. It has every `count`-th trial, and of a
+ * carried pass every `count`-th chain along axis 0, since a trial of such a chain needs those before it. Cost changes
+ * smoothly along an axis, so that such parts take nearly the same time. */
+typedef struct StudyShard {
+    size_t number; /* from 1 */
+    size_t count;  /* 0: the whole study */
+} StudyShard;
+
 typedef struct StudyOptions {
-    int jobs; /* threads */
+    int jobs;         /* threads */
+    StudyShard shard; /* the trials to run */
     const Stop *stop;
     void (*progress)(void *context, size_t done,
-                     size_t all); /* counts of trials; called by one thread at a time; NULL: none */
+                     size_t all); /* counts of the shard's trials; called by one thread at a time; NULL: none */
     void *context;
 
     /* Receives the trials (`count` indices) just completed; called by one thread at a time; NULL: none. */
@@ -76,8 +85,8 @@ bool study_check(const Study *study, Fault *fault);
 void study_begin(Study *study);
 void study_clear(Study *study);
 
-/* Runs the trials that are not done; an interruption keeps completed ones. A carried pass restarts at its first
- * point along axis 0: intermediate states are not stored. */
+/* Runs the trials of the shard that are not done; an interruption keeps completed ones. A carried pass restarts at its
+ * first point along axis 0: intermediate states are not stored. */
 void study_run(Study *study, const StudyOptions *options);
 
 /* Returns the digest of all inputs; `given` is the digest of the experiment's file, settings and program version. */
@@ -85,6 +94,16 @@ uint64_t study_digest(const Study *study, uint64_t given);
 
 /* Returns the number of completed trials. */
 size_t study_done(const Study *study);
+
+/* Returns which of `count` shards, from 1, has the trial. */
+size_t study_shard_of(const Study *study, size_t count, size_t trial);
+
+/* True if the shard has the trial. */
+bool study_shard_has(const Study *study, StudyShard shard, size_t trial);
+
+/* Returns the number of trials of a shard, and of those of them that are completed. */
+size_t study_shard_trials(const Study *study, StudyShard shard);
+size_t study_shard_done(const Study *study, StudyShard shard);
 
 /* Returns the number of values of an axis; 1 for an absent axis. */
 static inline size_t study_steps(const Study *study, size_t axis) {

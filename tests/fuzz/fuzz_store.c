@@ -35,7 +35,7 @@ static bool run_study(const char *path, int most) {
     Study study = begin_study(&experiment);
     StoreFound found = {0};
     Fault fault = {0};
-    Store *store = store_open(path, &study, DIGEST, &found, &fault);
+    Store *store = store_open(path, STORE_ALONE, &study, DIGEST, &found, &fault);
     bool good = store;
     fuzz_expect_faults(good, &fault, "");
     if (store) {
@@ -47,6 +47,22 @@ static bool run_study(const char *path, int most) {
     }
     study_clear(&study);
     return good;
+}
+
+/* Merges the file into a new one. */
+static void merge_study(const char *path, const char *into) {
+    Toy toy = {0};
+    Experiment experiment = toy_experiment(&toy);
+    Study study = begin_study(&experiment);
+    StoreFound found = {0};
+    Fault fault = {0};
+    Store *store = store_open(into, STORE_ALONE, &study, DIGEST, &found, &fault);
+    fuzz_expect(store, "a new file is made");
+    StoreMerge end = store_merge(store, &study, path, &fault);
+    fuzz_expect(end != STORE_REFUSED || study_done(&study) == 0, "nothing is taken from a file that is refused");
+    fuzz_expect_faults(end == STORE_MERGED, &fault, "");
+    store_abandon(store);
+    study_clear(&study);
 }
 
 static Bytes read_bytes(const char *path) {
@@ -80,6 +96,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         place |= fuzz_take(&data, &size);
         damaged[place % sound.size] = fuzz_take(&data, &size);
     }
+    fuzz_write(path, "study", damaged, left);
+    char merged[FUZZ_PATH];
+    fuzz_write(merged, "merged", NULL, 0);
+    merge_study(path, merged);
     fuzz_write(path, "study", damaged, left);
     if (!run_study(path, 0)) {
         Bytes after = read_bytes(path);

@@ -29,7 +29,7 @@ TEST(no_verb_has_two_options_of_one_name) {
 TEST(an_option_has_a_field_or_a_reader_and_only_a_flag_has_no_placeholder) {
     for (size_t o = 0; o < option_count; o++) {
         const Option *option = &option_rows[o];
-        bool by_reader = option->kind == OPTION_NAME || option->kind == OPTION_READ;
+        bool by_reader = option->kind == OPTION_NAME || option->kind == OPTION_READ || option->kind == OPTION_MAYBE;
         CHECK(!by_reader == (option->size > 0));
         CHECK(by_reader == (option->read != NULL));
         CHECK((option->kind == OPTION_FLAG) == (option->argument == NULL));
