@@ -27,6 +27,7 @@ engine/plan         mechanics
 engine/space        mechanics plan
 engine/route        plan space
 engine/house        mechanics plan route space
+engine/rules        house mechanics plan route space
 engine/inquiry      house plan space
 engine/cycle        mechanics
 engine/beam         cycle mechanics
@@ -38,9 +39,9 @@ app/draw            -
 app/paint           draw
 app/plot            draw paint
 app/document        draw paint
-app/result          beam cycle document draw experiment house inquiry study
+app/result          beam cycle document draw experiment house inquiry rules study
 app/visual/study    exchange plot study
-app/visual/house    draw experiment house plan plot result route space study visual/study
+app/visual/house    draw experiment house plan plot result route rules space study visual/study
 app/visual/beam     beam cycle draw exchange mechanics plot visual/house visual/study
 app/laboratory            beam draw exchange house plan plot visual/beam visual/house
 app/laboratory/edit       house inquiry laboratory plan result
@@ -49,9 +50,9 @@ app/laboratory/beam       beam cycle experiment laboratory mechanics plot result
 app/widgets         draw paint
 app/platform        draw paint plot
 app/window          draw laboratory laboratory/edit laboratory/house paint platform plot widgets
-app/report          document exchange experiment house plan plot result visual/
+app/report          document exchange experiment house plan plot result rules visual/
 app/options         draw exchange study visual/beam visual/house
-app/command         beam crank cycle document draw exchange experiment house inquiry laboratory mechanics options paint plan platform plot report result study visual/ window
+app/command         beam crank cycle document draw exchange experiment house inquiry laboratory mechanics options paint plan platform plot report result rules study visual/ window
 END
 }
 

@@ -6,6 +6,7 @@
 #include "scratch.h"
 #include "plan/plan.h"
 #include "plan/profile.h"
+#include "rules/rule_set.h"
 
 /* Returns the schema as `clearance schema KIND` prints it. */
 static void check_file(const char *path, json_t *schema) {
@@ -24,6 +25,7 @@ static void check_file(const char *path, json_t *schema) {
 TEST(the_shipped_schemas_are_those_of_the_tables) {
     check_file("assets/schema/house.schema.json", plan_schema());
     check_file("assets/schema/profile.schema.json", profile_schema());
+    check_file("assets/schema/rules.schema.json", rule_set_schema());
     check_file("assets/schema/beam.schema.json", beam_schema());
 }
 

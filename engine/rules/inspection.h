@@ -1,0 +1,70 @@
+/* Holds the rules against a house: what each requires, what there is, and whether the people who live there get through
+ * at the same place. Rules never change the simulation.
+ *
+ * Equal passes; a dimension may lack INSPECTION_TOLERANCE, since drawn coordinates are rounded. What the plan does not
+ * hold, such as steps, cannot be told: it neither passes nor fails. */
+#pragma once
+
+#include "house/journey.h"
+#include "rules/corridor.h"
+#include "rules/doorway.h"
+#include "rules/rule_set.h"
+#include "rules/turning.h"
+
+#define INSPECTION_TOLERANCE 0.001 /* m */
+
+typedef enum RuleVerdict { RULE_PASSES, RULE_FAILS, RULE_OPEN, RULE_VERDICTS } RuleVerdict;
+
+/* A corridor, a door or a room, and the chairs of the plan's people there. */
+typedef struct RulePlace {
+    const char *name;  /* "corridor c1 (first leg)", "door d2", "room r1 (bath)" */
+    Vec2 at;           /* m */
+    size_t chairs;     /* chairs whose way to their exit leads here; 0: none */
+    size_t stopped;    /* those of them that cannot pass here */
+    size_t carried;    /* those of the stopped ones that a helper can lift and shift through: they fit */
+    const char *who;   /* the first one that is stopped, or NULL */
+    Blockage blockage; /* of that one */
+} RulePlace;
+
+typedef struct Finding {
+    const RuleSet *set;
+    const Rule *rule;
+    size_t place;         /* index in places; SIZE_MAX: the whole house */
+    int verdict;          /* RuleVerdict */
+    const char *why;      /* RULE_OPEN: the reason; otherwise what was measured ("depth"), or NULL */
+    double requires, has; /* m; has is NAN when it cannot be told */
+    bool at_least;        /* True if there may be more: it was not looked further than needed */
+    double furnished;     /* m, the width between furniture where it is less; NAN: not */
+    bool drawn;           /* True if there is a line that was measured */
+    Vec2 from, to;        /* m, its ends */
+} Finding;
+
+/* How the verdict of a rule and the chairs go together, in the order of a report. */
+typedef enum FindingGroup {
+    GROUP_LEGAL_IMPASSABLE,
+    GROUP_ILLEGAL_IMPASSABLE,
+    GROUP_ILLEGAL,
+    GROUP_GOOD,
+    GROUP_OPEN
+} FindingGroup;
+
+typedef struct Inspection {
+    RulePlace *places; /* (place_count) corridors, then doors, then rooms */
+    size_t place_count;
+    Finding *findings; /* (finding_count) set by set, rule by rule, place by place */
+    size_t finding_count, finding_capacity;
+    size_t counts[RULE_VERDICTS];
+    bool interrupted; /* True: what was found so far */
+    Arena arena;
+} Inspection;
+
+/* Inspects a house; the sets must outlive the inspection. `jobs` threads plan the chairs' ways. inspection_free
+ * releases it. */
+Inspection inspection_make(const House *house, const RuleSets *sets, int jobs, const Stop *stop);
+void inspection_free(Inspection *inspection);
+
+FindingGroup inspection_group(const Inspection *inspection, const Finding *finding);
+
+/* Returns a finding of a set that has no failure at a place where chairs are stopped: legal and impassable; of several,
+ * the first one whose source is known best. NULL: there is none. */
+const Finding *inspection_legal_impassable(const Inspection *inspection);

@@ -1,0 +1,275 @@
+#include "rules/rule_set.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/choice.h"
+#include "base/parameters_schema.h"
+#include "base/text.h"
+
+static const double LARGEST = 100; /* m */
+static const double NONE = -1;     /* of a limit that is absent */
+
+#define TEXT_ROW(struct_, field_, needed_, meaning_)                                                                   \
+    {                                                                                                                  \
+        .name = #field_, .kind = PARAMETER_TEXT, .offset = offsetof(struct_, field_), .unit = "", .needed = needed_,   \
+        .meaning = meaning_                                                                                            \
+    }
+#define CHOICE_ROW(struct_, field_, choices_, needed_, meaning_)                                                       \
+    {                                                                                                                  \
+        .name = #field_, .kind = PARAMETER_CHOICE, .offset = offsetof(struct_, field_), .unit = "",                    \
+        .choices = choices_, .needed = needed_, .meaning = meaning_                                                    \
+    }
+#define LENGTH_ROW(struct_, field_, low_, fallback_, meaning_)                                                         \
+    {                                                                                                                  \
+        .name = #field_, .kind = PARAMETER_NUMBER, .offset = offsetof(struct_, field_), .unit = "m", .low = low_,      \
+        .high = 100, .fallback = fallback_, .meaning = meaning_                                                        \
+    }
+
+static const Parameter where_rows[] = {
+    TEXT_ROW(RuleWhere, room, false, "only in, or at doors of, rooms with this in their name or id"),
+    TEXT_ROW(RuleWhere, not_room, false, "not in, nor at doors of, rooms with this in their name or id"),
+    CHOICE_ROW(RuleWhere, doors, "all|inner|entrance", false, "only these doors; an entrance is next to an exit"),
+    CHOICE_ROW(RuleWhere, kind, "any|hinged|sliding", false, "only doors of this kind"),
+    CHOICE_ROW(RuleWhere, approach, "any|front|hinge|latch", false,
+               "only doors that are approached so; within 30 degrees of the normal is front"),
+    CHOICE_ROW(RuleWhere, side, "both|pull|push", false, "only on this side; a leaf opens towards who pulls"),
+    LENGTH_ROW(RuleWhere, space_least, 0, 0, "only where the space in front of the door is at least as deep"),
+    LENGTH_ROW(RuleWhere, space_below, 0, 100, "only where the space in front of the door is less deep"),
+};
+static const ParameterTable where_table = {"where", where_rows, sizeof where_rows / sizeof *where_rows};
+
+static const Parameter pillar_rows[] = {
+    LENGTH_ROW(RulePillar, least, 0, 0, "width that is enough there; 0: no exception"),
+    LENGTH_ROW(RulePillar, longest, 0, 0, "length of the way for which it is enough"),
+};
+static const ParameterTable pillar_table = {"at_pillar", pillar_rows, sizeof pillar_rows / sizeof *pillar_rows};
+
+static const Parameter rule_rows[] = {
+    {.name = "id",
+     .kind = PARAMETER_ID,
+     .offset = offsetof(Rule, id),
+     .unit = "",
+     .needed = true,
+     .meaning = "name of the rule"},
+    CHOICE_ROW(Rule, what, RULE_WHAT_WORDS, true, "what is measured"),
+    LENGTH_ROW(Rule, least, -1, -1, "least dimension; -1: none"),
+    LENGTH_ROW(Rule, most, -1, -1, "greatest dimension, or slope; -1: none"),
+    LENGTH_ROW(Rule, beyond, 0, 0, "of a manoeuvring space: width beside the opening"),
+    {.name = "at_hinge",
+     .kind = PARAMETER_FLAG,
+     .offset = offsetof(Rule, at_hinge),
+     .unit = "",
+     .meaning = "true if that width lies beside the hinge, not beside the latch"},
+    {.name = "at_pillar",
+     .kind = PARAMETER_TABLE,
+     .offset = offsetof(Rule, pillar),
+     .unit = "",
+     .table = &pillar_table,
+     .meaning = "a narrower stretch that is allowed"},
+    {.name = "where",
+     .kind = PARAMETER_TABLE,
+     .offset = offsetof(Rule, where),
+     .unit = "",
+     .table = &where_table,
+     .meaning = "where the rule holds"},
+    TEXT_ROW(Rule, clause, true, "clause of the text"),
+    TEXT_ROW(Rule, source, true, "where the number was found"),
+    CHOICE_ROW(Rule, status, RULE_STATUS_WORDS, true,
+               "read: the text itself was read; read second-hand: a page about it; known: from memory; assumed"),
+};
+static const ParameterTable rule_table = {"rule", rule_rows, sizeof rule_rows / sizeof *rule_rows};
+
+static const char *const file_keys[] = {"format",  "version", "id",   "title", "jurisdiction",
+                                        "applies", "edition", "note", "rules", NULL};
+
+const char *rule_set_what_name(int what) {
+    static const char *const names[RULE_WHATS] = {
+        [RULE_CORRIDOR_WIDTH] = "corridor width", [RULE_DOOR_CLEAR] = "door clear width",
+        [RULE_MANOEUVRE] = "manoeuvring space",   [RULE_LATCH_SPACE] = "space beside the latch",
+        [RULE_TURNING_CIRCLE] = "turning circle", [RULE_TURNING_SQUARE] = "turning square",
+        [RULE_STEP_HEIGHT] = "step height",       [RULE_SLOPE] = "slope",
+    };
+    return names[what];
+}
+
+const char *rule_set_status_name(int status) {
+    static const char *const names[] = {"read", "read second-hand", "known", "assumed"};
+    return names[status];
+}
+
+/* One file ----------------------------------------------------------------------------------------------------------
+ */
+
+static bool is_of_door(int what) {
+    return what == RULE_DOOR_CLEAR || what == RULE_MANOEUVRE || what == RULE_LATCH_SPACE;
+}
+
+/* Checks what a row alone does not say. */
+static void check_rule(const Rule *rule, const JsonNode *node, Fault *fault) {
+    bool least = rule->least >= 0, most = rule->most >= 0;
+    bool tops = rule->what == RULE_STEP_HEIGHT || rule->what == RULE_SLOPE;
+    if (least == most || most != tops)
+        json_fault(node, fault, "rule %s must have %s, and nothing else as its limit", rule->id,
+                   tops ? "most" : "least");
+    if (rule->beyond > 0 && rule->what != RULE_MANOEUVRE)
+        json_fault(node, fault, "rule %s has beyond, which only a manoeuvre has", rule->id);
+    if (rule->pillar.least > 0 && rule->what != RULE_CORRIDOR_WIDTH)
+        json_fault(node, fault, "rule %s has at_pillar, which only a corridor_width has", rule->id);
+    if (rule->pillar.least > 0 && (rule->pillar.least >= rule->least || rule->pillar.longest <= 0))
+        json_fault(node, fault, "rule %s must have at_pillar.least below %g m, and at_pillar.longest above 0", rule->id,
+                   rule->least);
+    const RuleWhere *where = &rule->where;
+    bool doors = where->doors || where->kind || where->approach || where->side || where->space_least > 0 ||
+                 where->space_below < LARGEST;
+    if (doors && !is_of_door(rule->what))
+        json_fault(node, fault, "rule %s tells doors apart, but measures none", rule->id);
+}
+
+static void read_rule(RuleSet *set, const JsonNode *node, Arena *arena, Fault *fault) {
+    Rule rule = {.least = NONE};
+    size_t before = fault->total;
+    if (!parameters_read(&rule_table, &rule, node, arena, fault))
+        return;
+    check_rule(&rule, node, fault);
+    for (size_t i = 0; i < set->count; i++)
+        if (strcmp(set->rules[i].id, rule.id) == 0)
+            json_fault(node, fault, "rule %s occurs twice, must be unique", rule.id);
+    if (fault->total == before)
+        set->rules[set->count++] = rule;
+}
+
+static void read_set(RuleSet *set, const JsonNode *root, Arena *arena, Fault *fault) {
+    static const Parameter id_row = {.name = "id", .kind = PARAMETER_ID, .unit = "", .needed = true};
+    json_check_keys(root, file_keys, fault);
+    JsonNode id = json_member(root, "id"), rules = json_member(root, "rules");
+    if (id.value)
+        parameters_read_value(&id_row, &set->id, &id, arena, fault);
+    else
+        json_fault(root, fault, "a file of rules has no \"id\"");
+    set->title = json_read_text(root, "title", arena, fault);
+    set->jurisdiction = json_read_text(root, "jurisdiction", arena, fault);
+    set->applies = json_read_text(root, "applies", arena, fault);
+    set->edition = json_read_text(root, "edition", arena, fault);
+    set->note = json_read_text(root, "note", arena, fault);
+    if (!json_is_array(rules.value) || !json_array_size(rules.value)) {
+        json_fault(rules.value ? &rules : root, fault, "a file of rules must have \"rules\", a list [ ... ] of them");
+        return;
+    }
+    set->rules = arena_allocate(arena, json_array_size(rules.value) * sizeof *set->rules);
+    for (size_t i = 0; i < json_array_size(rules.value); i++) {
+        JsonNode rule = json_element(&rules, i);
+        read_rule(set, &rule, arena, fault);
+    }
+}
+
+bool rule_set_read(RuleSets *sets, const char *path, Fault *fault) {
+    size_t before = fault->total;
+    JsonFile file = {0};
+    RuleSet set = {0};
+    if (!json_read(&file, path, fault))
+        return false;
+    JsonNode root = json_root(&file);
+    if (json_check_header(&root, "file of rules", "clearance-rules", fault))
+        read_set(&set, &root, &sets->arena, fault);
+    for (size_t i = 0; i < sets->count && fault->total == before; i++)
+        if (strcmp(sets->sets[i].id, set.id) == 0)
+            json_fault(&root, fault, "the set %s has been read already", set.id);
+    json_free(&file);
+    if (fault->total != before)
+        return false;
+    sets->sets = memory_reserve(sets->sets, &sets->capacity, sets->count + 1, sizeof *sets->sets);
+    sets->sets[sets->count++] = set;
+    return true;
+}
+
+/* Several files -----------------------------------------------------------------------------------------------------
+ */
+
+static bool ends_in_json(const char *name) {
+    size_t length = strlen(name);
+    return length > 5 && strcmp(name + length - 5, ".json") == 0;
+}
+
+static int is_json(const struct dirent *entry) {
+    return ends_in_json(entry->d_name);
+}
+
+static void read_folder(RuleSets *sets, const char *folder, Fault *fault) {
+    struct dirent **entries;
+    int count = scandir(folder, &entries, is_json, alphasort);
+    if (count < 0)
+        fault_add(fault, "%s:1:1: cannot be read: %s", folder, strerror(errno));
+    for (int i = 0; i < count; i++) {
+        Text path = {0};
+        text_format(&path, "%s/%s", folder, entries[i]->d_name);
+        rule_set_read(sets, path.text, fault);
+        memory_free(path.text);
+        free(entries[i]);
+    }
+    if (count >= 0)
+        free(entries);
+}
+
+/* Adds "unknown set of rules", with the ids of the folder. */
+static void fault_unknown(const char *folder, const char *name, Fault *fault) {
+    struct dirent **entries;
+    int count = scandir(folder, &entries, is_json, alphasort);
+    Text known = {0};
+    for (int i = 0; i < count; i++) {
+        text_format(&known, "%s%.*s", i ? ", " : "", (int)strlen(entries[i]->d_name) - 5, entries[i]->d_name);
+        free(entries[i]);
+    }
+    if (count >= 0)
+        free(entries);
+    fault_add(fault, "--rules: there are no rules \"%s\", must be a file or one of: %s", name,
+              known.text ? known.text : "none");
+    memory_free(known.text);
+}
+
+static void read_one(RuleSets *sets, const char *folder, const char *name, Fault *fault) {
+    if (strchr(name, '/') || ends_in_json(name)) {
+        rule_set_read(sets, name, fault);
+        return;
+    }
+    Text path = {0};
+    text_format(&path, "%s/%s.json", folder, name);
+    if (text_read_refusal(path.text) == ENOENT)
+        fault_unknown(folder, name, fault);
+    else
+        rule_set_read(sets, path.text, fault);
+    memory_free(path.text);
+}
+
+bool rule_set_read_all(RuleSets *sets, const char *folder, const char *names, Fault *fault) {
+    size_t before = fault->total;
+    if (!names)
+        read_folder(sets, folder, fault);
+    char *list = names ? text_copy(names) : NULL, *rest = list, *name;
+    while (list && (name = strsep(&rest, ",")))
+        read_one(sets, folder, name, fault);
+    memory_free(list);
+    return fault->total == before;
+}
+
+void rule_set_free_all(RuleSets *sets) {
+    memory_free(sets->sets);
+    arena_clear(&sets->arena);
+    *sets = (RuleSets){0};
+}
+
+json_t *rule_set_schema(void) {
+    json_t *rules =
+        json_pack("{s:s, s:i, s:o}", "type", "array", "minItems", 1, "items", parameters_schema_table(&rule_table));
+    json_t *properties =
+        json_pack("{s:{s:s}, s:{s:i}, s:{s:s, s:s}, s:{s:s}, s:{s:s}, s:{s:s}, s:{s:s}, s:{s:s}, s:o}", "format",
+                  "const", "clearance-rules", "version", "const", 1, "id", "type", "string", "pattern",
+                  "^[A-Za-z0-9_-]+$", "title", "type", "string", "jurisdiction", "type", "string", "applies", "type",
+                  "string", "edition", "type", "string", "note", "type", "string", "rules", rules);
+    return json_pack("{s:s, s:s, s:s, s:o, s:[s, s, s, s], s:b}", "$schema",
+                     "https://json-schema.org/draft/2020-12/schema", "title", "rules of accessibility", "type",
+                     "object", "properties", properties, "required", "format", "version", "id", "rules",
+                     "additionalProperties", 0);
+}

@@ -1,0 +1,102 @@
+/* Rules of accessibility as data: sets of least and greatest dimensions, each with its clause, its source and how well
+ * that source is known, read from assets/rules. A set is no legal advice; its note says what it does not check.
+ *
+ * A source counts as read only when the text itself was read. Anything else is shown in grey, with its word. */
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/fault.h"
+#include "base/json.h"
+#include "base/memory.h"
+#include "base/parameters.h"
+
+/* What a rule is about; how each is measured is told in measure.h. */
+typedef enum RuleWhat {
+    RULE_CORRIDOR_WIDTH,
+    RULE_DOOR_CLEAR,
+    RULE_MANOEUVRE,
+    RULE_LATCH_SPACE,
+    RULE_TURNING_CIRCLE,
+    RULE_TURNING_SQUARE,
+    RULE_STEP_HEIGHT,
+    RULE_SLOPE,
+    RULE_WHATS
+} RuleWhat;
+
+#define RULE_WHAT_WORDS                                                                                                \
+    "corridor_width|door_clear|manoeuvre|latch_space|turning_circle|turning_square|step_height|slope"
+
+typedef enum RuleStatus { STATUS_READ, STATUS_SECOND_HAND, STATUS_KNOWN, STATUS_ASSUMED } RuleStatus;
+
+#define RULE_STATUS_WORDS "read|read second-hand|known|assumed"
+
+typedef enum RuleDoors { DOORS_ALL, DOORS_INNER, DOORS_ENTRANCE } RuleDoors;
+typedef enum RuleApproach { APPROACH_ANY, APPROACH_FRONT, APPROACH_HINGE, APPROACH_LATCH } RuleApproach;
+typedef enum RuleSide { SIDE_BOTH, SIDE_PULL, SIDE_PUSH } RuleSide;
+typedef enum RuleKind { KIND_ANY, KIND_HINGED, KIND_SLIDING } RuleKind;
+
+/* Where a rule holds; all of it must be true. Rooms are found by a part of their name or id, without regard to case. */
+typedef struct RuleWhere {
+    const char *room, *not_room; /* "": any */
+    int doors;                   /* RuleDoors */
+    int kind;                    /* RuleKind of the doors */
+    int approach;                /* RuleApproach: see doorway.h */
+    int side;                    /* RuleSide: the leaf opens towards a person who pulls */
+    double space_least;          /* m: the space in front of the door is at least as deep */
+    double space_below;          /* m: and less than this */
+} RuleWhere;
+
+/* A narrower stretch that a rule on corridors allows. */
+typedef struct RulePillar {
+    double least;   /* m; 0: none */
+    double longest; /* m, of the way */
+} RulePillar;
+
+typedef struct Rule {
+    const char *id;
+    int what;           /* RuleWhat */
+    double least, most; /* m, or 1 of a slope; exactly one of them is not negative */
+    double beyond;      /* m, of a manoeuvring space: beside the opening; `least` is its depth */
+    bool at_hinge;      /* True if `beyond` lies beside the hinge instead of the latch */
+    RulePillar pillar;
+    RuleWhere where;
+    const char *clause;
+    const char *source;
+    int status; /* RuleStatus */
+} Rule;
+
+typedef struct RuleSet {
+    const char *id;
+    const char *title;
+    const char *jurisdiction;
+    const char *applies;
+    const char *edition;
+    const char *note; /* what is not checked */
+    Rule *rules;      /* (count) */
+    size_t count;
+} RuleSet;
+
+/* A zeroed list is empty; rule_set_free_all releases it. */
+typedef struct RuleSets {
+    RuleSet *sets; /* (count) in the order of reading */
+    size_t count, capacity;
+    Arena arena;
+} RuleSets;
+
+/* Adds the set of a file. Returns false after an error, with the list unchanged. */
+bool rule_set_read(RuleSets *sets, const char *path, Fault *fault);
+
+/* Does the same with each name of `names` (ID,ID or files, or mixed; NULL: all of the folder, by name): an id is the
+ * file ID.json of the folder, a file is a name with a / or ending in .json. */
+bool rule_set_read_all(RuleSets *sets, const char *folder, const char *names, Fault *fault);
+
+void rule_set_free_all(RuleSets *sets);
+
+/* Returns "corridor width", and "read second-hand". */
+const char *rule_set_what_name(int what);
+const char *rule_set_status_name(int status);
+
+/* Returns the JSON Schema of a file of rules. New. */
+json_t *rule_set_schema(void);
