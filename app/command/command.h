@@ -16,5 +16,6 @@ int command_help(const Options *options);
 int command_import(const Options *options);
 int command_loci(const Options *options);
 int command_open(const Options *options);
+int command_rules(const Options *options);
 int command_schema(const Options *options);
 int command_study(const Options *options);

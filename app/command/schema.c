@@ -7,6 +7,7 @@
 #include "crank/crank.h"
 #include "plan/plan.h"
 #include "plan/profile.h"
+#include "rules/rule_set.h"
 
 int command_schema(const Options *options) {
     const char *kind = options->files[0];
@@ -18,8 +19,10 @@ int command_schema(const Options *options) {
         answer_print(beam_schema());
     } else if (strcmp(kind, "crank") == 0) {
         answer_print(crank_schema());
+    } else if (strcmp(kind, "rules") == 0) {
+        answer_print(rule_set_schema());
     } else {
-        fprintf(stderr, "clearance: there are schemas of house, profile, beam and crank, not of \"%s\"\n", kind);
+        fprintf(stderr, "clearance: there are schemas of house, profile, beam, crank and rules, not of \"%s\"\n", kind);
         return EXIT_WRONG_INPUT;
     }
     return EXIT_ANSWERED;

@@ -22,6 +22,7 @@ void document_clear(Document *document) {
                 block->pictures[p].release(block->pictures[p].context);
         memory_free(block->pictures);
         memory_free(block->table.cells);
+        memory_free(block->table.quiet);
     }
     memory_free(document->blocks);
     arena_clear(&document->arena);
@@ -124,6 +125,18 @@ void document_add_row(Document *document, const char *const *cells) {
     table->cells = memory_reserve(table->cells, &table->capacity, used + table->column_count, sizeof *table->cells);
     for (size_t c = 0; c < table->column_count; c++)
         table->cells[used + c] = cells[c] ? prose(document, cells[c]) : "-";
+}
+
+bool document_is_quiet(const Table *table, size_t row, size_t column) {
+    size_t cell = row * table->column_count + column;
+    return cell < table->quiet_capacity && table->quiet[cell];
+}
+
+void document_quieten_cell(Document *document, size_t column) {
+    Table *table = &last_block(document, BLOCK_TABLE)->table;
+    table->quiet = memory_reserve(table->quiet, &table->quiet_capacity, table->row_count * table->column_count,
+                                  sizeof *table->quiet);
+    table->quiet[(table->row_count - 1) * table->column_count + column] = true;
 }
 
 void document_add_figures(Document *document) {

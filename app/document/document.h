@@ -38,6 +38,8 @@ typedef struct Table {
     size_t column_count;
     const char **cells; /* (row_count x column_count) */
     size_t row_count, capacity;
+    bool *quiet; /* (row_count x column_count) cells in the quiet colour; NULL: none */
+    size_t quiet_capacity;
 } Table;
 
 /* Paints a picture of a size in design points from the origin of the context, whose unit is the design point. */
@@ -85,9 +87,15 @@ void document_add_paragraph(Document *document, const char *text);
 void document_add_note(Document *document, const char *text);
 void document_add_command(Document *document, const char *text);
 
+/* True if a cell is in the quiet colour. */
+bool document_is_quiet(const Table *table, size_t row, size_t column);
+
 /* Adds a table; rows of as many cells as it has columns are added next. A NULL cell is printed as "-". */
 void document_add_table(Document *document, const char *caption, const Column *columns, size_t count);
 void document_add_row(Document *document, const char *const *cells);
+
+/* Sets a cell of the last row in the quiet colour: a value to be relied on less than the others. */
+void document_quieten_cell(Document *document, size_t column);
 
 /* Adds a row of pictures; pictures are added next. Pictures of one size have the same size on the page. */
 void document_add_figures(Document *document);

@@ -33,7 +33,7 @@ static const char style[] =
     "th,td{text-align:left;padding:.4rem .6rem;vertical-align:top;border-bottom:1px solid var(--line)}\n"
     "th:first-child,td:first-child{padding-left:0}\n"
     "thead th{border-bottom:2px solid var(--text);vertical-align:bottom}\n"
-    "tbody th{font-weight:400}\n"
+    "tbody th{font-weight:400}.quiet{color:var(--dim)}\n"
     ".right{text-align:right}\n"
     ".figures{display:flex;flex-wrap:wrap;gap:1.2rem;margin:1.2rem 0}\n"
     "figure{margin:0;flex:1 1 16rem;min-width:0}\n"
@@ -110,11 +110,16 @@ static void add_contents(Text *text, const Document *document) {
     text_add(text, "</ul></nav>\n");
 }
 
-static void add_row(Text *text, const Table *table, const char *const *cells) {
+static void add_row(Text *text, const Table *table, size_t row) {
+    const char *const *cells = table->cells + row * table->column_count;
     text_add(text, "<tr>");
     for (size_t c = 0; c < table->column_count; c++) {
-        const char *right = table->columns[c].align == ALIGN_RIGHT ? " class=\"right\"" : "";
-        text_format(text, c ? "<td%s>" : "<th scope=\"row\"%s>", right);
+        bool right = table->columns[c].align == ALIGN_RIGHT, quiet = document_is_quiet(table, row, c);
+        const char *class = right && quiet ? " class=\"right quiet\""
+                            : right        ? " class=\"right\""
+                            : quiet        ? " class=\"quiet\""
+                                           : "";
+        text_format(text, c ? "<td%s>" : "<th scope=\"row\"%s>", class);
         add_element(text, "", cells[c], c ? "</td>" : "</th>");
     }
     text_add(text, "</tr>\n");
@@ -133,7 +138,7 @@ static void add_table(Text *text, const Table *table) {
     }
     text_add(text, "</tr></thead>\n<tbody>\n");
     for (size_t r = 0; r < table->row_count; r++)
-        add_row(text, table, table->cells + r * table->column_count);
+        add_row(text, table, r);
     text_add(text, "</tbody></table></div>\n");
 }
 

@@ -13,6 +13,7 @@
 static const TextStyle CAPTION = {8.3, 1.15, false, false, ROLE_DIM_TEXT};
 static const TextStyle HEAD = {8.1, 1.1, true, false, ROLE_TEXT};
 static const TextStyle CELL = {8.1, 1.15, false, false, ROLE_TEXT};
+static const TextStyle QUIET = {8.1, 1.15, false, false, ROLE_DIM_TEXT};
 
 typedef struct Setting {
     const Table *table;
@@ -106,7 +107,7 @@ static void set_row(Sheet *sheet, const Setting *setting, size_t row, double hei
     sheet_tag(sheet, "TR", NULL);
     for (size_t c = 0; c < setting->table->column_count; c++) {
         const char *tag = head || c == 0 ? "TH" : "TD";
-        TextStyle style = head ? HEAD : CELL;
+        TextStyle style = head ? HEAD : document_is_quiet(setting->table, row, c) ? QUIET : CELL;
         PangoLayout *text = cell_layout(setting, text_at(setting->table, row, c), c, style);
         double top = head ? sheet->y + height - CELL_PAD - sheet_text_height(text) : sheet->y + CELL_PAD;
         sheet_tag(sheet, tag, NULL);

@@ -12,8 +12,8 @@ enum { PATH_MOST = 4096 };
 
 static char assets[PATH_MOST], looked[4 * PATH_MOST], missing[5 * PATH_MOST];
 static char profiles[PATH_MOST + 32], furniture[PATH_MOST + 32], beams[PATH_MOST + 32], houses[PATH_MOST + 32],
-    help[PATH_MOST + 32];
-static Shipped shipped = {profiles, furniture, beams, houses, help, NULL};
+    help[PATH_MOST + 32], rules[PATH_MOST + 32];
+static Shipped shipped = {profiles, furniture, beams, houses, help, rules, NULL};
 
 /* Adds a folder to the list of searched folders, once. */
 static void add_looked(const char *folder) {
@@ -121,6 +121,7 @@ static void find(void) {
     snprintf(beams, sizeof beams, "%s/beams", assets);
     snprintf(houses, sizeof houses, "%s/houses", assets);
     snprintf(help, sizeof help, "%s/help", assets);
+    snprintf(rules, sizeof rules, "%s/rules", assets);
     if (access(houses, R_OK) != 0)
         snprintf(houses, sizeof houses, "%s/../houses", assets);
     char *whole = realpath(houses, NULL);

@@ -1,4 +1,4 @@
-/* The files that come with the program: houses, beams, profiles, furniture, help. The assets folder is the
+/* The files that come with the program: houses, beams, profiles, furniture, rules, help. The assets folder is the
  * first of these folders that contains profiles:
  *   1. $CLEARANCE_ASSETS, and no other if it is set
  *   2. share/clearance next to the folder of the program, so that an installed tree can be moved
@@ -9,7 +9,7 @@
 #pragma once
 
 typedef struct Shipped {
-    const char *profiles, *furniture, *beams, *houses, *help; /* folders */
+    const char *profiles, *furniture, *beams, *houses, *help, *rules; /* folders */
     const char *missing; /* one line that names the searched places if none contains profiles; NULL otherwise */
 } Shipped;
 

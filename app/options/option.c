@@ -104,6 +104,9 @@ const Option option_rows[] = {
      "measured points to draw over the plots of a beam or a study: CSV with columns such as time [s] and force [N], or "
      "drive.frequency [Hz] and peak_max [N]",
      GROUP_INPUT, FOR_RUN | FOR_STUDY, ".csv", NULL},
+    {"--rules", OPTION_TEXT, FIELD(rules), NO_RANGE, "ID|FILE[,...]",
+     "only these rules, by the names of the shipped ones or as files (default: all that are shipped)", GROUP_INPUT,
+     FOR_RULES, NULL, NULL},
     {"--unit", OPTION_READ, NO_FIELD, NO_RANGE, IMPORT_UNITS,
      "unit of the numbers in the file (default: the one that the file names, or the usual one)", GROUP_INPUT,
      FOR_IMPORT, IMPORT_UNITS, read_unit},
@@ -186,6 +189,9 @@ const Option option_rows[] = {
      "other "
      "options ask for",
      GROUP_OUTPUT, FOR_COMPARE, NULL, NULL},
+    {"--out", OPTION_FOLDER, FIELD(out), NO_RANGE, "DIR",
+     "write rules.json, rules.html, rules.pdf and plan.png, .svg and .pdf with what was measured to DIR", GROUP_OUTPUT,
+     FOR_RULES, NULL, NULL},
     {"--out", OPTION_FOLDER, FIELD(out), NO_RANGE, "DIR", "write cases.html, cases.md and cases.json to DIR",
      GROUP_OUTPUT, FOR_CASES, NULL, NULL},
     {"--out", OPTION_FOLDER, FIELD(out), NO_RANGE, "DIR",
@@ -208,9 +214,9 @@ const Option option_rows[] = {
      GROUP_PICTURES, FOR_COMPARE, HOUSE_PLOTS_NAMES, read_house_plots},
     {"--size", OPTION_READ, NO_FIELD, NO_RANGE, "WxH",
      "size of the pictures in pixels, 320x200 to 16384x16384 (default 1280x720)", GROUP_PICTURES,
-     FOR_FILMS | FOR_STUDY | FOR_EXPORT, NULL, read_size},
+     FOR_FILMS | FOR_STUDY | FOR_EXPORT | FOR_RULES, NULL, read_size},
     {"--theme", OPTION_CHOICE, FIELD(theme), NO_RANGE, THEME_NAMES, "light (paper, default) or dark (board) pictures",
-     GROUP_PICTURES, FOR_FILMS | FOR_STUDY | FOR_EXPORT, THEME_NAMES, NULL},
+     GROUP_PICTURES, FOR_FILMS | FOR_STUDY | FOR_EXPORT | FOR_RULES, THEME_NAMES, NULL},
 
     {"--frames", OPTION_NUMBER, FIELD(frames), 0.001, 1000, "FPS",
      "write FPS pictures per simulated second (beams: per second of film) to DIR/frames/frame-00001.png and so on",

@@ -52,6 +52,7 @@ typedef struct Options {
     bool report;
     const char *observed; /* file of measured loci, or NULL */
     bool suggest;
+    const char *rules; /* ids and files, separated by commas, or NULL: all that are shipped */
     StudyRequest study;
     bool paper;
     bool thorough;

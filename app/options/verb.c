@@ -38,6 +38,12 @@ const Verb verb_rows[VERBS] = {
     [VERB_LOCI] = {"loci", 1, SIZE_MAX, "HOUSE ...", ".json", "",
                    "Run each house with both driving models, miura and driver: times, and how far the loci are apart.",
                    "clearance loci houses/corner-*.json\n"},
+    [VERB_RULES] =
+        {"rules", 1, 1, "HOUSE", ".json", "",
+         "Hold rules of accessibility against a house: widths, doors, space to turn, and whether the chairs "
+         "get through where the rules are kept.",
+         "clearance rules houses/corner-0.78-0.78.json\n"
+         "clearance rules houses/flat-0.910-module.json --rules ada-2010,jp-senior-housing-1414 --out out\n"},
     [VERB_CASES] = {"cases", 1, SIZE_MAX, "DIR|FILE ...", ".json", "",
                     "Run public verification tests: which pass, and why the others do not.",
                     "clearance cases tests/cases --out out\n"
@@ -51,7 +57,7 @@ const Verb verb_rows[VERBS] = {
     [VERB_EXPORT] = {"export", 1, 1, "HOUSE", ".json", "",
                      "Write the walkable area of a house, or a picture of its plan, for other programs.",
                      "clearance export houses/ube-techno-house.json --to wkt --out ube.wkt\n"},
-    [VERB_SCHEMA] = {"schema", 1, 1, "house|profile|beam|crank", "", "house|profile|beam|crank",
+    [VERB_SCHEMA] = {"schema", 1, 1, "house|profile|beam|crank|rules", "", "house|profile|beam|crank|rules",
                      "Print the JSON Schema of a kind of file, for editors that complete and check.",
                      "clearance schema house > house.schema.json\n"},
     [VERB_HELP] = {"help", 0, 3, "[TOPIC|VERB]", "", "", "Explain a topic at length; without a topic, list the topics.",

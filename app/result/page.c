@@ -29,6 +29,9 @@ static void add_part(Document *document, const char *caption, const ResultTable 
         for (size_t c = 0; c < count; c++)
             cells[c] = result_value(result_at(table, record, rows[c]), &document->arena);
         document_add_row(document, cells);
+        for (size_t c = 0; c < count; c++)
+            if (result_at(table, record, rows[c])->role == ROLE_DIM_TEXT)
+                document_quieten_cell(document, c);
     }
 }
 

@@ -159,7 +159,7 @@ def check_numbers():
 
 def check_help():
     """Help fits into 100 columns, groups options by use, and has the topics that the README refers to."""
-    for verb in ("open", "run", "check", "compare", "study", "loci", "cases", "import", "export", "schema", "help"):
+    for verb in ("open", "run", "check", "compare", "study", "loci", "rules", "cases", "import", "export", "schema", "help"):
         text = expect(0, verb, "--help").stdout
         check(text.startswith(f"Usage: clearance {verb} "), f"{verb} --help begins {text[:40]!r}")
         check(max(map(len, text.splitlines())) <= 100, f"a line of {verb} --help is too long")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests that shipped houses, profiles, beams and cranks fit assets/schema, and invalid ones do not if a schema can detect it.
+"""Tests that shipped houses, profiles, beams, cranks and rules fit assets/schema, and invalid ones do not if a schema can detect it.
 
 tests/data/bad/beyond-schema.txt lists the invalid files that fit the schema: the meaning of their numbers is wrong.
 """
@@ -52,7 +52,8 @@ def problem(validator, path):
 failures = 0
 checked = 0
 beyond = set((source / "tests/data/bad/beyond-schema.txt").read_text().split())
-for kind, shipped in (("house", "houses"), ("profile", "assets/profiles"), ("beam", "assets/beams"), ("crank", "assets/cranks")):
+for kind, shipped in (("house", "houses"), ("profile", "assets/profiles"), ("beam", "assets/beams"), ("crank", "assets/cranks"),
+                      ("rules", "assets/rules")):
     schema = read(source / f"assets/schema/{kind}.schema.json")
     jsonschema.Draft202012Validator.check_schema(schema)
     validator = jsonschema.Draft202012Validator(schema)
@@ -62,9 +63,10 @@ for kind, shipped in (("house", "houses"), ("profile", "assets/profiles"), ("bea
         if found:
             print(f"{path}: is shipped, but {found}")
             failures += 1
-    for path in sorted((source / f"tests/data/bad/{kind}s").glob("*.json")):
+    folder = kind if kind == "rules" else f"{kind}s"
+    for path in sorted((source / "tests/data/bad" / folder).glob("*.json")):
         found = problem(validator, path)
-        name = f"{kind}s/{path.name}"
+        name = f"{folder}/{path.name}"
         checked += 1
         if found and name in beyond:
             print(f"{name}: is beyond the schema, but it says: {found}")

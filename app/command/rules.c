@@ -1,0 +1,99 @@
+#include <stdio.h>
+
+#include "base/text.h"
+#include "command/answer.h"
+#include "command/command.h"
+#include "command/house_file.h"
+#include "command/output.h"
+#include "command/progress.h"
+#include "command/report_files.h"
+#include "laboratory/shipped.h"
+#include "report/rules_report.h"
+#include "result/json.h"
+#include "result/rules.h"
+#include "result/text.h"
+#include "visual/house/rules_scene.h"
+
+static void print_answer(const House *house, const RuleSets *sets, const Inspection *inspection) {
+    Arena arena = {0};
+    Text text = {0};
+    text_format(&text, "%s\n%s: %s\n", result_rules_sentence(inspection, &arena), house->plan.name,
+                result_rules_counts(inspection, &arena));
+    result_text_take(&text, "where chairs are stopped\n", result_rules_stops(inspection));
+    for (FindingGroup group = GROUP_LEGAL_IMPASSABLE; group <= GROUP_OPEN; group++)
+        result_text_take(&text, text_in_arena(&arena, "%s\n", result_rules_group(group)),
+                         result_rules_findings(inspection, group));
+    for (size_t s = 0; s < sets->count; s++)
+        text_format(&text, "%s%s: %s\n", s ? "" : "\n", sets->sets[s].id, sets->sets[s].note);
+    fputs(text.text, stdout);
+    memory_free(text.text);
+    arena_clear(&arena);
+}
+
+static json_t *answer_of(const House *house, const RuleSets *sets, const Inspection *inspection) {
+    Arena arena = {0};
+    const size_t *counts = inspection->counts;
+    json_t *answer =
+        json_pack("{s:s, s:s, s:s, s:s, s:b, s:I, s:I, s:I, s:o, s:o, s:o}", "kind", "rules", "house", house->plan.name,
+                  "note", house->plan.note, "headline", result_rules_sentence(inspection, &arena), "legal_impassable",
+                  inspection_legal_impassable(inspection) != NULL, "pass", (json_int_t)counts[RULE_PASSES], "fail",
+                  (json_int_t)counts[RULE_FAILS], "unknown", (json_int_t)counts[RULE_OPEN], "findings",
+                  result_json_take_list(result_rules_all(inspection)), "stops",
+                  result_json_take_list(result_rules_stops(inspection)), "sets",
+                  result_json_take_list(result_rules_sets(inspection, sets)));
+    answer_mark_interrupted(answer, inspection->interrupted);
+    arena_clear(&arena);
+    return answer;
+}
+
+/* Writes rules.json, the plan and the report. */
+static bool write_files(const House *house, const RuleSets *sets, const Inspection *inspection, const json_t *answer,
+                        const Options *options) {
+    Scene scene = {0};
+    Arena arena = {0};
+    char path[OUTPUT_PATH];
+    snprintf(path, sizeof path, "%s/rules.json", options->out);
+    int error = answer_write(answer, path);
+    if (error)
+        output_failed(path, error);
+    rules_scene_make(&scene, house, inspection, result_rules_title(inspection, &arena),
+                     result_rules_detail(inspection, &arena));
+    bool good = !error && output_stills(&scene, options);
+    scene_clear(&scene);
+    arena_clear(&arena);
+    char *command = report_files_command(options);
+    const Making making = report_files_making(options, command);
+    Document document = rules_report_make(house, sets, inspection, &making);
+    good = good && report_files_write(&document, "rules", options);
+    document_clear(&document);
+    memory_free(command);
+    return good;
+}
+
+int command_rules(const Options *options) {
+    House house = {0};
+    RuleSets sets = {0};
+    Fault fault = {0};
+    if (options->out && !output_directory(options->out))
+        return EXIT_WRONG_INPUT;
+    bool good = rule_set_read_all(&sets, shipped_places()->rules, options->rules, &fault) &&
+                house_file_read(&house, options, 0, &fault);
+    if (!good) {
+        rule_set_free_all(&sets);
+        return house_file_report(&fault);
+    }
+    Inspection inspection = inspection_make(&house, &sets, options->jobs, &progress_stop);
+    json_t *answer = answer_of(&house, &sets, &inspection);
+    int code = inspection.counts[RULE_FAILS] || inspection.interrupted ? EXIT_ANSWER_NO : EXIT_ANSWERED;
+    if (options->json)
+        answer_print(json_incref(answer));
+    else
+        print_answer(&house, &sets, &inspection);
+    if (options->out && !inspection.interrupted && !write_files(&house, &sets, &inspection, answer, options))
+        code = EXIT_WRONG_INPUT;
+    json_decref(answer);
+    inspection_free(&inspection);
+    house_free(&house);
+    rule_set_free_all(&sets);
+    return code;
+}
