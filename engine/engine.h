@@ -80,6 +80,7 @@
 #include "study/experiment.h"
 #include "study/study.h"
 #include "study/batch.h"
+#include "study/fit.h"
 #include "study/neighbours.h"
 #include "study/types.h"
 #include "study/type_map.h"
