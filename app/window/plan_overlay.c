@@ -9,6 +9,7 @@
 #define INNER 3.0
 #define LINE 3.0
 #define GUIDE 1.5
+#define EXIT_LINE 8.0
 #define GAP_LINE 4.0
 #define DASH 7.0
 #define DASH_GAP 5.0
@@ -18,6 +19,7 @@
 #define PAD 5.0
 #define EDGE 5.0   /* of the view, for the frame of what has the focus */
 #define ASIDE 14.0 /* from the pointer */
+#define HAND 30.0  /* from the pointer to the middle of what a click does */
 
 enum { LABELS_MOST = 24, PLACES = 5 /* that a label tries */ };
 
@@ -161,6 +163,12 @@ static void draw_mark(Window *window, const EditMark *mark, const Vec2 *points, 
     case MARK_LINE:
         draw_twice(window, points, count, mark->kind == MARK_OUTLINE, ROLE_CHAIR, LINE);
         break;
+    case MARK_EXIT:
+        draw_twice(window, points, count, false, ROLE_EXIT, EXIT_LINE);
+        break;
+    case MARK_SWING:
+        draw_twice(window, points, count, false, ROLE_DOOR, GUIDE);
+        break;
     case MARK_GUIDE:
         draw_guide(window, points, count);
         break;
@@ -300,6 +308,16 @@ static void show_read_out(Window *window, const GestureView *gesture, Labels *la
         ui_draw_text(window->ui, UI_BODY, ROLE_ERROR, vec2(box.low.x + PAD, y), 0, gesture->typed_error);
 }
 
+/* Shows next to the pointer what a click does, or why it does nothing; never under the hand. */
+static void show_preview(Window *window, const GestureView *gesture, Labels *labels) {
+    const char *words = gesture->active ? gesture->refusal : gesture->preview;
+    bool wrong = gesture->active || gesture->preview_refused || gesture->preview_warns;
+    Vec2 at = vec2_scale(window->mouse, 1 / window->unit);
+    if (!words || !has_pointer(window))
+        return;
+    write_label(window, labels, vec2_add(at, vec2(0, -HAND)), wrong ? ROLE_ERROR : ROLE_TEXT, words);
+}
+
 void plan_overlay_show(Window *window) {
     Tab *tab = window_tab(window);
     Editor *editor = tab_editor(tab);
@@ -309,6 +327,7 @@ void plan_overlay_show(Window *window) {
         return;
     const GestureView *gesture = editor_gesture(editor);
     show_read_out(window, gesture, &labels); /* reserves its place before labels are placed */
+    show_preview(window, gesture, &labels);
     show_marks(window, tab, gesture, &labels);
     show_read_out(window, gesture, &labels); /* drawn again, over the labels' lines */
 }

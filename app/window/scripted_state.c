@@ -101,7 +101,8 @@ static json_t *command_state(const Tab *tab) {
 /* Returns the labels of all marks. */
 static json_t *marks_state(const GestureView *gesture) {
     static const char *const kinds[] = {
-        [MARK_OUTLINE] = "outline", [MARK_LINE] = "line",     [MARK_GUIDE] = "guide", [MARK_DIMENSION] = "dimension",
+        [MARK_OUTLINE] = "outline", [MARK_LINE] = "line",     [MARK_EXIT] = "exit",
+        [MARK_SWING] = "swing",     [MARK_GUIDE] = "guide",   [MARK_DIMENSION] = "dimension",
         [MARK_SNAP] = "snap",       [MARK_HANDLE] = "handle", [MARK_GAP] = "gap"};
     json_t *state = json_array();
     for (size_t i = 0; i < gesture->mark_count; i++) {
@@ -124,6 +125,10 @@ static json_t *gesture_state(const GestureView *gesture) {
     if (gesture->field < gesture->field_count)
         json_object_set_new(state, "field", json_string(gesture->fields[gesture->field].name));
     json_object_set_new(state, "marks", marks_state(gesture));
+    if (gesture->preview)
+        json_object_set_new(state, "preview",
+                            json_pack("{s:s,s:b,s:b}", "words", gesture->preview, "refused", gesture->preview_refused,
+                                      "warns", gesture->preview_warns));
     return state;
 }
 

@@ -8,7 +8,6 @@
 #include "laboratory/edit/marks.h"
 #include "laboratory/edit/measure.h"
 #include "laboratory/edit/select.h"
-#include "plan/plan_geometry.h"
 
 static const double SAME = 1e-6; /* m: points closer than this coincide */
 
@@ -21,11 +20,11 @@ typedef struct ChainKind {
     bool closes;        /* clicking the first point again closes the chain */
     bool thick;         /* each segment has a thickness */
     bool places;        /* each point is typed as x and y */
-    bool faces, doors;  /* the points snap to wall faces, to doors */
+    bool faces;         /* the points snap to wall faces */
     const EditGesture *gesture;
 } ChainKind;
 
-static const EditGesture wall, leave, room, route, measure;
+static const EditGesture wall, room, route, measure;
 
 static const ChainKind kinds[EDIT_TOOLS] = {
     [TOOL_WALL] = {.begin = "Wall from x %.2f m, y %.2f m. Press Enter to begin there.",
@@ -35,13 +34,6 @@ static const ChainKind kinds[EDIT_TOOLS] = {
                    .closes = true,
                    .thick = true,
                    .gesture = &wall},
-    [TOOL_EXIT] = {.begin = "Exit from x %.2f m, y %.2f m. Press Enter to begin there.",
-                   .line = "Exit: %.2f m, %g degrees.",
-                   .name = "Draw exit",
-                   .least = 2,
-                   .most = 2,
-                   .doors = true,
-                   .gesture = &leave},
     [TOOL_AREA] = {.begin = "Room from x %.2f m, y %.2f m. Press Enter to begin there.",
                    .line = "Room: %.2f m, %g degrees.",
                    .name = "Draw room",
@@ -162,47 +154,6 @@ static void make_wall(Editor *edit) {
     memory_free(points);
 }
 
-static void make_exit(Editor *edit) {
-    if (edit->chain.count + edit->chain.floating < 2)
-        return;
-    Vec2 to = edit->chain.count > 1 ? edit->chain.points[1] : edit->now.at;
-    add(edit, DRAFT_EXITS, json_pack("{s:o, s:o}", "from", point(edit->chain.points[0]), "to", point(to)));
-}
-
-/* Returns the door whose opening, enlarged by a reach, contains a place; NULL: none. */
-static const Door *door_at(const Plan *plan, Vec2 at, double reach) {
-    for (size_t d = 0; d < plan->door_count; d++) {
-        Vec2 from, to;
-        plan_geometry_door_ends(plan, &plan->doors[d], &from, &to);
-        double half = plan->walls[plan->doors[d].wall_index].thickness / 2;
-        Vec2 foot = vec2_nearest_on_segment(at, from, to);
-        bool near_end = vec2_distance(foot, from) < reach || vec2_distance(foot, to) < reach;
-        if (!near_end && vec2_distance(at, foot) <= real_max(half, reach))
-            return &plan->doors[d];
-    }
-    return NULL;
-}
-
-bool edit_chain_exit_across(Editor *edit) {
-    const Plan *plan = draft_plan(edit->draft);
-    const Door *door = door_at(plan, edit->pointer.at, edit->pointer.reach);
-    if (!door)
-        return false;
-    Vec2 from, to;
-    char name[EDIT_NAME];
-    plan_geometry_door_ends(plan, door, &from, &to);
-    snprintf(name, sizeof name, "Place exit across door %.60s", door->id);
-    edit_gesture_begin_step(edit, name);
-    add(edit, DRAFT_EXITS,
-        json_pack("{s:o, s:o}", "from", point(vec2(snap_tidy(from.x), snap_tidy(from.y))), "to",
-                  point(vec2(snap_tidy(to.x), snap_tidy(to.y)))));
-    Fault fault = {0};
-    if (edit_gesture_end_step(edit, &fault))
-        edit_select_only(edit, edit->added_id);
-    fault_clear(&fault);
-    return true;
-}
-
 static void make_room(Editor *edit) {
     json_t *outline = list_points(edit);
     if (json_array_size(outline) < 3)
@@ -258,10 +209,8 @@ static void make_route(Editor *edit) {
 
 static void update_place(Editor *edit) {
     Vec2 from = edit->chain.count ? last_point(edit) : edit->pointer.at;
-    Vec2 at = edit_gesture_snap(edit, (SnapAsk){.along = NAN,
-                                                .faces = kind_of(edit)->faces,
-                                                .doors = kind_of(edit)->doors,
-                                                .from = edit->chain.count ? &from : NULL});
+    Vec2 at = edit_gesture_snap(
+        edit, (SnapAsk){.along = NAN, .faces = kind_of(edit)->faces, .from = edit->chain.count ? &from : NULL});
     edit_field_typed(edit, FIELD_X, &at.x);
     edit_field_typed(edit, FIELD_Y, &at.y);
     edit_field_show(edit, FIELD_X, at.x);
@@ -277,8 +226,7 @@ static Vec2 pointer_point(Editor *edit) {
                                              .own = edit->chain.points,
                                              .own_count = edit->chain.count,
                                              .closes = kind_of(edit)->closes,
-                                             .faces = kind_of(edit)->faces,
-                                             .doors = kind_of(edit)->doors});
+                                             .faces = kind_of(edit)->faces});
 }
 
 static void update_line(Editor *edit) {
@@ -456,5 +404,5 @@ static void show(Editor *edit) {
         .update = update, .make = make_, .confirm = confirm, .back = back, .escape = escape, .release = release,       \
         .describe = describe, .show = show, .end = edit_chain_clear,                                                   \
     }
-static const EditGesture wall = CHAIN(make_wall), leave = CHAIN(make_exit), room = CHAIN(make_room),
-                         route = CHAIN(make_route), measure = CHAIN(NULL);
+static const EditGesture wall = CHAIN(make_wall), room = CHAIN(make_room), route = CHAIN(make_route),
+                         measure = CHAIN(NULL);

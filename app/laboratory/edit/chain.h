@@ -11,6 +11,3 @@ void edit_chain_clear(Editor *edit);
 
 /* Returns the id of the person whose route is drawn, valid until the plan changes; NULL: the plan has no people. */
 const char *edit_chain_route_person(const Editor *edit);
-
-/* Places an exit across the door at the pointer, as one step; false: there is no door. */
-bool edit_chain_exit_across(Editor *edit);

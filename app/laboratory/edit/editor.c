@@ -2,6 +2,7 @@
 
 #include "plan/draft_file.h"
 #include "laboratory/edit/action.h"
+#include "laboratory/edit/body.h"
 #include "laboratory/edit/chain.h"
 #include "laboratory/edit/field.h"
 #include "laboratory/edit/gesture.h"
@@ -9,6 +10,7 @@
 #include "laboratory/edit/image.h"
 #include "laboratory/edit/marks.h"
 #include "laboratory/edit/pointer.h"
+#include "laboratory/edit/preview.h"
 #include "laboratory/edit/propose.h"
 #include "laboratory/edit/select.h"
 #include "laboratory/edit/shake.h"
@@ -25,8 +27,8 @@ static const EditToolRow tools[EDIT_TOOLS] = {
                         "Click where the piece stands, or press Enter to type the place; drag a free rectangle."},
     [TOOL_PERSON] = {"person", "Place people; drag to turn them.",
                      "Click where the person stands, or press Enter to type the place."},
-    [TOOL_EXIT] = {"exit", "Draw exits: lines across which people leave.",
-                   "Click a door, or where the exit begins, or press Enter to type the place."},
+    [TOOL_EXIT] = {"exit", "Place exits on doors and openings; a solid wall gets a door.",
+                   "Click a door, an opening or a wall, or press Enter to type the place."},
     [TOOL_MEASURE] =
         {"measure", "Measure a distance, and whether a chair fits through.",
          "Click two points, double-click a side, or press Enter to type them; Delete removes the measures."},
@@ -59,6 +61,8 @@ void editor_destroy(Editor *edit) {
     edit_propose_end(edit);
     edit_shake_clear(edit);
     edit_tool_items_clear(edit);
+    edit_body_clear(edit);
+    edit_preview_clear(edit);
     for (size_t i = 0; i < edit->id_count; i++)
         memory_free(edit->ids[i]);
     memory_free(edit->ids);
@@ -215,8 +219,8 @@ static const char *strip_text(Editor *edit) {
         return "First enter the picture's file in the panel.";
     if (edit->tool == TOOL_ROUTE && !edit_chain_route_person(edit))
         return "First place the person whose route you draw.";
-    if (edit->tool == TOOL_DOOR && !plan->wall_count)
-        return "First draw a wall for the door.";
+    if ((edit->tool == TOOL_DOOR || edit->tool == TOOL_EXIT) && !plan->wall_count)
+        return edit->tool == TOOL_DOOR ? "First draw a wall for the door." : "First draw a wall for the exit.";
     return tools[edit->tool].strip;
 }
 

@@ -60,6 +60,8 @@ typedef struct EditField {
 typedef enum EditMarkKind {
     MARK_OUTLINE,   /* the item being made or moved, a closed line */
     MARK_LINE,      /* the item being made or moved, an open line */
+    MARK_EXIT,      /* an exit that is placed, a line */
+    MARK_SWING,     /* the leaf of a door and the way of its edge, an open line */
     MARK_GUIDE,     /* thin and dashed: the snap target */
     MARK_DIMENSION, /* a line with end ticks, text at its middle */
     MARK_SNAP,      /* a small diamond, text next to it: "end of w3" */
@@ -80,9 +82,12 @@ typedef struct EditMark {
 
 /* The gesture in progress and its marks; valid until the next call of the editor or update. */
 typedef struct GestureView {
-    bool active;         /* the clock must be paused */
-    const char *doing;   /* "wall 2.50 m, 90 degrees", or the next action; never NULL */
-    const char *refusal; /* why the place is invalid, and which places are allowed; NULL: the place is valid */
+    bool active;          /* the clock must be paused */
+    const char *doing;    /* "wall 2.50 m, 90 degrees", or the next action; never NULL */
+    const char *refusal;  /* why the place is invalid, and which places are allowed; NULL: the place is valid */
+    const char *preview;  /* what a click here does, or why it does nothing: "door: exit"; NULL: no words */
+    bool preview_refused; /* the click does nothing */
+    bool preview_warns;   /* the item would touch something */
     const EditMark *marks;
     size_t mark_count;
     const EditField *fields; /* numbers that can be typed now; Tab cycles through them */

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "plan/catalogue.h"
 #include "plan/draft.h"
+#include "plan/profile.h"
 #include "plan/snap_piece.h"
 #include "laboratory/edit/editor.h"
 
@@ -21,6 +22,9 @@ enum {
     EDIT_MEASURES = 32, /* measured distances displayed at once */
 };
 
+/* What an exit lies on. */
+typedef enum EditExitGround { EXIT_NOWHERE, EXIT_ON_DOOR, EXIT_ON_GAP, EXIT_ON_WALL } EditExitGround;
+
 /* The target of a gesture. */
 typedef struct EditTarget {
     Vec2 at;       /* m: the target place of the item, the handle or the next point */
@@ -30,6 +34,9 @@ typedef struct EditTarget {
     double amount; /* m: thickness of a wall, width of a door */
     double along;  /* m: the middle of a door along its segment */
     size_t wall, segment;
+    EditExitGround ground; /* what an exit lies on, */
+    size_t door;           /* the door, */
+    Vec2 from, to;         /* m: and its ends */
 } EditTarget;
 
 /* The kinds of handles of an item. */
@@ -76,6 +83,21 @@ typedef struct EditShake {
     const char *const *ids; /* (count) ids of the pieces that fell */
     size_t count;
 } EditShake;
+
+/* What a click at the pointer would do; made again when the pointer, the plan or the item in hand has changed. */
+typedef struct EditPreview {
+    Pointer pointer;
+    uint64_t revision;
+    EditTool tool;
+    size_t row;
+    EditMark *marks; /* (mark_count), their texts in `texts` */
+    size_t mark_count, mark_capacity;
+    Arena texts;
+    Text words;   /* what the click does, or why it does nothing */
+    bool known;   /* the rest is set */
+    bool refused; /* the click does nothing */
+    bool warns;   /* the click does it, but the item touches something */
+} EditPreview;
 
 struct Editor {
     Draft *draft;       /* the edited house; belongs to the owner */
@@ -132,7 +154,10 @@ struct Editor {
     Catalogue catalogue;
     char **profiles; /* (profile_count) names of the shipped profiles */
     size_t profile_count;
-    bool stocked;                      /* catalogue and profiles have been read */
+    bool stocked; /* catalogue and profiles have been read */
+    Profile body; /* the profile of row `body_row`, if `body_known` */
+    size_t body_row;
+    bool body_known;
     double door_width, wall_thickness; /* m, of the next door, of the next wall */
 
     char *image;        /* path of the trace image that was read last, or NULL */
@@ -159,9 +184,11 @@ struct Editor {
     EditMark *marks; /* marks of the displayed gesture */
     size_t mark_count, mark_capacity;
     Arena mark_texts;
-    uint64_t pasted;    /* digest of the text that was last pasted without a pointer, */
-    int copies;         /* and how many times it was pasted */
-    size_t saved_steps; /* number of undo steps at the last save */
+    uint64_t pasted; /* digest of the text that was last pasted without a pointer, */
+    int copies;      /* and how many times it was pasted */
+    EditPreview preview;
+    char touched[EDIT_NAME]; /* what the item of the preview touches */
+    size_t saved_steps;      /* number of undo steps at the last save */
     Text doing;
     GestureView shown;
 };

@@ -63,6 +63,16 @@ static bool try_now(Editor *edit, Fault *fault) {
     return true;
 }
 
+/* Takes the item out of the draft again. */
+static void put_back(Editor *edit) {
+    Fault none = {0};
+    draft_rewind(edit->draft);
+    if (edit->has_good && draft_try(edit->draft, &none))
+        edit->changed = true;
+    edit->has_good = false;
+    fault_clear(&none);
+}
+
 void edit_gesture_update(Editor *edit) {
     Fault fault = {0}, again = {0};
     if (!edit->gesture)
@@ -75,7 +85,11 @@ void edit_gesture_update(Editor *edit) {
     edit->limited = false;
     edit->gesture->update(edit);
     forget_refusal(edit);
-    if (edit->gesture->make && !try_now(edit, &fault)) {
+    const char *reason = edit->gesture->refuse ? edit->gesture->refuse(edit) : NULL;
+    if (reason) {
+        edit->refusal = text_copy(reason);
+        put_back(edit);
+    } else if (edit->gesture->make && !try_now(edit, &fault)) {
         store_refusal(edit, &fault);
         if (edit->gesture->limit && edit->gesture->limit(edit))
             edit->limited = try_now(edit, &again);

@@ -12,15 +12,18 @@
 
 struct EditGesture {
     void (*update)(Editor *edit);
-    void (*make)(Editor *edit);  /* NULL: the gesture does not change the draft */
+    const char *(*refuse)(const Editor *edit); /* why the target is no place for the item, before it is tried */
+    void (*make)(Editor *edit);                /* NULL: the gesture does not change the draft */
     bool (*limit)(Editor *edit); /* moves a refused target to the nearest valid place; NULL or false: there is none */
     bool (*confirm)(Editor *edit, bool keys);  /* a press, or Enter */
     bool (*back)(Editor *edit);                /* Backspace; NULL: cancels the gesture */
     bool (*escape)(Editor *edit);              /* Escape; NULL: cancels the gesture */
     void (*release)(Editor *edit, bool moved); /* of the press that began the gesture, or of a later press */
     void (*describe)(Editor *edit, Text *text);
-    void (*show)(Editor *edit); /* adds marks */
-    void (*end)(Editor *edit);  /* releases the data of the gesture; NULL: there are none */
+    void (*promise)(const Editor *edit, Text *text); /* what a click does: "back to the wall"; NULL: no words */
+    const char *(*warn)(Editor *edit);               /* what the item would touch there; NULL: nothing */
+    void (*show)(Editor *edit);                      /* adds marks */
+    void (*end)(Editor *edit);                       /* releases the data of the gesture; NULL: there are none */
 };
 
 /* Begins a gesture; `name` is the name of its step. `keys`: the pointer is ignored at first. The table must outlive

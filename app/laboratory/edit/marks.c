@@ -7,6 +7,7 @@
 #include "laboratory/edit/gesture.h"
 #include "laboratory/edit/handle.h"
 #include "laboratory/edit/measure.h"
+#include "laboratory/edit/preview.h"
 #include "plan/plan_geometry.h"
 
 static const double FARTHEST_GAP = 5.0; /* m: larger gaps next to a piece are not shown */
@@ -42,13 +43,38 @@ void edit_marks_length(Editor *edit, Vec2 from, Vec2 to) {
     add_points(edit, MARK_DIMENSION, (Vec2[]){from, to}, 2, text);
 }
 
+void edit_marks_exit(Editor *edit, Vec2 from, Vec2 to) {
+    add_points(edit, MARK_EXIT, (Vec2[]){from, to}, 2, NULL);
+}
+
+void edit_marks_copy(Editor *edit, const EditMark *marks, size_t count) {
+    for (size_t i = 0; i < count; i++)
+        *add_mark(edit, marks[i].kind, NULL) = marks[i];
+}
+
 /* Doors ----------------------------------------------------------------------------------------------------------- */
+
+/* Adds the leaf of a hinged door, open, and the quarter circle of its edge. */
+static void add_leaf(Editor *edit, const Plan *plan, const Door *door, Vec2 from, Vec2 to) {
+    enum { ARC = 12 };
+    bool at_start = door->hinge == HINGE_START;
+    Vec2 left = vec2_left(vec2_unit(vec2_sub(to, from))), hinge = at_start ? from : to, latch = at_start ? to : from;
+    Vec2 out = door->swing == SWING_LEFT ? left : vec2_scale(left, -1), along = vec2_unit(vec2_sub(latch, hinge));
+    Vec2 root = vec2_along(hinge, plan->walls[door->wall_index].thickness / 2, out), leaf[ARC + 2] = {root};
+    for (int i = 0; i <= ARC; i++) {
+        Vec2 way = vec2_heading(M_PI / 2 * i / ARC);
+        leaf[ARC + 1 - i] = vec2_along(vec2_along(root, door->width * way.x, along), door->width * way.y, out);
+    }
+    add_points(edit, MARK_SWING, leaf, ARC + 2, NULL);
+}
 
 void edit_marks_door(Editor *edit, const Plan *plan, const Door *door) {
     const Vec2 *ends = plan->walls[door->wall_index].points.at + door->segment;
     Vec2 from, to;
     plan_geometry_door_ends(plan, door, &from, &to);
     edit_marks_line(edit, from, to);
+    if (door->kind == DOOR_HINGED)
+        add_leaf(edit, plan, door, from, to);
     edit_marks_length(edit, ends[0], from);
     edit_marks_length(edit, from, to);
     edit_marks_length(edit, to, ends[1]);
@@ -114,6 +140,10 @@ static void add_snap(Editor *edit, const Snap *snap) {
         add_points(edit, MARK_SNAP, &snap->at, 1, snap->text);
 }
 
+void edit_marks_snap(Editor *edit) {
+    add_snap(edit, &edit->snap);
+}
+
 static void add_handles(Editor *edit) {
     EditHandle handles[EDIT_HANDLES];
     size_t count = edit_handle_list(edit, draft_plan(edit->draft), handles);
@@ -132,12 +162,8 @@ static void add_hover(Editor *edit) {
     bool faces = edit->tool == TOOL_AREA || edit->tool == TOOL_MEASURE || edit->tool == TOOL_FURNITURE;
     if (edit->tool == TOOL_SELECT || !edit->seen)
         return;
-    SnapAsk ask = {.at = edit->pointer.at,
-                   .reach = edit->pointer.reach,
-                   .free = edit->pointer.free,
-                   .faces = faces,
-                   .doors = edit->tool == TOOL_EXIT,
-                   .along = NAN};
+    SnapAsk ask = {
+        .at = edit->pointer.at, .reach = edit->pointer.reach, .free = edit->pointer.free, .faces = faces, .along = NAN};
     Snap snap = snap_point(draft_plan(edit->draft), &ask);
     add_snap(edit, &snap);
 }
@@ -172,12 +198,16 @@ const GestureView *edit_marks_make(Editor *edit, const char *idle) {
         add_handles(edit);
     if (edit->gesture)
         add_snap(edit, &edit->snap);
-    else
+    const EditPreview *preview = edit->gesture ? NULL : edit_preview_show(edit);
+    if (!edit->gesture && !preview)
         add_hover(edit);
     describe(edit, idle);
     edit->shown = (GestureView){.active = edit->gesture,
                                 .doing = edit->doing.text ? edit->doing.text : "",
                                 .refusal = edit->gesture ? edit->refusal : NULL,
+                                .preview = preview && preview->words.used ? preview->words.text : NULL,
+                                .preview_refused = preview && preview->refused,
+                                .preview_warns = preview && preview->warns,
                                 .marks = edit->marks,
                                 .mark_count = edit->mark_count,
                                 .fields = edit->fields,

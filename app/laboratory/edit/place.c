@@ -3,7 +3,9 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "laboratory/edit/body.h"
 #include "laboratory/edit/door.h"
+#include "laboratory/edit/exit.h"
 #include "laboratory/edit/field.h"
 #include "laboratory/edit/gesture.h"
 #include "laboratory/edit/marks.h"
@@ -140,12 +142,13 @@ typedef struct PlaceKind {
     const EditGesture *gesture;
 } PlaceKind;
 
-static const EditGesture door, piece, person;
+static const EditGesture door, piece, person, leave;
 
 static const PlaceKind kinds[EDIT_TOOLS] = {
     [TOOL_DOOR] = {"Place door", {"x", "y", "width", "at"}, {"m", "m", "m", "m"}, 4, 2, &door},
     [TOOL_FURNITURE] =
         {"Place furniture", {"x", "y", "angle", "width", "depth"}, {"m", "m", "degree", "m", "m"}, 5, 2, &piece},
+    [TOOL_EXIT] = {"Place exit", {"x", "y", "width"}, {"m", "m", "m"}, 3, 2, &leave},
     [TOOL_PERSON] = {"Place person", {"x", "y", "heading"}, {"m", "m", "degree"}, 3, 2, &person},
 };
 
@@ -188,6 +191,13 @@ static bool confirm(Editor *edit, bool keys) {
     return true;
 }
 
+/* Ends the placement of an exit; where none can lie, nothing happens. */
+static void release_exit(Editor *edit, bool moved) {
+    (void)moved;
+    if (!confirm(edit, false))
+        edit_gesture_cancel(edit);
+}
+
 /* Ends the placement. An item that is dropped at an invalid place is not placed; a rectangle whose drawing has only
  * begun continues. */
 static void release(Editor *edit, bool moved) {
@@ -220,15 +230,56 @@ static void show(Editor *edit) {
     } else if (edit->tool == TOOL_FURNITURE && plan->furniture_count) {
         edit_marks_piece(edit, &plan->furniture[plan->furniture_count - 1]);
     } else if (edit->tool == TOOL_PERSON) {
+        Vec2 outline[BODY_POINTS];
+        size_t count = edit_body_outline(edit, edit->now.at, edit->now.angle, outline);
+        edit_marks_outline(edit, outline, count);
         edit_marks_line(edit, edit->now.at, vec2_along(edit->now.at, 0.5, snap_heading(edit->now.angle)));
     }
 }
 
-#define PLACE(update_, make_, limit_)                                                                                  \
+static void describe_exit(Editor *edit, Text *text) {
+    edit_exit_describe(edit, text);
+}
+
+/* Promises ----------------------------------------------------------------------------------------------------------
+ */
+
+static void promise_door(const Editor *edit, Text *text) {
+    text_format(text, "door %.2f m", edit->now.amount);
+}
+
+static void promise_furniture(const Editor *edit, Text *text) {
+    size_t item = edit->chosen_rows[TOOL_FURNITURE];
+    if (item > 0 && item <= edit->catalogue.count)
+        text_format(text, "%s %.2f x %.2f m", edit->catalogue.items[item - 1].name, edit->now.size.x, edit->now.size.y);
+}
+
+static void promise_person(const Editor *edit, Text *text) {
+    (void)edit;
+    text_add(text, "person here, drag to turn");
+}
+
+static const char *warn_person(Editor *edit) {
+    return edit_body_touches(edit, draft_plan(edit->draft), edit->now.at, edit->now.angle, edit->touched)
+               ? edit->touched
+               : NULL;
+}
+
+#define PLACE(update_, make_, ...)                                                                                     \
     {                                                                                                                  \
-        .update = update_, .make = make_, .limit = limit_, .confirm = confirm, .release = release,                     \
-        .describe = describe, .show = show                                                                             \
+        .update = update_, .make = make_, .confirm = confirm, .release = release, .describe = describe, .show = show,  \
+        __VA_ARGS__                                                                                                    \
     }
-static const EditGesture door = PLACE(edit_door_update, edit_door_make, edit_door_limit),
-                         piece = PLACE(update_furniture, make_furniture, NULL),
-                         person = PLACE(update_person, make_person, NULL);
+static const EditGesture door =
+    PLACE(edit_door_update, edit_door_make, .limit = edit_door_limit, .promise = promise_door);
+static const EditGesture piece = PLACE(update_furniture, make_furniture, .promise = promise_furniture);
+static const EditGesture person = PLACE(update_person, make_person, .promise = promise_person, .warn = warn_person);
+static const EditGesture leave = {.update = edit_exit_update,
+                                  .refuse = edit_exit_refuse,
+                                  .make = edit_exit_make,
+                                  .limit = edit_exit_limit,
+                                  .confirm = confirm,
+                                  .release = release_exit,
+                                  .describe = describe_exit,
+                                  .promise = edit_exit_promise,
+                                  .show = edit_exit_show};

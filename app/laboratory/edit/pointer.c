@@ -13,7 +13,7 @@
 static const double STIR = 0.4; /* share of the reach: pointer travel below this is a click, not a drag */
 
 static bool is_chain(EditTool tool) {
-    return tool == TOOL_WALL || tool == TOOL_EXIT || tool == TOOL_MEASURE || tool == TOOL_AREA || tool == TOOL_ROUTE;
+    return tool == TOOL_WALL || tool == TOOL_MEASURE || tool == TOOL_AREA || tool == TOOL_ROUTE;
 }
 
 static void begin(Editor *edit, bool keys) {
@@ -28,7 +28,7 @@ static void begin(Editor *edit, bool keys) {
 static bool can_begin(const Editor *edit) {
     if (edit->tool == TOOL_IMAGE)
         return draft_plan(edit->draft)->background.image;
-    if (edit->tool == TOOL_DOOR)
+    if (edit->tool == TOOL_DOOR || edit->tool == TOOL_EXIT)
         return draft_plan(edit->draft)->wall_count;
     return edit->tool != TOOL_ROUTE || edit_chain_route_person(edit);
 }
@@ -125,7 +125,7 @@ void edit_pointer_press(Editor *edit, const Pointer *pointer, bool twice) {
         edit->gesture->confirm(edit, false);
     } else if (edit->tool == TOOL_SELECT) {
         press_select(edit);
-    } else if (can_begin(edit) && !(edit->tool == TOOL_EXIT && edit_chain_exit_across(edit))) {
+    } else if (can_begin(edit)) {
         begin(edit, false);
         if (edit->gesture && (is_chain(edit->tool) || edit->tool == TOOL_IMAGE))
             edit->gesture->confirm(edit, false);

@@ -63,7 +63,7 @@ static void type_all(void *session) {
     editing_keys(session, "|2>3|");
     editing_keys(session, "|8>1.5|");
     editor_set_tool(laboratory->editor(session), TOOL_EXIT);
-    editing_keys(session, "|8>1.1|0.8>90|");
+    editing_keys(session, "|8>1.5|");
     editor_set_tool(laboratory->editor(session), TOOL_PERSON);
     choose(session, "", "manual-chair");
     editing_keys(session, "|2>4.5|");

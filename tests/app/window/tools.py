@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""Tests what the tools show before a click and what the click then does, with a real mouse and real keys: exits lie on
+doors, openings and new doors, people touch nothing, and a house can be drawn from nothing to an answer."""
+
+import json
+
+import stage
+from drawing import Plan
+from stage import check
+
+
+def read(path):
+    return json.loads(path.read_text())
+
+
+def chain(plan, *points):
+    plan.keys("w")
+    for x, y in points:
+        plan.put(x, y)
+    plan.keys("Escape", "Escape", "Escape")
+
+
+def preview(plan, x, y):
+    """Moves the pointer to a place, and returns what a click there would do."""
+    plan.move(x, y)
+    return plan.until(lambda s: "preview" in s["gesture"])["gesture"].get("preview") or {"words": None, "refused": None}
+
+
+def counts(plan, name):
+    """Saves a copy and returns the lists of its house."""
+    path = plan.place / f"{name}.json"
+    plan.save_as(path)
+    house = read(path)
+    return {part: house.get(part, []) for part in ("walls", "doors", "exits", "people", "furniture")}
+
+
+plan = Plan("exits", minutes=9)
+plan.keys("ctrl+n")
+plan.until(lambda s: s["title"] == "new house" and s["floor"])
+chain(plan, (-3, -2), (3, -2), (3, 2), (-3, 2), (-3, -2))
+
+# 17: on a solid wall an exit comes with a door, and one step takes both back
+before = plan.state()["digest"]
+plan.keys("x")
+said = preview(plan, 3, 0.5)
+check(said["words"] == "solid wall: click makes a door 0.90 m with the exit" and not said["refused"],
+      "17, 18: over a solid wall the exit tool says that it makes a door", said)
+shot = plan.shot("solid-wall")
+check(plan.state()["edits"] == 1, "18: the preview is no edit", plan.state()["edits"])
+plan.put(3, 0.5)
+plan.keys("Escape", "Escape", "Escape")
+made = counts(plan, "solid")
+check(len(made["doors"]) == 1 and len(made["exits"]) == 1 and abs(made["doors"][0]["width"] - 0.9) < 1e-9,
+      "17: the click makes a door of 0.90 m and the exit in it", made)
+plan.keys("p")
+plan.put(-2, -1)
+plan.keys("Escape", "Escape", "Escape")
+left = plan.until(lambda s: s["answer"]["title"].startswith("Out in") and not s["answer"]["stale"])
+check(left["answer"]["title"].startswith("Out in"), "17: and the exit can be used", left["answer"])
+plan.keys("ctrl+z", "ctrl+z")
+back = counts(plan, "back")
+check(not back["doors"] and not back["exits"], "17: one step takes both back", back)
+
+# 17: over empty floor it is refused with words, and nothing changes
+plan.keys("x")
+said = preview(plan, 0, 0)
+check(said["refused"] and said["words"] == "exits lie on doors and openings", "17: over floor it says why not", said)
+plan.put(0, 0)
+state = plan.state()
+check(not state["gesture"]["active"] and state["undo_name"] == "Draw walls", "17: a click there does nothing",
+      state["gesture"])
+
+# over a door and over an opening between the ends of two walls
+plan.keys("d")
+said = preview(plan, 0, 2)
+check(said["words"] == "door 0.80 m", "18: the door tool shows the door", said)
+check({"swing", "dimension"} <= {mark["kind"] for mark in plan.state()["gesture"]["marks"]},
+      "18: with its leaf and both gaps")
+plan.put(0, 2)
+plan.keys("x")
+said = preview(plan, 0, 2)
+check(said["words"] == "door: exit", "18: over a door the exit lies in it", said)
+plan.put(0, 2)
+said = preview(plan, 0.02, 2)
+check(said["refused"] and said["words"] == "there is an exit already", "18: not twice", said)
+plan.keys("Escape", "Escape", "Escape")
+chain(plan, (-1, -2), (-1, -0.5))
+chain(plan, (-1, 2), (-1, 0.5))
+plan.keys("x")
+said = preview(plan, -1, 0)
+check(said["words"] == "opening: exit", "18: over an opening between walls the exit lies in it", said)
+plan.put(-1, 0)
+plan.keys("Escape", "Escape", "Escape")
+made = counts(plan, "opening")
+ends = sorted([made["exits"][-1]["from"], made["exits"][-1]["to"]])
+check(max(abs(a - b) for end, wall in zip(ends, [(-1, -0.5), (-1, 0.5)]) for a, b in zip(end, wall)) < 0.02,
+      "18: from wall to wall", made["exits"])
+
+# a person is red where the body would touch, with the name of what, and refused inside a wall
+plan.keys("p")
+said = preview(plan, -2.8, 0)
+check(said["warns"] and said["words"].startswith("touches wall"), "18: a person that touches says what", said)
+plan.shot("touching")
+said = preview(plan, -3, 0)
+check(said["refused"] and "wall" in said["words"], "18: inside a wall a person is refused", said)
+plan.put(-3, 0)
+plan.keys("Escape", "Escape", "Escape")
+check(not counts(plan, "nobody")["people"], "18: and is not placed there")
+plan.keys("p")
+said = preview(plan, 1, 0)
+check(not said["refused"] and not said["warns"], "18: in free space nothing is wrong", said)
+plan.end()
+
+stage.end()
