@@ -331,7 +331,7 @@ const ExportStatus *export_update(Export *export) {
     status->doing = over ? "" : export->doing.text;
     status->part = status->stage == EXPORT_DONE ? 1 : part_of(status->doing);
     status->reason = over && status->stage != EXPORT_DONE ? export->said.text : "";
-    status->folder = export->out;
+    status->folder = *export->out || !export->movie ? export->out : export->movie;
     status->files = export->files;
     status->file_count = export->file_count;
     return status;

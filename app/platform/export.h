@@ -34,7 +34,7 @@ typedef struct ExportStatus {
     double part;              /* 0 to 1; NAN: not known */
     const char *doing;        /* "picture 40 of 300", "simulated 12 s", "" */
     const char *reason;       /* the last line of a child that failed; "cancelled"; otherwise "" */
-    const char *folder;       /* --out, or "" */
+    const char *folder;       /* --out, or the movie's path if there is no --out */
     const char *const *files; /* (file_count) once it has ended: names within the folder, and the movie's path */
     size_t file_count;
     bool no; /* done, but the answer is no: a person does not leave the house */

@@ -47,7 +47,7 @@ static const Making makings[] = {
 enum { MAKINGS = sizeof makings / sizeof *makings, OPTIONS_MOST = 16 };
 
 static void make(Window *window, const Making *making) {
-    static const char *const folders[] = {"", NULL}, *const films[] = {".mp4", NULL};
+    static const char *const folders[] = {"", NULL}, *const films[] = {"mp4", NULL};
     Tab *tab = window_tab(window);
     Fault fault = {0};
     const char *options[OPTIONS_MOST];

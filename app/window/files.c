@@ -69,7 +69,7 @@ void files_save(Window *window) {
 }
 
 void files_ask_name(Window *window) {
-    static const char *const endings[] = {".json", NULL};
+    static const char *const endings[] = {"json", NULL};
     Tab *tab = window_tab(window);
     char *folder = tab->origin ? NULL : notice_folder(window);
     if (tab->origin) {

@@ -76,11 +76,17 @@ static Box place_label(const Window *window, Labels *labels, Vec2 middle, Vec2 s
     return box;
 }
 
-static void write_label(Window *window, Labels *labels, Vec2 middle, Role ground, const char *text) {
-    Vec2 size = vec2_add(ui_extent(window->ui, UI_BOLD, text), vec2(2 * PAD, 2));
-    Box box = place_label(window, labels, middle, size);
+static Box label_box(Window *window, Labels *labels, Vec2 middle, const char *text) {
+    return place_label(window, labels, middle, vec2_add(ui_extent(window->ui, UI_BOLD, text), vec2(2 * PAD, 2)));
+}
+
+static void write_in(Window *window, Box box, Role ground, const char *text) {
     ui_draw_box(window->ui, box, ground, 1);
     ui_draw_text(window->ui, UI_BOLD, ROLE_PAPER, vec2(box.low.x + PAD, (box.low.y + box.high.y) / 2), 0, text);
+}
+
+static void write_label(Window *window, Labels *labels, Vec2 middle, Role ground, const char *text) {
+    write_in(window, label_box(window, labels, middle, text), ground, text);
 }
 
 /* Lines ------------------------------------------------------------------------------------------------------------ */
@@ -157,11 +163,15 @@ static void draw_handle(Window *window, const EditMark *mark, Vec2 at) {
 
 /* Marks ------------------------------------------------------------------------------------------------------------ */
 
-static void draw_mark(Window *window, const EditMark *mark, const Vec2 *points, size_t count) {
+static bool is_wrong(const GestureView *gesture) {
+    return gesture->active ? gesture->refusal != NULL : gesture->preview_refused || gesture->preview_warns;
+}
+
+static void draw_mark(Window *window, const EditMark *mark, const Vec2 *points, size_t count, bool wrong) {
     switch (mark->kind) {
     case MARK_OUTLINE:
     case MARK_LINE:
-        draw_twice(window, points, count, mark->kind == MARK_OUTLINE, ROLE_CHAIR, LINE);
+        draw_twice(window, points, count, mark->kind == MARK_OUTLINE, wrong ? ROLE_ERROR : ROLE_CHAIR, LINE);
         break;
     case MARK_EXIT:
         draw_twice(window, points, count, false, ROLE_EXIT, EXIT_LINE);
@@ -217,7 +227,7 @@ static void show_marks(Window *window, Tab *tab, const GestureView *gesture, Lab
                 continue;
             size_t count = points_of(window, tab, mark, points);
             if (pass < 2)
-                draw_mark(window, mark, points, count);
+                draw_mark(window, mark, points, count, is_wrong(gesture));
             else
                 write_mark(window, labels, mark, points, count);
         }
@@ -308,14 +318,9 @@ static void show_read_out(Window *window, const GestureView *gesture, Labels *la
         ui_draw_text(window->ui, UI_BODY, ROLE_ERROR, vec2(box.low.x + PAD, y), 0, gesture->typed_error);
 }
 
-/* Shows next to the pointer what a click does, or why it does nothing; never under the hand. */
-static void show_preview(Window *window, const GestureView *gesture, Labels *labels) {
-    const char *words = gesture->active ? gesture->refusal : gesture->preview;
-    bool wrong = gesture->active || gesture->preview_refused || gesture->preview_warns;
-    Vec2 at = vec2_scale(window->mouse, 1 / window->unit);
-    if (!words || !has_pointer(window))
-        return;
-    write_label(window, labels, vec2_add(at, vec2(0, -HAND)), wrong ? ROLE_ERROR : ROLE_TEXT, words);
+/* Returns what a click does, or why it does nothing; NULL: no words, or the pointer is elsewhere. */
+static const char *preview_words(const Window *window, const GestureView *gesture) {
+    return !has_pointer(window) ? NULL : gesture->active ? gesture->refusal : gesture->preview;
 }
 
 void plan_overlay_show(Window *window) {
@@ -327,7 +332,11 @@ void plan_overlay_show(Window *window) {
         return;
     const GestureView *gesture = editor_gesture(editor);
     show_read_out(window, gesture, &labels); /* reserves its place before labels are placed */
-    show_preview(window, gesture, &labels);
+    const char *words = preview_words(window, gesture);
+    Vec2 above = vec2_add(vec2_scale(window->mouse, 1 / window->unit), vec2(0, -HAND)); /* never under the hand */
+    Box box = words ? label_box(window, &labels, above, words) : box_empty();
     show_marks(window, tab, gesture, &labels);
+    if (words)
+        write_in(window, box, is_wrong(gesture) ? ROLE_ERROR : ROLE_TEXT, words);
     show_read_out(window, gesture, &labels); /* drawn again, over the labels' lines */
 }

@@ -234,6 +234,9 @@ json_t *scripted_state_of(Window *window) {
     json_object_set_new(state, "fullscreen", json_boolean(window->fullscreen));
     json_object_set_new(state, "sound", json_boolean(window->sound != NULL));
     json_object_set_new(state, "writing", json_boolean(window->export != NULL));
+    const ExportStatus *export = window->export ? export_update(window->export) : NULL;
+    json_object_set_new(state, "export",
+                        export ? json_pack("{s:s,s:s}", "path", export->folder, "doing", export->doing) : json_null());
     json_object_set_new(state, "focus", json_string(ui_focus_pane(window->ui)));
     json_object_set_new(state, "focus_help", text_or_null(ui_focus_help(window->ui)));
     json_object_set_new(state, "focus_is_pane", json_boolean(ui_focus_is_pane(window->ui)));

@@ -111,4 +111,22 @@ said = preview(plan, 1, 0)
 check(not said["refused"] and not said["warns"], "18: in free space nothing is wrong", said)
 plan.end()
 
+
+
+# a film never takes the place of a file, and its messages name it
+film = stage.Screen("film", stage.house("corner-0.90-0.90"))
+film.until(lambda s: s["complete"])
+kept = film.place / "home" / "clearance"
+kept.mkdir(parents=True)
+(kept / "corner-0.90-0.90-film.mp4").write_text("mine")
+film.keys("ctrl+e")
+film.until(lambda s: s["sheet"] == "export")
+film.keys(*["Tab"] * 7, "Return")  # the eighth: film
+said = film.until(lambda s: (s["message"] or "").startswith("Writing "))["message"]
+check(said.endswith("film-2.mp4"), "a second film has a name of its own", said)
+told = film.until(lambda s: s["export"] and "picture" in s["export"]["doing"])["export"]
+check(told and told["path"].endswith("film-2.mp4"), "its progress names the file", told)
+check((kept / "corner-0.90-0.90-film.mp4").read_text() == "mine", "the first film is untouched")
+film.end()
+
 stage.end()
