@@ -62,13 +62,13 @@ static const char *format_of(Folder *folder, int stream, const char *name) {
     return text_in_arena(&folder->arena, "%.*s", (int)length, format + sizeof begin - 1);
 }
 
-/* True if the entry is listed: a folder or a JSON file that is not hidden. */
-static bool kind_of(int stream, const char *name, FolderKind *kind) {
+/* True if the entry is listed: a folder or a file of these kinds that is not hidden. */
+static bool kind_of(int stream, const char *name, bool (*also)(const char *name), FolderKind *kind) {
     struct stat status;
     if (*name == '.' || fstatat(stream, name, &status, 0) != 0)
         return false;
     *kind = S_ISDIR(status.st_mode) ? FOLDER_FOLDER : FOLDER_FILE;
-    return S_ISDIR(status.st_mode) || (S_ISREG(status.st_mode) && is_json(name));
+    return S_ISDIR(status.st_mode) || (S_ISREG(status.st_mode) && (is_json(name) || (also && also(name))));
 }
 
 static const char *path_of(Folder *folder, const char *name) {
@@ -90,12 +90,12 @@ static int by_kind_and_name(const void *a, const void *b) {
                                        : folder_compare(first->name, second->name);
 }
 
-static void read_entries(Folder *folder, DIR *stream) {
+static void read_entries(Folder *folder, DIR *stream, bool (*also)(const char *name)) {
     folder->entries = memory_zeroed(FOLDER_MOST + 1, sizeof *folder->entries);
     add_above(folder);
     for (struct dirent *entry; (entry = readdir(stream));) {
         FolderKind kind;
-        if (!kind_of(dirfd(stream), entry->d_name, &kind))
+        if (!kind_of(dirfd(stream), entry->d_name, also, &kind))
             continue;
         if (folder->count > FOLDER_MOST) {
             folder->left_out++;
@@ -108,7 +108,7 @@ static void read_entries(Folder *folder, DIR *stream) {
     qsort(folder->entries, folder->count, sizeof *folder->entries, by_kind_and_name);
 }
 
-bool folder_read(Folder *folder, const char *path, Fault *fault) {
+bool folder_read(Folder *folder, const char *path, bool (*also)(const char *name), Fault *fault) {
     char *whole = realpath(*path ? path : ".", NULL);
     DIR *stream = whole ? opendir(whole) : NULL;
     if (!stream) {
@@ -119,7 +119,7 @@ bool folder_read(Folder *folder, const char *path, Fault *fault) {
     Folder read = {.count = 0};
     read.path = arena_text(&read.arena, whole);
     free(whole);
-    read_entries(&read, stream);
+    read_entries(&read, stream, also);
     closedir(stream);
     folder_clear(folder);
     *folder = read;

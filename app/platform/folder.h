@@ -1,5 +1,5 @@
-/* Lists a folder for the open dialog: the folder above, folders, then JSON files, each group in natural order (2 before
- * 10), without hidden entries. */
+/* Lists a folder for the open dialog: the folder above, folders, then files that can be opened, each group in natural
+ * order (2 before 10), without hidden entries. */
 #pragma once
 
 #include <stdbool.h>
@@ -28,8 +28,9 @@ typedef struct Folder {
 
 enum { FOLDER_MOST = 5000 /* entries */ };
 
-/* Reads a folder. False: a fault says why it cannot be read, and `folder` is unchanged. */
-bool folder_read(Folder *folder, const char *path, Fault *fault);
+/* Reads a folder. Besides JSON files it lists the files for whose names `also` is true (NULL: none). False: a fault
+ * says why it cannot be read, and `folder` is unchanged. */
+bool folder_read(Folder *folder, const char *path, bool (*also)(const char *name), Fault *fault);
 void folder_clear(Folder *folder);
 
 /* Compares like strcmp, but runs of digits as numbers and without regard to case. */

@@ -1,3 +1,4 @@
+#include "laboratory/import_file.h"
 #include "window/act.h"
 
 #include <math.h>
@@ -31,8 +32,9 @@ static void show_gallery(Window *window) {
 
 static void show_open(Window *window) {
     Fault fault = {0};
-    const char *folder = *window->settings.state.folder ? window->settings.state.folder : ".";
-    if (folder_read(&window->folder, folder, &fault) || folder_read(&window->folder, ".", &fault))
+    const char *folder = files_open_folder(window);
+    if (folder_read(&window->folder, folder, import_file_knows, &fault) ||
+        folder_read(&window->folder, ".", import_file_knows, &fault))
         dialog_pane_show(window, DIALOG_OPEN);
     notice_fault(window, &fault, NAN);
 }

@@ -30,7 +30,7 @@ static uint64_t state_of(Editor *editor) {
 static void write_recovery(Window *window, const Tab *tab, Editor *editor) {
     RecoveryAbout about = {.origin = tab->origin ? tab->origin : tab->path,
                            .name = tab->laboratory->title(tab->session),
-                           .edits = editor_edit_count(editor),
+                           .edits = tab_edit_count(tab),
                            .when = (int64_t)time(NULL)};
     int error = recovery_write(window->recovery, editor_text(editor), &about);
     window->watch.written |= !error;
@@ -82,6 +82,7 @@ void autosave_restart(Window *window, Tab *tab) {
     tab->mark = NULL;
     memory_free(tab->origin);
     tab->origin = NULL;
+    tab->recovered = 0;
     if (tab != autosave_tab(window))
         return;
     if (window->recovery && window->watch.written)

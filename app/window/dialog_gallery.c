@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "laboratory/import_file.h"
 #include "window/dialog_pane.h"
 #include "window/files.h"
 #include "window/notice.h"
@@ -67,6 +68,8 @@ void dialog_gallery_show(Window *window) {
 
 static const char *kind_label(const FolderEntry *entry) {
     size_t laboratory = entry->format ? laboratory_find(entry->format) : laboratories_count;
+    if (entry->kind == FOLDER_FILE && import_file_knows(entry->name))
+        return "plan to import";
     if (entry->kind == FOLDER_FILE)
         return laboratory < laboratories_count ? entry->format : "other";
     return entry->kind == FOLDER_ABOVE ? "folder above" : "folder";
@@ -77,7 +80,7 @@ static void choose(Window *window, const FolderEntry *entry) {
     Fault fault = {0};
     const char *path = text_in_arena(&window->arena, "%s", entry->path);
     if (entry->kind == FOLDER_ABOVE || entry->kind == FOLDER_FOLDER) {
-        folder_read(&window->folder, path, &fault);
+        folder_read(&window->folder, path, import_file_knows, &fault);
         notice_fault(window, &fault, NAN);
         return;
     }

@@ -15,13 +15,14 @@
 
 void dialog_leave_show(Window *window) {
     const Tab *tab = window_tab(window);
-    Editor *editor = tab_editor(tab);
-    size_t edits = editor ? editor_edit_count(editor) : 0;
+    size_t edits = tab_edit_count(tab);
+    const char *title = tab->laboratory->title(tab->session);
+    const char *words = !edits       ? text_in_arena(&window->arena, "%s is not saved yet.", title)
+                        : edits == 1 ? text_in_arena(&window->arena, "%s has 1 unsaved edit.", title)
+                                     : text_in_arena(&window->arena, "%s has %zu unsaved edits.", title, edits);
     dialog_pane_begin(window, dialog_pane_centred(window, WIDTH, HEIGHT, EDGE));
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Save before closing?");
-    ui_text(window->ui, UI_BODY, ROLE_TEXT,
-            text_in_arena(&window->arena, edits == 1 ? "%s has %zu unsaved edit." : "%s has %zu unsaved edits.",
-                          tab->laboratory->title(tab->session), edits));
+    ui_text(window->ui, UI_BODY, ROLE_TEXT, words);
     ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, tab->path ? tab->path : "It has no file yet.");
     ui_row(window->ui, 3);
     bool saves =
@@ -51,8 +52,11 @@ static const char *when_text(Window *window, int64_t when) {
 /* Shows a recovered file; true if it was opened or discarded, which changes the list. */
 static bool show_found(Window *window, size_t index) {
     const RecoveryFound *found = &window->found[index];
-    ui_heading(window->ui, text_in_arena(&window->arena, found->edits == 1 ? "%s, %s, %zu edit" : "%s, %s, %zu edits",
-                                         found->name, when_text(window, found->when), found->edits));
+    const char *edits = !found->edits       ? "not saved"
+                        : found->edits == 1 ? "1 edit"
+                                            : text_in_arena(&window->arena, "%zu edits", found->edits);
+    ui_heading(window->ui,
+               text_in_arena(&window->arena, "%s, %s, %s", found->name, when_text(window, found->when), edits));
     ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, text_in_arena(&window->arena, "Recovery file: %s", found->path));
     const char *origin = !found->origin ? "It had no file yet."
                          : found->origin_when

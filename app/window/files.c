@@ -17,14 +17,59 @@
 
 /* Saving ----------------------------------------------------------------------------------------------------------- */
 
+/* True if a file or folder lies in a folder, or is it. */
+static bool is_within(const char *path, const char *folder) {
+    char file[PATH_MAX], real[PATH_MAX];
+    if (!folder || !realpath(path, file) || !realpath(folder, real))
+        return false;
+    size_t length = strlen(real);
+    return strncmp(file, real, length) == 0 && (file[length] == '/' || !file[length]);
+}
+
 /* True if the file comes with the program; such files are never overwritten. */
 static bool is_shipped(const char *path) {
-    char file[PATH_MAX], folder[PATH_MAX];
-    const Shipped *shipped = shipped_places();
-    if (!realpath(path, file) || !realpath(shipped->houses, folder))
-        return false;
-    size_t length = strlen(folder);
-    return strncmp(file, folder, length) == 0 && file[length] == '/';
+    return is_within(path, shipped_places()->houses) || is_within(path, shipped_places()->beams);
+}
+
+/* Returns the folder of a file, in the frame's memory. */
+static const char *folder_of(Window *window, const char *path) {
+    const char *slash = strrchr(path, '/');
+    return !slash ? "." : slash == path ? "/" : text_in_arena(&window->arena, "%.*s", (int)(slash - path), path);
+}
+
+const char *files_open_folder(Window *window) {
+    const Tab *tab = window_tab(window);
+    const char *path = tab->path ? tab->path : tab->origin, *last = window->settings.state.folder;
+    return path ? folder_of(window, path) : *last ? last : ".";
+}
+
+/* Returns the user's folder for documents: $XDG_DOCUMENTS_DIR, or ~/Documents, made if it is missing; NULL: there is
+ * none that can be written to. */
+static const char *documents(Window *window) {
+    const char *given = getenv("XDG_DOCUMENTS_DIR"), *home = getenv("HOME");
+    const char *folder = given && *given ? given
+                         : home && *home ? text_in_arena(&window->arena, "%s/Documents", home)
+                                         : NULL;
+    return folder && !text_make_folder(folder) && access(folder, W_OK | X_OK) == 0 ? folder : NULL;
+}
+
+/* Returns the folder in which a new file is proposed: that of the open file, else that of the last one; files that come
+ * with the program are saved to the documents. */
+static const char *save_folder(Window *window) {
+    const Tab *tab = window_tab(window);
+    const char *last = window->settings.state.folder;
+    const char *own = tab->path && !is_shipped(tab->path)        ? folder_of(window, tab->path)
+                      : !tab->path && *last && !is_shipped(last) ? last
+                                                                 : NULL;
+    if (own && access(own, W_OK | X_OK) == 0)
+        return own;
+    const char *folder = documents(window);
+    if (folder)
+        return folder;
+    char *exports = notice_folder(window);
+    folder = exports ? text_in_arena(&window->arena, "%s", exports) : NULL;
+    memory_free(exports);
+    return folder;
 }
 
 static void store_path(Tab *tab, const char *path) {
@@ -38,6 +83,7 @@ static void note_saved(Window *window, Tab *tab, const char *path) {
     tab->mark = NULL;
     memory_free(tab->origin);
     tab->origin = NULL;
+    tab->recovered = 0;
     settings_add_recent(&window->settings, path);
     if (tab == autosave_tab(window))
         autosave_drop(window);
@@ -71,7 +117,7 @@ void files_save(Window *window) {
 void files_ask_name(Window *window) {
     static const char *const endings[] = {"json", NULL};
     Tab *tab = window_tab(window);
-    char *folder = tab->origin ? NULL : notice_folder(window);
+    const char *folder = tab->origin ? NULL : save_folder(window);
     if (tab->origin) {
         snprintf(window->field, sizeof window->field, "%s", tab->origin);
     } else if (folder) {
@@ -81,7 +127,6 @@ void files_ask_name(Window *window) {
     } else {
         return;
     }
-    memory_free(folder);
     dialog_pane_show(window, DIALOG_SAVE);
 }
 
@@ -150,6 +195,7 @@ void files_recover(Window *window, size_t found) {
     if (!recovery_adopt(window->recovery, one))
         notice_post(window, "The recovery file %s no longer exists.", one->path);
     tab->origin = one->origin ? text_copy(one->origin) : NULL;
+    tab->recovered = one->edits;
     window->watch.written = true;
     if (one->origin)
         notice_post(window, "Recovered the edits of %s. Save them to keep them.", one->origin);

@@ -7,6 +7,9 @@
 void files_save(Window *window);
 void files_ask_name(Window *window);
 
+/* Returns the folder in which the open dialog begins: that of the open file, else that of the last one. */
+const char *files_open_folder(Window *window);
+
 /* Saves to another file, which must not exist yet. False: a fault was posted, and nothing was saved. */
 bool files_save_as(Window *window, const char *path);
 

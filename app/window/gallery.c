@@ -216,7 +216,7 @@ static void *work(void *context) {
 static void add_folder(Gallery *gallery, size_t laboratory) {
     Folder folder = {.count = 0};
     Fault fault = {0};
-    if (folder_read(&folder, laboratory_folder(laboratory), &fault)) {
+    if (folder_read(&folder, laboratory_folder(laboratory), NULL, &fault)) {
         size_t capacity = gallery->count;
         gallery->items =
             memory_reserve(gallery->items, &capacity, gallery->count + folder.count, sizeof *gallery->items);

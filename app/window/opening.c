@@ -83,7 +83,7 @@ static void add_notes(Window *window, const char *path, const ImportFile *import
 
 /* Opens the imported house from the recovery file, from which it can be recovered until it is saved. */
 static bool open_text(Window *window, const char *path, const ImportFile *import) {
-    RecoveryAbout about = {.name = import->name, .edits = 1, .when = (int64_t)time(NULL)};
+    RecoveryAbout about = {.name = import->name, .edits = 0, .when = (int64_t)time(NULL)};
     int error = recovery_write(window->recovery, import->text, &about);
     if (error) {
         notice_post(window, "%s cannot be imported: %s: %s", path, recovery_path(window->recovery),

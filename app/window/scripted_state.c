@@ -157,6 +157,7 @@ static void add_editor(json_t *state, Window *window, const Tab *tab) {
     json_object_set_new(state, "undo_name", text_or_null(editor_undo_name(editor)));
     json_object_set_new(state, "redo_name", text_or_null(editor_redo_name(editor)));
     json_object_set_new(state, "edits", json_integer((json_int_t)editor_edit_count(editor)));
+    json_object_set_new(state, "unsaved_edits", json_integer((json_int_t)tab_edit_count(tab)));
     json_object_set_new(state, "changed", json_boolean(editor_is_changed(editor)));
     json_object_set_new(state, "unsaved", json_boolean(tab_unsaved(tab)));
     json_object_set_new(state, "shown_title", json_string(tab_title(tab, &window->arena)));
@@ -233,6 +234,11 @@ json_t *scripted_state_of(Window *window) {
     json_object_set_new(state, "present", json_boolean(window->present));
     json_object_set_new(state, "fullscreen", json_boolean(window->fullscreen));
     json_object_set_new(state, "sound", json_boolean(window->sound != NULL));
+    json_object_set_new(state, "field", json_string(window->field));
+    json_t *listed = json_array();
+    for (size_t i = 0; window->dialog == DIALOG_OPEN && i < window->folder.count; i++)
+        json_array_append_new(listed, json_string(window->folder.entries[i].name));
+    json_object_set_new(state, "listed", listed);
     json_object_set_new(state, "writing", json_boolean(window->export != NULL));
     const ExportStatus *export = window->export ? export_update(window->export) : NULL;
     json_object_set_new(state, "export",

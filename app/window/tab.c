@@ -258,9 +258,15 @@ bool tab_unsaved(const Tab *tab) {
     return tab->mark || (something && editor_is_changed(editor));
 }
 
+size_t tab_edit_count(const Tab *tab) {
+    Editor *editor = tab_editor(tab);
+    return editor ? tab->recovered + editor_edit_count(editor) : 0;
+}
+
 const char *tab_title(const Tab *tab, Arena *arena) {
-    const char *mark = tab->mark ? tab->mark : tab_unsaved(tab) ? " (edited)" : "";
-    return text_in_arena(arena, "%s%s", tab->laboratory->title(tab->session), mark);
+    bool edited = tab->mark ? tab_editor(tab) && editor_is_changed(tab_editor(tab)) : tab_unsaved(tab);
+    return text_in_arena(arena, "%s%s%s", tab->laboratory->title(tab->session), tab->mark ? tab->mark : "",
+                         edited ? " (edited)" : "");
 }
 
 bool tab_set(Tab *tab, const char *name, double value, Fault *fault) {

@@ -12,6 +12,7 @@ typedef struct Tab {
     char *path;       /* of the file; NULL: it has none */
     char *origin;     /* the file that recovered edits belong to, or NULL */
     const char *mark; /* " [Recovered]", " [Imported]": it has no file of its own; otherwise NULL */
+    size_t recovered; /* number of edits that were recovered with it */
     Player player;
     Camera camera;
     unsigned layers;   /* bits of the layers shown where they fit */
@@ -61,6 +62,9 @@ void tab_seek(Tab *tab, double time);
 
 /* True if closing it would lose edits. */
 bool tab_unsaved(const Tab *tab);
+
+/* Returns the number of edits that closing it would lose, with the recovered ones. */
+size_t tab_edit_count(const Tab *tab);
 
 /* Returns the editor of what is open; NULL: nothing is open, or it cannot be edited. */
 Editor *tab_editor(const Tab *tab);

@@ -33,7 +33,7 @@ TEST(a_folder_lists_what_is_above_then_folders_then_files) {
     CHECK(symlink("nowhere", desk_path("in/dangling.json")) == 0);
     Folder folder = {.count = 0};
     Fault fault = {0};
-    CHECK(folder_read(&folder, "in/../in/", &fault));
+    CHECK(folder_read(&folder, "in/../in/", NULL, &fault));
     CHECK_TEXT(folder.path, desk_path("in"));
     static const char *const names[] = {"..", "Big", "zoo", "empty.json", "h2.JSON", "h10.json", "other.json"};
     static const FolderKind kinds[] = {FOLDER_ABOVE, FOLDER_FOLDER, FOLDER_FOLDER, FOLDER_FILE,
@@ -57,7 +57,7 @@ TEST(a_folder_lists_what_is_above_then_folders_then_files) {
 TEST(the_root_has_nothing_above) {
     Folder folder = {.count = 0};
     Fault fault = {0};
-    CHECK(folder_read(&folder, "/", &fault));
+    CHECK(folder_read(&folder, "/", NULL, &fault));
     CHECK(folder.count && folder.entries[0].kind == FOLDER_FOLDER);
     CHECK(folder.count && folder.entries[0].path[0] == '/' && folder.entries[0].path[1] != '/');
     folder_clear(&folder);
@@ -68,9 +68,9 @@ TEST(a_folder_that_is_not_there_is_a_fault_and_nothing_is_lost) {
     desk_write("a.json", "{}");
     Folder folder = {.count = 0};
     Fault fault = {0};
-    CHECK(folder_read(&folder, "", &fault) && folder.count == 2);
-    CHECK(!folder_read(&folder, "nowhere", &fault) && folder.count == 2);
-    CHECK(!folder_read(&folder, "a.json", &fault) && folder.count == 2);
+    CHECK(folder_read(&folder, "", NULL, &fault) && folder.count == 2);
+    CHECK(!folder_read(&folder, "nowhere", NULL, &fault) && folder.count == 2);
+    CHECK(!folder_read(&folder, "a.json", NULL, &fault) && folder.count == 2);
     CHECK_TEXT(fault.count ? fault.lines[0] : "", "nowhere cannot be opened: No such file or directory");
     fault_clear(&fault);
     folder_clear(&folder);

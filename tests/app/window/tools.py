@@ -129,4 +129,55 @@ check(told and told["path"].endswith("film-2.mp4"), "its progress names the file
 check((kept / "corner-0.90-0.90-film.mp4").read_text() == "mine", "the first film is untouched")
 film.end()
 
+# 29: the open dialog begins in the folder of the open file; shipped files are saved to the documents
+own = stage.folder / "own"
+own.mkdir()
+(own / "mine.json").write_text(open(stage.house("closed-door")).read())
+(own / "plan.dxf").write_text("")
+files = stage.Screen("files", own / "mine.json")
+files.until(lambda s: s["complete"])
+files.keys("ctrl+o")
+listed = files.until(lambda s: s["sheet"] == "open")["listed"]
+check("mine.json" in listed and "plan.dxf" in listed, "29: the open dialog lists the folder of the open file", listed)
+files.keys("Escape", "ctrl+shift+s")
+check(files.until(lambda s: s["sheet"] == "save")["field"].startswith(str(own)), "29: a copy goes beside it",
+      files.state()["field"])
+files.keys("Escape", "ctrl+o")
+files.until(lambda s: s["sheet"] == "open")
+files.type(stage.house("closed-door"))
+files.keys("Return")
+files.until(lambda s: "closed-door" in (s["file"] or "") and s["complete"])
+files.keys("ctrl+s")
+field = files.until(lambda s: s["sheet"] == "save")["field"]
+check(field.startswith(str(files.place / "home" / "Documents")), "29: a shipped house is saved to the documents", field)
+files.keys("Escape")
+
+files.end()
+
+# recovered work says how many edits it has, and is edited once it is changed
+lost = Plan("lost", stage.house("closed-door"))
+lost.until(lambda s: s["complete"])
+lost.keys("ctrl+a", "Delete")
+lost.until(lambda s: s["unsaved_edits"] == 1)
+kept = lost.place / "home" / ".local" / "state" / "clearance" / "recovery"
+lost.until(lambda s: list(kept.glob("*.about")))
+lost.program.kill()
+lost.program.wait()
+lost.server.terminate()
+lost.server.wait()
+lost.log.unlink()
+lost = Plan("lost")
+lost.until(lambda s: s["sheet"] == "recovered")
+lost.keys("Return")
+state = lost.until(lambda s: s["sheet"] == "none")
+check(state["unsaved_edits"] == 1 and state["shown_title"].endswith(" [Recovered]"), "recovered work has its edits",
+      (state["unsaved_edits"], state["shown_title"]))
+lost.keys("ctrl+z")
+lost.keys("p")
+lost.put(*[sum(v) / 2 for v in ((1, 1.4), (1, 1.4))])
+lost.keys("Escape", "Escape", "Escape")
+state = lost.until(lambda s: s["unsaved_edits"] == 2)
+check(state["shown_title"].endswith(" [Recovered] (edited)"), "and is edited after the next one", state["shown_title"])
+lost.end()
+
 stage.end()
