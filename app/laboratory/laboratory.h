@@ -65,6 +65,8 @@ typedef struct Result {
     bool stale;        /* the answer is older than the last change: shown grey */
     const char *doing; /* work in the background, "types: 40 of 768 runs", or NULL */
     double part;       /* completed share of that work, 0 to 1; NAN: unknown */
+    const char *cure;  /* words of a button that takes a tool: "Add an exit"; NULL: none */
+    int tool;          /* that EditTool */
 } Result;
 
 /* Something that can be selected; kind 0: nothing. */

@@ -110,6 +110,21 @@ void bars_show_menu(Window *window) {
 
 /* The answer ------------------------------------------------------------------------------------------------------- */
 
+static Action tool_action(const Result *answer) {
+    return ACTION_TOOL_SELECT + (Action)answer->tool;
+}
+
+/* Shows a button that takes the tool for what is missing. */
+static double show_cure_button(Window *window, Tab *tab, Box bar, const Result *answer) {
+    double width = ui_extent(window->ui, UI_BOLD, answer->cure).x + BUTTON_PAD;
+    double left = bar.high.x - MARGIN - width, y = middle_of(bar).y, half = fmin(SHOW_HEIGHT, box_height(bar) - 8) / 2;
+    ui_at(window->ui, (Box){{left, y - half}, {left + width, y + half}});
+    UiButton button = {.label = answer->cure, .chosen = true, .help = keys_help(&window->arena, tool_action(answer))};
+    if (ui_button(window->ui, &button) && tab_editor(tab))
+        act_do(window, tool_action(answer), 0, 0);
+    return left - GAP;
+}
+
 static double show_place_button(Window *window, Tab *tab, Box bar) {
     const PanelRow *place = tab_first_place(tab);
     const char *label = "Show place";
@@ -168,7 +183,9 @@ void bars_show_answer(Window *window) {
     ui_pane_begin(window->ui, &(UiPane){.name = "answer", .box = bar, .ground = ROLE_PAPER});
     if (tab->session) {
         Result answer = tab->laboratory->answer(tab->session);
-        double right = show_place_button(window, tab, bar), y = middle_of(bar).y;
+        bool lacks = answer.cure && tab_editor(tab);
+        double right = lacks ? show_cure_button(window, tab, bar, &answer) : show_place_button(window, tab, bar);
+        double y = middle_of(bar).y;
         UiTextStyle size = title_size(window, &answer, right);
         double width = ui_extent(window->ui, size, answer.title).x;
         show_text(window, size, answer.stale ? ROLE_DIM_TEXT : answer.role, MARGIN, fmin(right, MARGIN + width + 2), y,

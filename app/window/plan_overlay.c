@@ -176,6 +176,10 @@ static void draw_mark(Window *window, const EditMark *mark, const Vec2 *points, 
     case MARK_EXIT:
         draw_twice(window, points, count, false, ROLE_EXIT, EXIT_LINE);
         break;
+    case MARK_RING:
+        for (size_t i = 0; i < count; i += 2)
+            draw_twice(window, (Vec2[]){points[i], points[(i + 1) % count]}, 2, false, ROLE_EXIT, GUIDE * 2);
+        break;
     case MARK_SWING:
         draw_twice(window, points, count, false, ROLE_DOOR, GUIDE);
         break;
@@ -213,7 +217,10 @@ static void write_mark(Window *window, Labels *labels, const EditMark *mark, con
         middle = vec2_add(middle, beside(points[0], points[count - 1], width / 2 + PAD + 2));
     if (mark->kind == MARK_SNAP || mark->kind == MARK_HANDLE)
         middle = vec2_add(points[0], vec2(width / 2 + PAD + ASIDE, -ASIDE));
-    write_label(window, labels, middle, mark->kind == MARK_GAP ? ROLE_ERROR : ROLE_TEXT, mark->text);
+    if (mark->kind == MARK_RING)
+        middle = vec2_add(points[0], vec2(width / 2 + PAD + 2, 0));
+    Role ground = mark->kind == MARK_GAP ? ROLE_ERROR : mark->kind == MARK_RING ? ROLE_EXIT_TAG : ROLE_TEXT;
+    write_label(window, labels, middle, ground, mark->text);
 }
 
 /* Draws lines first, then handles, then labels. */

@@ -85,6 +85,7 @@ static json_t *answer_state(const Tab *tab) {
     Result answer = tab->laboratory->answer(tab->session);
     json_t *state = json_pack("{s:s,s:b}", "title", answer.title, "stale", answer.stale);
     json_object_set_new(state, "detail", answer.detail ? json_string(answer.detail) : json_null());
+    json_object_set_new(state, "cure", answer.cure ? json_string(answer.cure) : json_null());
     json_object_set_new(state, "doing", answer.doing ? json_string(answer.doing) : json_null());
     return state;
 }
@@ -101,9 +102,9 @@ static json_t *command_state(const Tab *tab) {
 /* Returns the labels of all marks. */
 static json_t *marks_state(const GestureView *gesture) {
     static const char *const kinds[] = {
-        [MARK_OUTLINE] = "outline", [MARK_LINE] = "line",     [MARK_EXIT] = "exit",
-        [MARK_SWING] = "swing",     [MARK_GUIDE] = "guide",   [MARK_DIMENSION] = "dimension",
-        [MARK_SNAP] = "snap",       [MARK_HANDLE] = "handle", [MARK_GAP] = "gap"};
+        [MARK_OUTLINE] = "outline", [MARK_LINE] = "line",   [MARK_EXIT] = "exit",           [MARK_SWING] = "swing",
+        [MARK_RING] = "ring",       [MARK_GUIDE] = "guide", [MARK_DIMENSION] = "dimension", [MARK_SNAP] = "snap",
+        [MARK_HANDLE] = "handle",   [MARK_GAP] = "gap"};
     json_t *state = json_array();
     for (size_t i = 0; i < gesture->mark_count; i++) {
         const EditMark *mark = &gesture->marks[i];

@@ -1,8 +1,12 @@
 #include "house/observation.h"
 
 #include <stdint.h>
+#include <string.h>
 
 #include "base/memory.h"
+#include "plan/overlap.h"
+
+static const double SPECK = 0.02; /* m, of the middle of an exit */
 
 const TraceColumn observation_columns[TRACE_COLUMNS] = {
     {"time", "s"},    {"person", "1"},        {"x", "m"},         {"y", "m"},          {"heading", "rad"},
@@ -42,4 +46,26 @@ void observation_free(Observation *observation) {
 const PersonObservation *observation_of_person(const House *house, const Observation *observation, const char *id) {
     size_t i = house_find_person(house, id);
     return i == SIZE_MAX ? NULL : &observation->people[i];
+}
+
+/* Exits on walls --------------------------------------------------------------------------------------------------- */
+
+static bool is_closed(const Plan *plan, const Exit *exit, size_t *wall) {
+    Furniture middle = {.id = "", .centre = vec2_scale(vec2_add(exit->from, exit->to), 0.5), .topples = TOPPLE_NO};
+    middle.size = vec2(SPECK, SPECK);
+    return overlap_depth(plan, &middle, wall) > 0;
+}
+
+size_t observation_closed_exit(const House *house, const Observation *observation) {
+    const Plan *plan = &house->plan;
+    size_t wall, first = 0;
+    while (first < observation->person_count && observation->people[first].reason != REASON_CANNOT_PASS)
+        first++;
+    if (first == observation->person_count || strncmp(observation->people[first].blockage.what, "wall ", 5) != 0)
+        return SIZE_MAX;
+    for (size_t e = 0; e < plan->exit_count; e++)
+        if (is_closed(plan, &plan->exits[e], &wall) &&
+            strcmp(plan->walls[wall].id, observation->people[first].blockage.what + 5) == 0)
+            return e;
+    return SIZE_MAX;
 }

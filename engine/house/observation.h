@@ -99,3 +99,7 @@ void observation_free(Observation *observation);
 
 /* Returns the observation of the person with this id, or NULL. */
 const PersonObservation *observation_of_person(const House *house, const Observation *observation, const char *id);
+
+/* Returns the index of an exit that lies on a solid wall, which is all that keeps the first person inside who cannot
+ * pass; SIZE_MAX: there is none. */
+size_t observation_closed_exit(const House *house, const Observation *observation);

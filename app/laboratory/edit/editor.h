@@ -61,6 +61,7 @@ typedef enum EditMarkKind {
     MARK_OUTLINE,   /* the item being made or moved, a closed line */
     MARK_LINE,      /* the item being made or moved, an open line */
     MARK_EXIT,      /* an exit that is placed, a line */
+    MARK_RING,      /* a closed line round an opening that an exit could lie on, text beside it */
     MARK_SWING,     /* the leaf of a door and the way of its edge, an open line */
     MARK_GUIDE,     /* thin and dashed: the snap target */
     MARK_DIMENSION, /* a line with end ticks, text at its middle */

@@ -237,3 +237,53 @@ void edit_exit_show(Editor *edit) {
     if (now->ground != EXIT_ON_WALL || edit->has_good)
         edit_marks_exit(edit, now->from, now->to);
 }
+
+/* Marks of a house without exits ----------------------------------------------------------------------------------- */
+
+static void add_ring(Editor *edit, Vec2 from, Vec2 to) {
+    enum { RING = 24 };
+    Vec2 ring[RING], middle = vec2_scale(vec2_add(from, to), 0.5);
+    double radius = vec2_distance(from, to) * 0.75;
+    for (int i = 0; i < RING; i++)
+        ring[i] = vec2_along(middle, radius, vec2_heading(2 * M_PI * i / RING));
+    edit_marks_ring(edit, ring, RING, "here?");
+}
+
+/* True if straight on, on one side of an opening, no wall follows: it leads outside. */
+static bool leads_outside(const Plan *plan, Vec2 from, Vec2 to) {
+    Vec2 middle = vec2_scale(vec2_add(from, to), 0.5), out = vec2_left(vec2_unit(vec2_sub(to, from)));
+    return next_wall(plan, vec2_along(middle, LEAST_GAP, out), out) == HUGE_VAL ||
+           next_wall(plan, vec2_along(middle, -LEAST_GAP, out), vec2_scale(out, -1)) == HUGE_VAL;
+}
+
+void edit_exit_rings(Editor *edit) {
+    enum { MOST = 8 };
+    const Plan *plan = draft_plan(edit->draft);
+    size_t rings = 0;
+    if (plan->exit_count)
+        return;
+    for (size_t d = 0; d < plan->door_count && rings < MOST; d++) {
+        Vec2 from, to;
+        plan_geometry_door_ends(plan, &plan->doors[d], &from, &to);
+        if (!leads_outside(plan, from, to))
+            continue;
+        add_ring(edit, from, to);
+        rings++;
+    }
+    Vec2 last = {NAN, NAN};
+    for (size_t w = 0; w < plan->wall_count; w++) {
+        WallEnd ends[2];
+        size_t count = wall_ends(&plan->walls[w], ends);
+        for (size_t e = 0; e < count && rings < MOST; e++) {
+            Gap gap = {.at = vec2_along(ends[e].at, LEAST_GAP / 2, ends[e].on), .reach = SAME};
+            if (!find_gap(plan, &gap) || !leads_outside(plan, gap.from, gap.to))
+                continue;
+            Vec2 middle = vec2_scale(vec2_add(gap.from, gap.to), 0.5);
+            if (vec2_distance(middle, last) < SAME)
+                continue; /* the other end of the same gap */
+            last = middle;
+            add_ring(edit, gap.from, gap.to);
+            rings++;
+        }
+    }
+}

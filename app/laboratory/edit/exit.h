@@ -12,3 +12,6 @@ bool edit_exit_limit(Editor *edit);
 void edit_exit_describe(const Editor *edit, Text *text);
 void edit_exit_promise(const Editor *edit, Text *text); /* what a click does */
 void edit_exit_show(Editor *edit);
+
+/* Marks the doors and gaps on which the first exit could lie, at most a few. */
+void edit_exit_rings(Editor *edit);

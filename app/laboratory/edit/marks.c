@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "laboratory/edit/exit.h"
 #include "laboratory/edit/gesture.h"
 #include "laboratory/edit/handle.h"
 #include "laboratory/edit/measure.h"
@@ -45,6 +46,10 @@ void edit_marks_length(Editor *edit, Vec2 from, Vec2 to) {
 
 void edit_marks_exit(Editor *edit, Vec2 from, Vec2 to) {
     add_points(edit, MARK_EXIT, (Vec2[]){from, to}, 2, NULL);
+}
+
+void edit_marks_ring(Editor *edit, const Vec2 *points, size_t count, const char *text) {
+    add_points(edit, MARK_RING, points, count, text);
 }
 
 void edit_marks_copy(Editor *edit, const EditMark *marks, size_t count) {
@@ -201,6 +206,8 @@ const GestureView *edit_marks_make(Editor *edit, const char *idle) {
     const EditPreview *preview = edit->gesture ? NULL : edit_preview_show(edit);
     if (!edit->gesture && !preview)
         add_hover(edit);
+    if (!edit->gesture && (edit->tool == TOOL_SELECT || edit->tool == TOOL_EXIT))
+        edit_exit_rings(edit);
     describe(edit, idle);
     edit->shown = (GestureView){.active = edit->gesture,
                                 .doing = edit->doing.text ? edit->doing.text : "",

@@ -10,7 +10,8 @@ void edit_marks_length(Editor *edit, Vec2 from, Vec2 to);
 void edit_marks_piece(Editor *edit, const Furniture *piece); /* also marks the free space around the piece */
 void edit_marks_door(Editor *edit, const Plan *plan, const Door *door);
 void edit_marks_exit(Editor *edit, Vec2 from, Vec2 to); /* a band */
-void edit_marks_snap(Editor *edit);                     /* the snap of the gesture's target */
+void edit_marks_ring(Editor *edit, const Vec2 *points, size_t count, const char *text);
+void edit_marks_snap(Editor *edit); /* the snap of the gesture's target */
 void edit_marks_copy(Editor *edit, const EditMark *marks, size_t count);
 void edit_marks_dragged(Editor *edit); /* the dragged item */
 

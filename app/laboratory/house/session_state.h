@@ -4,6 +4,7 @@
 #include "plan/draft.h"
 #include "visual/house/film.h"
 #include "laboratory/edit/editor.h"
+#include "laboratory/house/missing.h"
 #include "laboratory/house/session.h"
 #include "laboratory/house/fall.h"
 #include "laboratory/house_items.h"
@@ -49,8 +50,9 @@ typedef struct HouseTexts {
     size_t row_count, row_capacity, mark_count, mark_capacity;
     const char *title, *detail;
     Role role;
-    double said; /* s, of a steady clock, at the last update of the texts */
-    double time; /* s, the time that the texts describe */
+    Missing missing; /* what the house lacks; title NULL: nothing */
+    double said;     /* s, of a steady clock, at the last update of the texts */
+    double time;     /* s, the time that the texts describe */
     char doing[96], done[96], clock[32], note[192], name[HOUSE_ITEM_NAME];
 } HouseTexts;
 

@@ -260,6 +260,7 @@ static const char *against(HouseSession *session, const Observation *now) {
 static void make_answer(HouseSession *session) {
     HouseTexts *texts = &session->texts;
     const Scene *run = session->runs[RUN_CLEAN] ? &texts->clean : &texts->run;
+    texts->missing = (Missing){.title = NULL};
     if (!session->whole && !session->runs[RUN_CLEAN]) {
         texts->title = session->observation->trace.rows ? "Driving ..." : "Planning ...";
         texts->role = ROLE_TEXT;
@@ -267,10 +268,11 @@ static void make_answer(HouseSession *session) {
         return;
     }
     const HouseRun *answering = house_runs_answering(session);
-    if (!answering->house.person_count) {
-        texts->title = run->title;
-        texts->role = run->title_role;
-        texts->detail = "W draws walls, D a door, X an exit; P places a person, who then moves to an exit";
+    const Observation *answer = session->runs[RUN_CLEAN] ? &answering->observation : session->observation;
+    if (missing_find(&answering->house, answer, &texts->moment, &texts->missing)) {
+        texts->title = texts->missing.title;
+        texts->role = texts->missing.role;
+        texts->detail = texts->missing.detail;
         return;
     }
     const char *than = against(session, session->runs[RUN_CLEAN] ? &answering->observation : session->observation);
@@ -373,7 +375,9 @@ Result house_text_answer(HouseSession *session) {
                     .detail = texts->detail ? texts->detail : "",
                     .stale = session->runs[RUN_LATEST] && !house_runs_seeks_reasons(session),
                     .doing = describe_progress(session),
-                    .part = NAN};
+                    .part = NAN,
+                    .cure = texts->missing.cure,
+                    .tool = texts->missing.tool};
 }
 
 bool house_text_progress_changed(HouseSession *session) {

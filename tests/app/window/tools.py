@@ -113,6 +113,60 @@ plan.end()
 
 
 
+# 20: what is missing is said, with the tool that adds it
+need = Plan("need")
+need.keys("ctrl+n")
+state = need.until(lambda s: s["title"] == "new house" and s["floor"])
+check((state["answer"]["title"], state["answer"]["cure"]) == ("No plan yet", "Draw walls"), "an empty plan asks for walls",
+      state["answer"])
+chain(need, (-3, -2), (3, -2), (3, 2), (-3, 2), (-3, -2))
+need.keys("d")
+need.put(3, 1)
+need.keys("Escape", "Escape", "Escape")
+state = need.until(lambda s: s["answer"]["title"] == "No exit yet" and not s["answer"]["stale"])
+check(state["answer"]["detail"] == "Add an exit (X) on a door or an opening.", "20: no exit: it says what to do",
+      state["answer"])
+check(any(mark["kind"] == "ring" and mark.get("words") == "here?" for mark in state["gesture"]["marks"]),
+      "20: the door that leads outside is ringed", state["gesture"]["marks"])
+need.shot("no-exit")
+for _ in range(12):
+    if need.state()["focus"] == "answer":
+        break
+    need.keys("F6")
+need.keys("Return")
+check(need.state()["tool"] == "exit", "20: Return on the button takes the exit tool", need.state()["tool"])
+need.put(3, 1)
+need.keys("Escape", "Escape", "Escape")
+state = need.until(lambda s: s["answer"]["title"] == "Nobody is here")
+check(state["answer"]["cure"] == "Place somebody", "then somebody is missing", state["answer"])
+check(not any(mark["kind"] == "ring" for mark in state["gesture"]["marks"]), "and nothing is ringed any more")
+need.end()
+
+
+def answer_of(name, more):
+    """Opens a room with what is given; returns its answer."""
+    room = {"format": "clearance-house", "version": 1, "name": name,
+            "walls": [{"id": "w1", "points": [[-3, -2], [3, -2], [3, 2], [-3, 2], [-3, -2]], "thickness": 0.12}],
+            "people": [{"id": "a", "profile": "manual-chair", "at": [-2, -1], "heading": 0}], **more}
+    path = stage.folder / f"{name}.json"
+    path.write_text(json.dumps(room))
+    return stage.act(name, "until answered", "wait 5", "state STATE", arguments=[path])[0]["answer"]
+
+
+said = answer_of("closed", {"exits": [{"id": "porch", "from": [3, 0], "to": [3, 0.8]}]})
+check((said["title"], said["cure"]) == ("No opening at exit porch: add a door", "Add a door") and "w1" in said["detail"],
+      "an exit on a solid wall is said to have no opening", said)
+room = [[-3, -2], [0, -2], [0, 2], [-3, 2]]
+said = answer_of("no-door", {
+    "walls": [{"id": "w1", "points": [[-3, -2], [3, -2], [3, 2], [-3, 2], [-3, -2]], "thickness": 0.12},
+              {"id": "mid", "points": [[0, -2], [0, 2]], "thickness": 0.12}],
+    "doors": [{"id": "d1", "wall": "w1", "segment": 1, "at": 2, "width": 0.9, "kind": "hinged"}],
+    "rooms": [{"id": "r1", "name": "bedroom", "outline": room},
+              {"id": "r2", "name": "corridor", "outline": [[x + 3, y] for x, y in room]}],
+    "exits": [{"id": "porch", "from": [3, -0.45], "to": [3, 0.45]}]})
+check((said["title"], said["detail"]) == ("Room without a door", "D on the wall between bedroom and corridor") or
+      said["detail"] == "D on the wall between corridor and bedroom", "a room without a door is named", said)
+
 # a film never takes the place of a file, and its messages name it
 film = stage.Screen("film", stage.house("corner-0.90-0.90"))
 film.until(lambda s: s["complete"])

@@ -133,7 +133,7 @@ TEST(a_house_that_cannot_be_run_says_why) {
     laboratory->close(session);
     session = open_made(path, "");
     running_house_finish(session, 0);
-    CHECK_TEXT(laboratory->answer(session).title, "The house has no people");
+    CHECK_TEXT(laboratory->answer(session).title, "No exit yet");
     CHECK(!laboratory->show(session, 0) && laboratory->still(session)->count > 0 && laboratory->span(session).end == 0);
     CHECK(running_house_set(session, "wall.w1.thickness", 0.3));
     running_house_finish(session, 0);
