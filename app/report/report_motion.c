@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "result/census.h"
 #include "visual/house/house_plots.h"
 #include "visual/house/plan_scene.h"
 
@@ -11,6 +12,8 @@
 #define RAISED_WIDTH 1027.0
 #define CURVE_WIDTH 498.0
 #define CURVE_HEIGHT 280.0
+
+enum { OF_CROWDS = 2 /* curves */ };
 
 static void paint_image(const void *context, cairo_t *cairo, Vec2 size, Theme theme) {
     cairo_surface_t *image = (cairo_surface_t *)context; /* cairo counts its users */
@@ -61,8 +64,12 @@ void report_motion_add_curves(Document *document, const Reported *run, const Rep
     } curves[] = {{"speed", "Speed against time."},
                   {"clearance", "Clearance of the body against time: the least since the previous value."},
                   {"force", "Contact force against time: the greatest since the previous value."},
-                  {"phase", "Distance from the planned route, positive to its left, against the rate of its change."}};
-    for (size_t c = 0; c < sizeof curves / sizeof *curves; c++) {
+                  {"phase", "Distance from the planned route, positive to its left, against the rate of its change."},
+                  /* of crowds: */
+                  {"out", "People out against time."},
+                  {"flow", "People a second through each exit, mean over 10 s."}};
+    size_t count = sizeof curves / sizeof *curves - (run->house->person_count > CENSUS_FEW ? 0 : OF_CROWDS);
+    for (size_t c = 0; c < count; c++) {
         char fault[PLOT_CHOICE_FAULT];
         PlotChoice choice;
         house_plots_choose(&choice, curves[c].name, fault);

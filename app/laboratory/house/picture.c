@@ -10,8 +10,9 @@ enum { GHOSTS_MOST = 60 /* people: larger crowds have no ghosts, since no person
 #define FIRST_SECONDS 10.0 /* s, least length of the time axis while a run is in progress */
 #define THICK_TAIL 2.0     /* s, end of the line that is drawn thick in a plot whose x axis is not time */
 
-static const char *const titles[HOUSE_PLOTS_KNOWN] = {"Speed", "Clearance", "Contact force", "Personal space pressed",
-                                                      "Sideways phase plane"};
+static const char *const titles[HOUSE_PLOTS_KNOWN] = {
+    "Speed",      "Clearance",        "Contact force", "Personal space pressed", "Sideways phase plane",
+    "People out", "Through each exit"};
 
 /* The film --------------------------------------------------------------------------------------------------------- */
 
@@ -113,7 +114,7 @@ static bool grow_axes(Plot *plot, Box *grown, bool timed) {
 }
 
 void house_picture_make_plots(HouseSession *session, bool restart) {
-    static const PlotChoice all = {.indices = {0, 1, 2, 3, 4}, .count = HOUSE_PLOTS_KNOWN};
+    static const PlotChoice all = {.indices = {0, 1, 2, 3, 4, 5, 6}, .count = HOUSE_PLOTS_KNOWN};
     ShownPlots *plots = &session->plots;
     size_t person = session->selected.kind == HOUSE_PERSON ? session->selected.index : SIZE_MAX;
     if (plots->made)

@@ -378,7 +378,9 @@ static const char *const layer_names[LAYERS] = {
 };
 
 static const char *const layer_meanings[LAYERS] = {
-    [LAYER_RINGS] = "Personal spaces, indented where a person or an obstacle is near.",
+    [LAYER_RINGS] =
+        "Personal spaces, indented where a person or an obstacle is near; of 200 people or more, people on a "
+        "square metre as colour.",
     [LAYER_LOCI] = "The paths so far, with a tick for each second and earlier outlines of the bodies.",
     [LAYER_GHOST] = "The saved run, or the other driving model.",
     [LAYER_DANGER] = "Dangerous points, as discs with their rank.",

@@ -4,6 +4,7 @@
 
 #include "visual/house/blockage_scene.h"
 #include "visual/house/crowd_scene.h"
+#include "visual/house/density_scene.h"
 #include "visual/house/film_layers.h"
 #include "visual/house/film_moving.h"
 #include "visual/house/plan_scene.h"
@@ -116,6 +117,8 @@ static void make_still(Film *film) {
     house_scene_add_before(scene, film->options.before);
     if (box_width(film->options.box) > 0)
         scene->box = film->options.box;
+    if (house->person_count >= DENSITY_SCENE_PEOPLE)
+        density_scene_key(scene);
     film->several = has_several_routes(film);
     film->small = film->crowd && crowd_scene_is_large(scene->box);
     scene->clock = NULL;

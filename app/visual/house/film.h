@@ -23,7 +23,7 @@ int film_shown(const char *text, const char **unknown);
 
 /* Shown unless hidden. */
 enum {
-    FILM_RINGS = 1,  /* personal spaces */
+    FILM_RINGS = 1,  /* personal spaces; of many people, how crowded it is */
     FILM_LOCI = 2,   /* loci so far, and the bodies left on them */
     FILM_GHOST = 4,  /* the comparison */
     FILM_DANGER = 8, /* discs of dangerous points */

@@ -1,6 +1,7 @@
 #include "visual/house/film_moving.h"
 
 #include "visual/house/crowd_scene.h"
+#include "visual/house/density_scene.h"
 #include "visual/house/film_layers.h"
 #include "visual/house/plan_scene.h"
 #include "visual/house/silhouette.h"
@@ -64,6 +65,15 @@ static void add_walkers(Film *film, size_t count) {
         if (of_this)
             silhouette_add_walkers(&film->moving, profile, film->poses, of_this);
     }
+}
+
+/* Adds how crowded it is, below the people. */
+static void add_density(Film *film, size_t count) {
+    Vec2 *places = memory_zeroed(count + 1, sizeof *places);
+    for (size_t i = 0; i < count; i++)
+        places[i] = film->standing[i].pose.at;
+    density_scene_add(&film->moving, film->still.box, places, count);
+    memory_free(places);
 }
 
 static void add_space(Film *film, size_t count, size_t i) {
@@ -183,6 +193,8 @@ void film_moving_make(Film *film) {
     for (size_t i = 0; i < film->options.falling_count; i++)
         plan_scene_falling(scene, &film->options.falling[i], film->options.camera.kind == VIEW_RAISED);
     plan_scene_moving(scene, film->house, film->door_opened, film->time);
+    if (film->house->person_count >= DENSITY_SCENE_PEOPLE && !(film->options.hidden & FILM_RINGS))
+        add_density(film, count);
     add_walkers(film, count);
     add_chairs(film, count);
     add_ghosts(film);

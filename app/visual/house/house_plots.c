@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "result/census.h"
+#include "visual/house/crowd_plots.h"
 #include "visual/house/people_scene.h"
 #include "visual/house/trail.h"
 
@@ -38,6 +39,7 @@ typedef struct HousePlot {
     size_t x, y; /* columns of the trace */
     const char *x_title, *y_title;
     void (*add_guides)(Plot *plot, const Subjects *subjects);
+    void (*make)(Plot *plot, const Subjects *subjects, const Subjects *ghosts, Arena *arena); /* NULL: by columns */
 } HousePlot;
 
 static void add_guide(Plot *plot, PlotGuide guide) {
@@ -86,12 +88,23 @@ static void add_path_guides(Plot *plot, const Subjects *subjects) {
     add_nought(plot, subjects);
 }
 
+static void make_out(Plot *plot, const Subjects *subjects, const Subjects *ghosts, Arena *arena) {
+    crowd_plots_out(plot, subjects->house, subjects->observation, ghosts->observation, ghosts->name, arena);
+}
+
+static void make_flow(Plot *plot, const Subjects *subjects, const Subjects *ghosts, Arena *arena) {
+    (void)ghosts;
+    crowd_plots_flow(plot, subjects->house, subjects->observation, arena);
+}
+
 static const HousePlot known[HOUSE_PLOTS_KNOWN] = {
-    {"speed", TRACE_TIME, TRACE_SPEED, "time", "speed", add_speed_guides},
-    {"clearance", TRACE_TIME, TRACE_CLEARANCE, "time", "clearance", add_clearance_guides},
-    {"force", TRACE_TIME, TRACE_BODY_FORCE, "time", "contact force", add_force_guides},
-    {"ring", TRACE_TIME, TRACE_RING, "time", "compression of the personal space", add_nought},
-    {"phase", TRACE_OFFSET, TRACE_OFFSET_RATE, "lateral offset", "lateral velocity", add_path_guides},
+    {"speed", TRACE_TIME, TRACE_SPEED, "time", "speed", add_speed_guides, NULL},
+    {"clearance", TRACE_TIME, TRACE_CLEARANCE, "time", "clearance", add_clearance_guides, NULL},
+    {"force", TRACE_TIME, TRACE_BODY_FORCE, "time", "contact force", add_force_guides, NULL},
+    {"ring", TRACE_TIME, TRACE_RING, "time", "compression of the personal space", add_nought, NULL},
+    {"phase", TRACE_OFFSET, TRACE_OFFSET_RATE, "lateral offset", "lateral velocity", add_path_guides, NULL},
+    {"out", TRACE_TIME, TRACE_TIME, "time", "people out", NULL, make_out},
+    {"flow", TRACE_TIME, TRACE_TIME, "time", "people out a second", NULL, make_flow},
 };
 
 const char *house_plots_name(size_t index) {
@@ -190,6 +203,11 @@ static const char *note_of(const HousePlot *definition, const Subjects *subjects
 
 static Plot make_plot(const HousePlot *definition, const Subjects *subjects, const Subjects *ghosts, Arena *arena) {
     const TraceColumn *columns = subjects->observation->trace.columns;
+    Plot made = {.title = NULL};
+    if (definition->make) {
+        definition->make(&made, subjects, ghosts, arena);
+        return made;
+    }
     Plot plot = {.x = {.title = definition->x_title, .unit = columns[definition->x].unit},
                  .y = {.title = definition->y_title, .unit = columns[definition->y].unit}};
     plot.series = arena_allocate(arena, 3 * PEOPLE_SCENE_INDIVIDUALS * sizeof *plot.series);

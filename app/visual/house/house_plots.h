@@ -8,9 +8,9 @@
 #include "visual/study/plot_choice.h"
 #include "visual/house/trail.h"
 
-enum { HOUSE_PLOTS_KNOWN = 5 /* plots */ };
+enum { HOUSE_PLOTS_KNOWN = 7 /* plots */ };
 
-#define HOUSE_PLOTS_NAMES "speed,clearance,force,ring,phase"
+#define HOUSE_PLOTS_NAMES "speed,clearance,force,ring,phase,out,flow"
 
 /* Reads "speed,clearance" as a choice, see plot_choice.h. */
 bool house_plots_choose(PlotChoice *choice, const char *text, char fault[PLOT_CHOICE_FAULT]);

@@ -1,5 +1,6 @@
 #include "check.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -7,7 +8,9 @@
 #include "visual/house/house_plots.h"
 #include "visual/house/people_scene.h"
 
-static const PlotChoice ALL = {{0, 1, 2, 3, 4}, HOUSE_PLOTS_KNOWN};
+enum { TRACED = 5 /* plots of columns of the trace */ };
+
+static const PlotChoice ALL = {{0, 1, 2, 3, 4}, TRACED};
 
 TEST(words_choose_plots_in_their_order_each_once) {
     PlotChoice choice;
@@ -16,7 +19,7 @@ TEST(words_choose_plots_in_their_order_each_once) {
     CHECK(choice.count == 2);
     CHECK_TEXT(house_plots_name(choice.indices[0]), "phase");
     CHECK_TEXT(house_plots_name(choice.indices[1]), "speed");
-    CHECK(house_plots_choose(&choice, "speed,clearance,force,ring,phase", fault));
+    CHECK(house_plots_choose(&choice, "speed,clearance,force,ring,phase,out,flow", fault));
     CHECK(choice.count == HOUSE_PLOTS_KNOWN);
 }
 
@@ -26,7 +29,7 @@ TEST(a_word_that_is_no_plot_is_named_with_those_that_are) {
         PlotChoice choice = {{3}, 1};
         char fault[PLOT_CHOICE_FAULT], expected[PLOT_CHOICE_FAULT];
         CHECK(!house_plots_choose(&choice, wrong[i][0], fault));
-        snprintf(expected, sizeof expected, "no plot \"%s\": plots are speed, clearance, force, ring, phase",
+        snprintf(expected, sizeof expected, "no plot \"%s\": plots are speed, clearance, force, ring, phase, out, flow",
                  wrong[i][1]);
         CHECK_TEXT(fault, expected);
         CHECK(choice.count == 1 && choice.indices[0] == 3);
@@ -73,12 +76,12 @@ TEST(plots_show_the_columns_of_the_trace_and_live_without_it) {
     memcpy(row, trace_row(&observation.trace, last), sizeof row);
     HousePlots plots = house_plots_make(&house, &observation, NULL, NULL, &ALL);
     observation_free(&observation);
-    static const size_t columns[HOUSE_PLOTS_KNOWN][2] = {{TRACE_TIME, TRACE_SPEED},
-                                                         {TRACE_TIME, TRACE_CLEARANCE},
-                                                         {TRACE_TIME, TRACE_BODY_FORCE},
-                                                         {TRACE_TIME, TRACE_RING},
-                                                         {TRACE_OFFSET, TRACE_OFFSET_RATE}};
-    for (size_t p = 0; p < HOUSE_PLOTS_KNOWN; p++) {
+    static const size_t columns[TRACED][2] = {{TRACE_TIME, TRACE_SPEED},
+                                              {TRACE_TIME, TRACE_CLEARANCE},
+                                              {TRACE_TIME, TRACE_BODY_FORCE},
+                                              {TRACE_TIME, TRACE_RING},
+                                              {TRACE_OFFSET, TRACE_OFFSET_RATE}};
+    for (size_t p = 0; p < TRACED; p++) {
         const PlotSeries *series = &plots.plots[p].series[0];
         CHECK(series->count == last + 1);
         CHECK_NEAR(plot_value(series, last).x, row[columns[p][0]], 0);
@@ -99,7 +102,7 @@ TEST(points_until_a_time_are_those_at_or_before_it_also_where_time_is_no_axis) {
         size_t expected = 0;
         while (expected < speed->count && plot_value(speed, expected).x <= time)
             expected++;
-        for (size_t p = 0; p < HOUSE_PLOTS_KNOWN; p++)
+        for (size_t p = 0; p < TRACED; p++)
             CHECK(house_plots_until(&plots, p, 1, time) == expected);
     }
     CHECK(house_plots_until(&plots, 4, 0, plot_value(speed, 5).x) == 6);
@@ -186,6 +189,33 @@ TEST(a_house_without_people_has_empty_plots_and_a_record_with_its_columns) {
         CHECK_TEXT(plots.plots[p].x.unit, p < 4 ? "s" : "m");
         CHECK_TEXT(plots.plots[p].note, "nobody starts");
     }
+    house_plots_free(&plots);
+    observation_free(&observation);
+    house_free(&house);
+}
+
+TEST(the_people_out_are_counted_at_their_times_and_by_their_exits) {
+    static const PlotChoice crowd = {{5, 6}, 2};
+    House house;
+    case_house(&house, "two-chairs-corridor", -1, NULL);
+    Observation observation = case_run(&house, 1);
+    HousePlots plots = house_plots_make(&house, &observation, NULL, NULL, &crowd);
+    const PlotSeries *out = &plots.plots[0].series[0];
+    double first = fmin(observation.people[0].time, observation.people[1].time);
+    CHECK_NEAR(plot_value(out, out->count - 1).y, 2, 0);
+    for (size_t i = 0; i < out->count; i++)
+        CHECK(plot_value(out, i).y <= (plot_value(out, i).x < first              ? 0
+                                       : plot_value(out, i).x < observation.time ? 1
+                                                                                 : 2));
+    double people = 0;
+    for (size_t e = 0; e < plots.plots[1].series_count; e++) {
+        const PlotSeries *flow = &plots.plots[1].series[e];
+        double step = plot_value(flow, 1).x - plot_value(flow, 0).x;
+        for (size_t i = 0; i < flow->count; i++)
+            people += step * plot_value(flow, i).y;
+    }
+    CHECK(people <= 2 && people >= 0);
+    CHECK(house_plots_until(&plots, 0, 0, first / 2) == 1);
     house_plots_free(&plots);
     observation_free(&observation);
     house_free(&house);

@@ -1,0 +1,110 @@
+#include "visual/house/density_scene.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "base/memory.h"
+
+#define FINE 0.25              /* m, between the points at which the density is taken */
+#define OPACITY 0.8            /* walls stay visible below */
+#define REACH sqrt(1.0 / M_PI) /* m, radius of a disc of 1 m2 */
+
+/* Shares of the box. */
+#define KEY_HEIGHT 0.035
+#define KEY_WIDTH 0.055
+#define KEY_TEXT 16.0 /* design points */
+
+enum { LEVELS = 5, MOST_CELLS = 4000000 };
+
+static const double levels[LEVELS] = {0.5, 1, 1.5, 2, 3}; /* 1/m2 */
+static const Role roles[LEVELS] = {ROLE_DENSITY_FIRST, ROLE_DENSITY_SECOND, ROLE_DENSITY_THIRD, ROLE_DENSITY_FOURTH,
+                                   ROLE_DENSITY_FIFTH};
+
+/* Returns the level of a density, -1: below the first. */
+static int level_of(double density) {
+    int level = -1;
+    while (level + 1 < LEVELS && density >= levels[level + 1])
+        level++;
+    return level;
+}
+
+/* Counts, at each fine point, the people in its disc. */
+static void count_people(unsigned short *counts, size_t columns, size_t rows, Vec2 low, const Vec2 *places,
+                         size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        Vec2 at = vec2_scale(vec2_sub(places[i], low), 1 / FINE);
+        double reach = REACH / FINE;
+        long first = (long)fmax(0, ceil(at.y - reach - 0.5)), last = (long)floor(at.y + reach - 0.5);
+        for (long r = first; r <= last && r < (long)rows; r++) {
+            double up = (double)r + 0.5 - at.y, half = sqrt(fmax(0, reach * reach - up * up));
+            long left = (long)fmax(0, ceil(at.x - half - 0.5)), right = (long)floor(at.x + half - 0.5);
+            for (long c = left; c <= right && c < (long)columns; c++)
+                counts[(size_t)r * columns + (size_t)c]++;
+        }
+    }
+}
+
+static int cell_level(const unsigned short *counts, size_t columns, size_t row, size_t column) {
+    const unsigned short *at = counts + 2 * row * columns + 2 * column;
+    return level_of((at[0] + at[1] + at[columns] + at[columns + 1]) / 4.0);
+}
+
+static void add_run(Scene *scene, Vec2 low, size_t row, size_t first, size_t end, int level) {
+    double size = 2 * FINE, y = low.y + (double)row * size, left = low.x + (double)first * size,
+           right = low.x + (double)end * size;
+    Vec2 corners[] = {{left, y}, {right, y}, {right, y + size}, {left, y + size}};
+    Primitive *cells = scene_add_polygon(scene, roles[level], corners, 4);
+    cells->fill_opacity = OPACITY;
+    cells->edge_opacity = 0;
+    cells->width = 0;
+}
+
+void density_scene_add(Scene *scene, Box box, const Vec2 *places, size_t count) {
+    size_t columns = 2 * (size_t)ceil(box_width(box) / (2 * FINE)),
+           rows = 2 * (size_t)ceil(box_height(box) / (2 * FINE));
+    if (!count || columns * rows > MOST_CELLS)
+        return;
+    unsigned short *counts = memory_zeroed(columns * rows, sizeof *counts);
+    count_people(counts, columns, rows, box.low, places, count);
+    for (size_t r = 0; r < rows / 2; r++) {
+        size_t first = 0;
+        int level = -1;
+        for (size_t c = 0; c <= columns / 2; c++) {
+            int now = c < columns / 2 ? cell_level(counts, columns, r, c) : -1;
+            if (now == level)
+                continue;
+            if (level >= 0)
+                add_run(scene, box.low, r, first, c, level);
+            first = c;
+            level = now;
+        }
+    }
+    memory_free(counts);
+}
+
+static void add_text(Scene *scene, Vec2 at, Role role, const char *text) {
+    Primitive *label = scene_add_label(scene, role, KEY_TEXT, at, text);
+    label->fixed = true;
+    label->fill = ROLE_PAPER;
+}
+
+void density_scene_key(Scene *scene) {
+    double width = box_width(scene->box), height = KEY_HEIGHT * width;
+    double y = scene->box.low.y - 0.5 * height, left = scene->box.low.x + 0.26 * width;
+    add_text(scene, vec2(scene->box.low.x + 0.13 * width, y - height / 2), ROLE_TEXT, "people on a square metre");
+    for (int i = 0; i < LEVELS; i++, left += KEY_WIDTH * width) {
+        Vec2 corners[] = {
+            {left, y - height}, {left + KEY_WIDTH * width, y - height}, {left + KEY_WIDTH * width, y}, {left, y}};
+        Primitive *box = scene_add_polygon(scene, roles[i], corners, 4);
+        box->edge_opacity = 0;
+        box->fill_opacity = OPACITY;
+        Primitive *label =
+            scene_add_label(scene, ROLE_TEXT, KEY_TEXT, vec2(left + KEY_WIDTH * width / 2, y - height / 2),
+                            scene_text(scene, "%g", levels[i]));
+        label->shape = LABEL_TAG;
+        label->fill = roles[i];
+        label->fixed = label->bold = true;
+    }
+    add_text(scene, vec2(left + 0.05 * width, y - height / 2), ROLE_TEXT, "or more");
+    scene->box.low.y = y - height;
+}
