@@ -17,6 +17,7 @@
 enum { NOTE_LINES = 4 };
 
 #define WHEEL_ZOOM 1.15
+#define READ_OUT_FOOT 56.0 /* from the foot of a plot to its read-out, above axis and title */
 
 static Vec2 middle_of(Box box) {
     return vec2_scale(vec2_add(box.low, box.high), 0.5);
@@ -157,7 +158,8 @@ static void show_read_out(Window *window, Tab *tab, PlotPane *pane, size_t plot,
         return;
     Vec2 extent = ui_extent(window->ui, UI_BODY, text);
     double left = fmin(fmax(nearest.x + 10, pane->place.low.x), pane->place.high.x - extent.x - 8);
-    double top = fmax(nearest.y - extent.y - 10, pane->place.low.y);
+    bool upper = nearest.y < (pane->place.low.y + pane->place.high.y) / 2; /* in the half without the point */
+    double top = upper ? pane->place.high.y - extent.y - READ_OUT_FOOT : pane->place.low.y;
     ui_draw_disc(window->ui, nearest, 4, ROLE_TEXT);
     ui_draw_box(window->ui, (Box){{left - 4, top}, {left + extent.x + 4, top + extent.y + 4}}, ROLE_PANEL, 1);
     ui_draw_text(window->ui, UI_BODY, ROLE_TEXT, vec2(left, top + extent.y / 2 + 2), 0, text);

@@ -9,6 +9,7 @@
 #include "laboratory/import_file.h"
 #include "laboratory/shipped.h"
 #include "window/autosave.h"
+#include "window/dialog_pane.h"
 #include "window/notice.h"
 #include "window/plan_input.h"
 
@@ -33,12 +34,15 @@ static bool open_in(Window *window, size_t index, const char *path, const char *
     LaboratoryOptions options = options_of(window, given);
     options.origin = origin;
     bool opened = tab_open(tab, path, &options, window->screen, &fault);
+    bool several = !opened && fault.count > 1;
     notice_fault(window, &fault, NAN);
     if (opened) {
         autosave_restart(window, tab);
         if (path && remembered)
             settings_add_recent(&window->settings, path);
     }
+    if (several && tab->session)
+        dialog_pane_show(window, DIALOG_MESSAGES); /* all of them are seen */
     return opened;
 }
 

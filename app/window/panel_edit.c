@@ -4,10 +4,12 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/quantity.h"
 #include "window/act.h"
 #include "window/notice.h"
 #include "window/plan_input.h"
 
+enum { SCALE_MOST = 64 /* bytes of a typed length */ };
 enum { TEXT_MOST = 4096 + 1 /* bytes: the longest text that the editor accepts, and the zero */ };
 
 /* Catalogue -------------------------------------------------------------------------------------------------------- */
@@ -99,6 +101,28 @@ static void show_image(Window *window, Editor *editor) {
         editor_fade_image(editor, slider.value / 100);
 }
 
+/* The scale -------------------------------------------------------------------------------------------------------- */
+
+/* Offers to type the real length of the last measured distance, which scales the whole house. */
+static void show_scale(Window *window, Editor *editor) {
+    char typed[SCALE_MOST], reason[QUANTITY_REASON];
+    double length, measured = editor_measured(editor);
+    Fault fault = {0};
+    if (!(measured > 0))
+        return;
+    ui_heading(window->ui, "Scale");
+    snprintf(typed, sizeof typed, "%.3f m", measured);
+    if (!ui_field(window->ui, "real length", "real length of the last measure",
+                  "real length: Type what the measured distance really is; Return scales the whole house", typed,
+                  sizeof typed))
+        return;
+    if (!quantity_read(typed, "m", &length, reason) || !(length > 0))
+        fault_add(&fault, "%s: type a length above 0, such as 4.20 m", typed);
+    else if (editor_set_measured(editor, length, &fault))
+        notice_post(window, "%s", editor_undo_name(editor));
+    notice_fault(window, &fault, NAN);
+}
+
 /* Proposals -------------------------------------------------------------------------------------------------------- */
 
 static void show_proposals(Window *window, Editor *editor) {
@@ -106,6 +130,8 @@ static void show_proposals(Window *window, Editor *editor) {
     const char *doing = NULL;
     const Proposal *proposals = editor_proposals(editor, &count, &doing);
     Fault fault = {0};
+    if (count)
+        ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, "Return uses the first one, Escape drops them.");
     for (size_t i = 0; i < count; i++) {
         ui_text(window->ui, UI_BODY, ROLE_TEXT,
                 text_in_arena(&window->arena, "%s: %s", proposals[i].text, proposals[i].answer));
@@ -136,8 +162,8 @@ static void show_way_out(Window *window, Tab *tab, Editor *editor) {
         ui_button(window->ui, &(UiButton){.id = "show", .label = "Show", .help = "Show: Zoom to the place"}))
         act_show_place(window);
     if (!doing &&
-        ui_button(window->ui, &(UiButton){.label = "Smallest change",
-                                          .help = "Smallest change: Find the smallest change that lets all people "
+        ui_button(window->ui, &(UiButton){.label = "Suggest a fix",
+                                          .help = "Suggest a fix: Find the smallest change that lets all people "
                                                   "leave, by simulating wider doors and moved furniture"}))
         editor_ask_proposals(editor);
     show_proposals(window, editor);
@@ -151,6 +177,8 @@ void panel_edit_show(Window *window) {
     show_items(window, editor);
     if (editor_tool(editor) == TOOL_IMAGE || editor_image(editor).path)
         show_image(window, editor);
+    if (editor_tool(editor) == TOOL_MEASURE)
+        show_scale(window, editor);
     show_way_out(window, tab, editor);
 }
 

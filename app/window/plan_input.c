@@ -8,6 +8,8 @@
 
 #define REACH 10.0 /* design points: items within this distance are hit */
 
+#define ZOOM_OUT 1.25
+
 /* m; degrees. */
 #define NUDGE 0.01
 #define NUDGE_FAR 0.1
@@ -106,15 +108,57 @@ static bool escape(Editor *editor) {
     return tool;
 }
 
+/* Zooms out until all marks of the gesture are in the view: places that are typed may lie beyond it. */
+static void keep_in_view(Window *window, Tab *tab) {
+    enum { STEPS = 40 };
+    const GestureView *gesture = editor_gesture(tab_editor(tab));
+    Box view = window->frame.view;
+    Vec2 middle = floor_at(window, tab, vec2_scale(vec2_add(view.low, view.high), 0.5));
+    for (int step = 0; step < STEPS && tab->view_layers.painted; step++) {
+        bool inside = true;
+        for (size_t i = 0; i < gesture->mark_count; i++)
+            for (size_t p = 0; p < gesture->marks[i].count; p++) {
+                Vec2 at = vec2_scale(vec2_sub(gesture->marks[i].points[p], middle), pow(ZOOM_OUT, -step));
+                at = vec2_add(view.low, view_layers_point(&tab->view_layers, vec2_add(middle, at)));
+                inside &= box_holds(box_expand(view, -REACH), at);
+            }
+        if (!inside)
+            continue;
+        if (step)
+            tab_zoom(tab, pow(ZOOM_OUT, -step), middle);
+        return;
+    }
+}
+
+/* Uses the first proposal by Return, or drops all by Escape. */
+static bool decide_proposals(Window *window, Editor *editor, int32_t key) {
+    size_t count;
+    const char *doing;
+    Fault fault = {0};
+    bool enter = key == sdl_window_key("Return"), asked = editor_proposals(editor, &count, &doing) || doing;
+    if (editor_tool(editor) != TOOL_SELECT || editor_gesture(editor)->active || !asked)
+        return false;
+    if (key == sdl_window_key("Escape"))
+        return editor_drop_proposals(editor);
+    if (!enter || !count)
+        return false;
+    if (editor_accept(editor, 0, &fault))
+        notice_post(window, "Used: %s", editor_undo_name(editor));
+    notice_fault(window, &fault, NAN);
+    return true;
+}
+
 bool plan_input_key(Window *window, const SdlWindowEvent *event) {
     Tab *tab = window_tab(window);
     Editor *editor = tab_editor(tab);
     int32_t key = event->key;
+    if (editor && !event->mods && decide_proposals(window, editor, key))
+        return true;
     if (!plan_input_listens(window) || event->mods & (SDL_WINDOW_EVENT_CONTROL | SDL_WINDOW_EVENT_ALT))
         return false;
     send_pointer_now(window, tab);
     if (key == sdl_window_key("Return") || key == sdl_window_key("Keypad Enter"))
-        return editor_enter(editor);
+        return editor_enter(editor) && (keep_in_view(window, tab), true);
     if (key == sdl_window_key("Backspace"))
         return editor_back(editor);
     if (key == sdl_window_key("Tab"))
@@ -234,6 +278,8 @@ static bool nudge(Window *window, Tab *tab, Action action, int mods) {
     size_t way = (size_t)(action - ACTION_NUDGE_LEFT);
     double far = mods & SDL_WINDOW_EVENT_CONTROL ? NUDGE_LITTLE : mods & SDL_WINDOW_EVENT_SHIFT ? NUDGE_FAR : NUDGE;
     Fault fault = {0};
+    if (editor_move_gesture(tab_editor(tab), vec2_scale(ways[way], far)))
+        return true;
     if (!is_selected(tab))
         return false;
     report_result(window, editor_nudge(tab_editor(tab), vec2_scale(ways[way], far), &fault), "Nudge", &fault);

@@ -4,8 +4,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#define NOW_RADIUS 5.0   /* design points, of the disc at the present end of a line */
-#define TAIL_WIDTH 3.0   /* of the tail of a line */
+#define NOW_RADIUS 5.0 /* design points, of the disc at the present end of a line */
+#define TAIL_WIDTH 3.0 /* of the tail of a line */
+#define PIXELS 400.0   /* about, of an axis */
+#define MOST_DIGITS 6.0
 #define NEAR 24.0        /* design points: farther points are not read out */
 #define CURSOR_WIDTH 3.0 /* of the cursor */
 
@@ -231,9 +233,17 @@ bool plot_panes_value(const PlotPane *pane, Vec2 at, Vec2 *value) {
     return true;
 }
 
-static void format_axis(char *text, size_t size, const PlotAxis *axis, double value) {
+/* Writes a value with as many digits as a pixel of the axis can tell. */
+static void format_axis(char *text, size_t size, const PlotAxis *axis, const double ends[2], double value) {
     bool pure = !axis->unit || strcmp(axis->unit, "1") == 0;
-    snprintf(text, size, "%s %.6g%s%s", axis->title, value, pure ? "" : " ", pure ? "" : axis->unit);
+    double step = fabs(ends[1] - ends[0]) / PIXELS;
+    int digits = step > 0 ? (int)fmin(fmax(ceil(-log10(step)), 0), MOST_DIGITS) : (int)MOST_DIGITS;
+    char number[48];
+    if (axis->logarithmic || fabs(value) >= 1e7)
+        snprintf(number, sizeof number, "%.4g", value);
+    else
+        snprintf(number, sizeof number, "%.*f", digits, value);
+    snprintf(text, size, "%s %s%s%s", axis->title, number, pure ? "" : " ", pure ? "" : axis->unit);
 }
 
 bool plot_panes_read(const PlotPane *pane, const Laboratory *laboratory, const void *session, size_t index, double time,
@@ -256,8 +266,9 @@ bool plot_panes_read(const PlotPane *pane, const Laboratory *laboratory, const v
         }
     }
     char x[PLOT_PANES_TEXT / 2], y[PLOT_PANES_TEXT / 2];
-    format_axis(x, sizeof x, &pane->shown.x, value.x);
-    format_axis(y, sizeof y, &pane->shown.y, value.y);
+    PlotPaneAxes axes = plot_panes_axes(pane);
+    format_axis(x, sizeof x, &pane->shown.x, axes.x, value.x);
+    format_axis(y, sizeof y, &pane->shown.y, axes.y, value.y);
     snprintf(text, PLOT_PANES_TEXT, "%.*s, %.*s", PLOT_PANES_TEXT / 2 - 4, x, PLOT_PANES_TEXT / 2 - 4, y);
     return least < NEAR;
 }

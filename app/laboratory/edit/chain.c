@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "laboratory/edit/enclosure.h"
 #include "laboratory/edit/field.h"
 #include "laboratory/edit/gesture.h"
 #include "laboratory/edit/marks.h"
@@ -160,6 +161,24 @@ static void make_room(Editor *edit) {
         json_decref(outline);
     else
         add(edit, DRAFT_ROOMS, json_pack("{s:o}", "outline", outline));
+}
+
+bool edit_chain_room_here(Editor *edit) {
+    Vec2 points[LABORATORY_MARK_POINTS];
+    Fault fault = {0};
+    edit_gesture_cancel(edit);
+    size_t count = enclosure_find(draft_plan(edit->draft), edit->pointer.at, points, LABORATORY_MARK_POINTS);
+    for (size_t i = 0; i < count; i++)
+        points[i] = vec2(snap_tidy(points[i].x), snap_tidy(points[i].y));
+    if (count < 3)
+        return false;
+    edit_gesture_begin_step(edit, kinds[TOOL_AREA].name);
+    add(edit, DRAFT_ROOMS, json_pack("{s:o}", "outline", list_of(points, count)));
+    bool made = edit_gesture_end_step(edit, &fault);
+    if (made)
+        edit_select_only(edit, edit->added_id);
+    fault_clear(&fault);
+    return made;
 }
 
 /* Routes ---------------------------------------------------------------------------------------------------------- */

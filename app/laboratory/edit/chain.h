@@ -6,6 +6,9 @@
 /* Begins the chain of the present tool. */
 void edit_chain_begin(Editor *edit, bool keys);
 
+/* Makes a room of the walls round the pointer, as one step. False: they do not enclose it. */
+bool edit_chain_room_here(Editor *edit);
+
 /* Releases the points of the chain. */
 void edit_chain_clear(Editor *edit);
 

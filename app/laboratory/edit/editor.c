@@ -12,6 +12,7 @@
 #include "laboratory/edit/pointer.h"
 #include "laboratory/edit/preview.h"
 #include "laboratory/edit/propose.h"
+#include "laboratory/edit/scale.h"
 #include "laboratory/edit/select.h"
 #include "laboratory/edit/shake.h"
 #include "laboratory/edit/text.h"
@@ -33,7 +34,7 @@ static const EditToolRow tools[EDIT_TOOLS] = {
         {"measure", "Measure a distance, and whether a chair fits through.",
          "Click two points, double-click a side, or press Enter to type them; Delete removes the measures."},
     [TOOL_AREA] = {"room", "Draw the outline of a room, to give it a name.",
-                   "Click the corners one after another, or press Enter to type them."},
+                   "Double-click between walls, or click the corners one after another, or press Enter to type them."},
     [TOOL_ROUTE] = {"route", "Draw the route of the selected person, by points to the exit.",
                     "Click the points to pass, then the exit, or press Enter to type them."},
     [TOOL_IMAGE] = {"picture", "Set the scale of the picture to trace over, and level it.",
@@ -383,6 +384,26 @@ const Proposal *editor_proposals(Editor *edit, size_t *count, const char **doing
 bool editor_accept(Editor *edit, size_t proposal, Fault *fault) {
     prepare(edit);
     return edit_propose_accept(edit, proposal, fault);
+}
+
+double editor_measured(const Editor *edit) {
+    if (!edit->measure_count)
+        return 0;
+    const EditMeasure *last = &edit->measures[edit->measure_count - 1];
+    return vec2_distance(last->from, last->to);
+}
+
+bool editor_set_measured(Editor *edit, double length, Fault *fault) {
+    prepare(edit);
+    return edit_scale_set(edit, length, fault);
+}
+
+bool editor_drop_proposals(Editor *edit) {
+    return edit_propose_drop(edit);
+}
+
+bool editor_move_gesture(Editor *edit, Vec2 by) {
+    return edit_pointer_nudge(edit, by);
 }
 
 bool editor_set_image(Editor *edit, const char *path, Fault *fault) {

@@ -255,6 +255,16 @@ void editor_ask_proposals(Editor *editor);
 const Proposal *editor_proposals(Editor *editor, size_t *count, const char **doing);
 bool editor_accept(Editor *editor, size_t proposal, Fault *fault);
 
+/* Returns the last measured distance, m; 0: none. Setting it scales the whole house, as one step. */
+double editor_measured(const Editor *editor);
+bool editor_set_measured(Editor *editor, double length, Fault *fault);
+
+/* Drops the proposals, or the search for them. False: there were none. */
+bool editor_drop_proposals(Editor *editor);
+
+/* Moves the place of the gesture that was begun by keys; false: there is none. */
+bool editor_move_gesture(Editor *editor, Vec2 by);
+
 /* Sets the trace image; path NULL: none. */
 bool editor_set_image(Editor *editor, const char *path, Fault *fault);
 void editor_fade_image(Editor *editor, double opacity);

@@ -1,5 +1,7 @@
 #include "laboratory/edit/pointer.h"
 
+#include <string.h>
+
 #include "laboratory/edit/chain.h"
 #include "laboratory/edit/drag.h"
 #include "laboratory/edit/field.h"
@@ -120,6 +122,9 @@ void edit_pointer_press(Editor *edit, const Pointer *pointer, bool twice) {
     edit->keys = edit->clicked = false; /* a gesture begun by keys continues by pointer */
     if (edit->gesture && twice && edit->tool == TOOL_MEASURE && edit_measure_side(edit)) {
         edit_gesture_cancel(edit);
+    } else if (edit->gesture && twice && edit->tool == TOOL_AREA && edit->chain.count == 1 &&
+               edit_chain_room_here(edit)) {
+        edit->down = false;
     } else if (edit->gesture) {
         edit_gesture_update(edit);
         edit->gesture->confirm(edit, false);
@@ -178,6 +183,17 @@ bool edit_pointer_type(Editor *edit, const char *characters) {
         return false;
     if (!edit_field_type(edit, characters))
         return false;
+    edit_gesture_update(edit);
+    return true;
+}
+
+bool edit_pointer_nudge(Editor *edit, Vec2 by) {
+    EditField *fields = edit->fields;
+    if (!edit->gesture || !edit->keys || edit->field_count < 2 || strcmp(fields[0].name, "x") != 0)
+        return false;
+    fields[0].value = snap_tidy(fields[0].value + by.x);
+    fields[1].value = snap_tidy(fields[1].value + by.y);
+    fields[0].typed = fields[1].typed = true;
     edit_gesture_update(edit);
     return true;
 }

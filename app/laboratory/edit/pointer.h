@@ -9,6 +9,7 @@ void edit_pointer_move(Editor *edit, const Pointer *pointer);
 void edit_pointer_press(Editor *edit, const Pointer *pointer, bool twice);
 void edit_pointer_release(Editor *edit, const Pointer *pointer);
 bool edit_pointer_type(Editor *edit, const char *characters);
+bool edit_pointer_nudge(Editor *edit, Vec2 by); /* moves the typed place */
 bool edit_pointer_enter(Editor *edit);
 bool edit_pointer_back(Editor *edit);
 bool edit_pointer_escape(Editor *edit);

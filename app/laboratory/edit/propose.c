@@ -99,6 +99,13 @@ static void cancel_search(Editor *edit) {
     edit->search = NULL;
 }
 
+bool edit_propose_drop(Editor *edit) {
+    bool any = edit->search;
+    cancel_search(edit);
+    reap(edit, false);
+    return any;
+}
+
 void edit_propose_end(Editor *edit) {
     cancel_search(edit);
     reap(edit, true);
@@ -148,7 +155,7 @@ const Proposal *edit_propose_list(Editor *edit, size_t *count, const char **doin
         return NULL;
     if (!is_over(search)) {
         pthread_mutex_lock(&search->mutex);
-        snprintf(edit->proposing, sizeof edit->proposing, "Changes tried: %zu", search->tries);
+        snprintf(edit->proposing, sizeof edit->proposing, "%zu tried", search->tries);
         pthread_mutex_unlock(&search->mutex);
         *doing = edit->proposing;
         return NULL;

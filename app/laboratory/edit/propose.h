@@ -11,6 +11,7 @@ void edit_propose_ask(Editor *edit);
 const Proposal *edit_propose_list(Editor *edit, size_t *count, const char **doing);
 
 /* Applies a proposal as one step. False: the fault says why it is impossible. */
+bool edit_propose_drop(Editor *edit);
 bool edit_propose_accept(Editor *edit, size_t proposal, Fault *fault);
 
 /* Cancels all searches, and waits for the end of their threads. */

@@ -167,6 +167,102 @@ said = answer_of("no-door", {
 check((said["title"], said["detail"]) == ("Room without a door", "D on the wall between bedroom and corridor") or
       said["detail"] == "D on the wall between corridor and bedroom", "a room without a door is named", said)
 
+# a double click between walls makes the room; a typed place far away stays in the view
+room = stage.folder / "rooms.json"
+room.write_text(json.dumps({
+    "format": "clearance-house", "version": 1, "name": "rooms",
+    "walls": [{"id": "w1", "points": [[-3, -2], [3, -2], [3, 2], [-3, 2], [-3, -2]], "thickness": 0.12},
+              {"id": "mid", "points": [[0, -2], [0, 2]], "thickness": 0.12},
+              {"id": "loose", "points": [[-3, 0], [-1, 0]], "thickness": 0.12}]}))
+seen = stage.act("double", "until idle", "key a", "at -1.5 1", "press", "release", "press double", "release", "wait 2",
+                 "state STATE", "key Ctrl+Shift+S", "wait 5", "key Ctrl+A", f'type "{stage.folder}/roomed.json"',
+                 "key Return", "wait 5", arguments=[room])
+made = read(stage.folder / "roomed.json").get("rooms", [])
+check(len(made) == 1 and sorted(made[0]["outline"]) == [[-3, -2], [-3, 2], [0, -2], [0, 2]],
+      "a double click with the room tool makes the room between the walls", made)
+check(seen[0]["undo_name"] == "Draw room" and not seen[0]["gesture"]["active"], "as one step", seen[0]["undo_name"])
+
+far = Plan("far")
+far.keys("ctrl+n")
+far.until(lambda s: s["title"] == "new house" and s["floor"])
+far.keys("w", "Return")
+for values in (("0", "0"), ("30", "0"), ("20", "90")):
+    far.type(values[0])
+    far.keys("Tab")
+    far.type(values[1])
+    far.keys("Return")
+state = far.state()
+corner, view = far.point(30, 20, state), state["frame"]["view"]
+check(view[0] < corner[0] < view[2] and view[1] < corner[1] < view[3], "typed walls stay in the view", (corner, view))
+far.keys("Escape", "Escape", "Escape")
+
+# 19: by keys alone the ghost is moved by arrows and placed by Return
+far.point_to(0, 0)
+far.keys("p", "Return")
+begun = far.state()["gesture"]["fields"]
+far.keys("shift+Up", *["shift+Right"] * 10, *["shift+Up"] * 9, "Up")
+moved = far.state()["gesture"]["fields"]
+check(abs(moved["x"] - begun["x"] - 1) < 1e-9 and abs(moved["y"] - begun["y"] - 1.01) < 1e-9,
+      "19: arrows move what is placed by keys", (begun, moved))
+far.keys("Return", "Escape", "Escape")
+check(far.state()["undo_name"].startswith("Place person"), "19: and Return places it", far.state()["undo_name"])
+
+# the real length of a measured distance scales the house
+far.keys("m")
+far.put(0, 0)
+far.put(30, 0)
+for _ in range(12):
+    if far.state()["focus"] == "panel":
+        break
+    far.keys("F6")
+for _ in range(12):
+    if (far.state()["focus_help"] or "").startswith("real length"):
+        break
+    far.keys("Tab")
+far.keys("ctrl+a")
+far.type("12 m")
+far.keys("Return")
+far.until(lambda s: (s["undo_name"] or "").startswith("Set the scale"))
+scaled = counts(far, "scaled")
+check(scaled["walls"] and max(abs(a - b) for p, q in zip(scaled["walls"][0]["points"], [[0, 0], [12, 0], [12, 8]])
+                              for a, b in zip(p, q)) < 0.02, "a typed length sets the scale of the house", scaled["walls"])
+far.end()
+
+# all faults of a broken file are shown
+broken = stage.folder / "broken.json"
+broken.write_text('{"format":"clearance-house","version":1,"walls":[{"points":[[0,0]]}],"exits":[{"id":"e"}]}')
+seen = stage.act("broken", "until complete", f'open "{broken}"', "wait 5", "state STATE", "picture FOLDER/broken.png",
+                 code=0)
+check(seen and seen[0]["sheet"] == "messages" and seen[0]["messages"] >= 3, "all faults of a broken file are shown",
+      seen and (seen[0]["sheet"], seen[0]["messages"]))
+
+# a fix is asked for, counted, and used by one key
+fix = Plan("fix", stage.house("flat-0.910-module"))
+fix.until(lambda s: s["answer"]["title"].endswith("cannot pass door d3") and not s["answer"]["stale"]
+          or "cannot" in s["answer"]["title"].lower() and s["complete"])
+for _ in range(12):
+    if fix.state()["focus"] == "panel":
+        break
+    fix.keys("F6")
+for _ in range(20):
+    if (fix.state()["focus_help"] or "").startswith("Suggest a fix"):
+        break
+    fix.keys("Tab")
+fix.keys("Return")
+counted = fix.until(lambda s: s["proposing"] or s["proposals"])
+check(counted["proposals"] or counted["proposing"].endswith(" tried"), "the search counts what it has tried",
+      counted["proposing"])
+fix.until(lambda s: s["proposals"])
+begun = fix.state()
+check(not begun["unsaved_edits"], "the house is unchanged until a fix is used")
+while fix.state()["focus"] != "view":
+    fix.keys("F6")
+fix.keys("Return")
+done = fix.until(lambda s: s["answer"]["title"].startswith("Out in") and not s["answer"]["stale"])
+check(done["answer"]["title"].startswith("Out in ") and done["unsaved_edits"] == 1, "Return uses the first fix, as one step",
+      (done["answer"]["title"], done["undo_name"], done["unsaved_edits"]))
+fix.end()
+
 # a film never takes the place of a file, and its messages name it
 film = stage.Screen("film", stage.house("corner-0.90-0.90"))
 film.until(lambda s: s["complete"])
