@@ -139,7 +139,7 @@ check_order() {
     forbid "libm's transcendental functions outside base/real" \
         '^ *([^ */]([^/]|/[^*])*[^A-Za-z0-9_>.])?(a?(sin|cos|tan)h?|sincos|atan2|exp|exp2|expm1|exp10|log|log2|log10|log1p|pow|hypot|cbrt|fma|erfc?|[lt]gamma|c(abs|arg|exp|log|pow|sqrt|sin|cos))[fl]?\(' \
         $(sources engine app/command app/report app/document | grep -v base/real)
-    forbid 'LAPACK outside what repeats and what makes ways free' '#include *<lapacke' $(sources engine app | grep -vE 'engine/((beam|cycle)/|route/relax)')
+    forbid 'LAPACK outside what repeats, fits and makes paths free' '#include *<lapacke' $(sources engine app | grep -vE 'engine/((beam|cycle)/|route/relax|study/fit)')
     forbid 'BLAS outside the spectrum' '#include *<cblas' $(sources engine app | grep -v mechanics/spectrum.c)
     forbid 'zip files and XML outside the homes' '#include *<(zip|expat)' $(sources engine app | grep -v exchange/sh3d_home.c)
     forbid 'GEOS outside what unites, reads and writes areas' '#include *<geos' \
