@@ -46,8 +46,6 @@ static const double farther[] = {2.5, 4.0, 5.5}, BESIDE = 1.0;
 /* s, 1 and m/s: a person held up for HELD turns the shoulders (width x SQUEEZE) and passes oncoming people at up to
  * SQUEEZING. */
 static const double HELD = 0.5, SQUEEZE = 0.1, SQUEEZING = 0.5;
-/* m and m/s: a person behind a chair that backs off steps out of its way from this distance, at this speed. */
-static const double BEHIND = 0.3, STEPPING_BACK = 0.4;
 /* s: a smaller gain of time does not count as progress. */
 static const double PROGRESS = 0.05;
 /* m: distance from a shut door's line at which a person reaches the handle. */
@@ -86,7 +84,6 @@ typedef struct View {
     double sight;                    /* m: farther bodies do not matter */
     bool oncoming;                   /* True if a person comes the other way */
     bool squeezes;                   /* True if passing them sideways */
-    Vec2 aside;                      /* m/s, the velocity out of the way of a chair that backs off; 0: none does */
     Seen seen[SEEN_MOST];
     int count;
 } View;
@@ -126,15 +123,6 @@ static void see_chair(View *view, size_t j, Vec2 from) {
             see_disc(view, vec2_along(middle, end * ends, axis), velocity, radius, berth, false);
 }
 
-/* Steps out of the way of a chair that backs off: back, and to the nearer side. */
-static void make_room(View *view, size_t j, Vec2 from) {
-    const Body *body = &view->world->body[j];
-    Vec2 axis = view->world->axis[j], at = vec2_sub(vec2_unturn(vec2_scale(from, -1), axis), body->middle);
-    double tail = -body->half.x - body->radius - at.x, half = body->half.y + body->radius;
-    if (at.x < 0 && tail < BEHIND + view->radius && fabs(at.y) < half + view->radius)
-        view->aside = vec2_scale(vec2_turn(vec2_unit(vec2(-half, at.y)), axis), STEPPING_BACK);
-}
-
 static void look_around(View *view, uint32_t slot) {
     const Walkers *walkers = &view->world->walkers;
     const double far = view->sight + view->radius + walkers->widest + BERTH; /* m */
@@ -152,8 +140,6 @@ static void look_around(View *view, uint32_t slot) {
                          vec2_dot(walkers->facing[s], view->way) < ONCOMING);
             else
                 see_chair(view, j, from);
-            if (!kind->walks && view->world->phase[j] == PHASE_MOVING && view->world->drive[j].retreat_to >= 0)
-                make_room(view, j, from);
         }
     }
 }
@@ -314,8 +300,6 @@ void walk_decide(World *world, size_t i, uint32_t slot) {
     walk->wish = vec2_dot(view.way, view.way) > 0 ? choose(&view) : vec2(0, 0);
     if (view.squeezes && view.oncoming)
         walk->wish = slower(walk->wish, SQUEEZING);
-    if (vec2_dot(view.aside, view.aside) > 0)
-        walk->wish = view.aside;
     walk->held = vec2_length(walkers->velocity[slot]) < SQUEEZING / 2 ? walk->held + WALK_PERIOD : 0;
     stand_before(world, walk, &view);
     if (vec2_dot(walk->wish, walk->wish) > 0) {

@@ -12,7 +12,7 @@ import random
 import sys
 import tempfile
 
-from program import check, end, run, source
+from program import check, end, run
 
 PLANS = int(sys.argv[2]) if len(sys.argv) > 2 else 60
 FIRST = int(sys.argv[3]) if len(sys.argv) > 3 else 0
@@ -126,16 +126,6 @@ def compare(name, plan, directory):
     return "differ"
 
 
-def neck(seed):
-    """In a neck hardly wider than a chair people step out of the way of a chair that backs off."""
-    house = pathlib.Path(source, "tests/cases/houses/neck-manual-chair.json")
-    moved = json.loads(run("run", str(house), "--set", "door.neck.width=0.8", "--seed", str(seed), "--json").stdout)
-    out = sum(person["completed"] for person in moved["people"])
-    check(out == len(moved["people"]), f"neck, seed {seed}: {out} of {len(moved['people'])} are out")
-
-
-for seed in (25, 30, 88):
-    neck(seed)
 with tempfile.TemporaryDirectory() as folder:
     outcomes = []
     for number in range(FIRST, FIRST + PLANS):
