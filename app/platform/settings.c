@@ -58,6 +58,13 @@ static const Parameter state_rows[] = {
      .kind = PARAMETER_TEXT,
      .offset = offsetof(SettingsState, folder),
      .meaning = "folder of the last opened file"},
+    {.name = "tried",
+     .kind = PARAMETER_WHOLE,
+     .offset = offsetof(SettingsState, tried),
+     .unit = "1",
+     .low = 0,
+     .high = 7,
+     .meaning = "first things that were tried, as bits"},
 };
 static const ParameterTable state_table = {"state", state_rows, sizeof state_rows / sizeof *state_rows};
 

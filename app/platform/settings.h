@@ -44,6 +44,7 @@ typedef struct SettingsLaboratory {
 /* The contents of state.json. */
 typedef struct SettingsState {
     const char *folder;               /* of the last file that was opened, or "" */
+    int tried;                        /* bits: the first things to try that were done */
     SettingsLaboratory *laboratories; /* (laboratory_count) in the order in which they were asked for or read */
     size_t laboratory_count, laboratory_capacity;
 } SettingsState;

@@ -170,6 +170,11 @@ typedef struct UiCard {
     const char *id, *name, *text;
     const ScreenTexture *picture; /* or NULL: not yet */
     double picture_height, text_height;
+    const Vec2 *shape; /* (shape_count) instead of a picture: a closed line about its middle, design points, y down; its
+                          first side is thick */
+    size_t shape_count; /* 0: none */
+    const char *help;
+    bool chosen;
 } UiCard;
 bool ui_card(Ui *ui, const UiCard *card);
 

@@ -1,9 +1,12 @@
 #include "widgets/ui_pane.h"
 #include "widgets/ui_stop.h"
 #include "widgets/ui_text.h"
+#include "widgets/ui_tip.h"
 
 #define EDGE 6.0 /* design points, round the picture and the text */
 #define NAME_HEIGHT 26.0
+#define THIN 1.5
+#define THICK 4.0
 
 /* Returns the place of the picture, which keeps its shape, in the middle of the box. */
 static Box fitted(Box place, const ScreenTexture *picture) {
@@ -13,16 +16,31 @@ static Box fitted(Box place, const ScreenTexture *picture) {
     return (Box){vec2_sub(middle, half), vec2_add(middle, half)};
 }
 
+static void draw_shape(Ui *ui, const UiCard *card, Vec2 middle) {
+    enum { MOST = 64 };
+    Vec2 points[MOST];
+    size_t count = card->shape_count < MOST ? card->shape_count : MOST;
+    for (size_t i = 0; i < count; i++)
+        points[i] = vec2_add(middle, card->shape[i]);
+    ui_draw_polyline(ui, points, count, true, ROLE_FURNITURE_LINE, THIN);
+    ui_draw_polyline(ui, points, 2, false, ROLE_FURNITURE_LINE, THICK);
+}
+
 bool ui_card(Ui *ui, const UiCard *card) {
     UiId id = ui_state_id(ui, card->id ? card->id : card->name);
     Box box = ui_pane_next(ui, card->picture_height + NAME_HEIGHT + card->text_height + 3 * EDGE);
     UiTouch touch = ui_state_touch(ui, id, box, false);
-    ui_stop_make(ui, id, UI_IS_BUTTON, box);
+    bool focused = ui_stop_make(ui, id, UI_IS_BUTTON, box);
     bool used = ui_stop_used(ui, id) || touch.clicked;
+    ui_tip_offer(ui, id, box, card->help, touch.hovered, focused);
     Box inside = box_expand(box, -EDGE), place = inside;
     place.high.y = inside.low.y + card->picture_height;
     ui_painter_box(ui->painter, box, ui_state_ink(ui, touch.hovered ? ROLE_SHADE : ROLE_PAPER, 1));
-    ui_painter_frame(ui->painter, box, touch.hovered ? 2 * UI_EDGE : UI_EDGE, ui_state_ink(ui, ROLE_ROOM, 1));
+    bool bold = touch.hovered || card->chosen;
+    ui_painter_frame(ui->painter, box, bold ? 2 * UI_EDGE : UI_EDGE,
+                     ui_state_ink(ui, card->chosen ? ROLE_CHAIR : ROLE_ROOM, 1));
+    if (card->shape_count)
+        draw_shape(ui, card, vec2_scale(vec2_add(place.low, place.high), 0.5));
     if (card->picture)
         ui_painter_image(ui->painter, card->picture, fitted(place, card->picture));
     Box name = {{inside.low.x, place.high.y + EDGE / 2}, {inside.high.x, place.high.y + EDGE / 2 + NAME_HEIGHT}};

@@ -1,10 +1,10 @@
-#include "laboratory/import_file.h"
 #include "window/act.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "laboratory/import_file.h"
 #include "window/act_play.h"
 #include "window/act_plot.h"
 #include "window/act_view.h"
@@ -13,6 +13,7 @@
 #include "window/notice.h"
 #include "window/opening.h"
 #include "window/plan_input.h"
+#include "window/tries.h"
 
 #define TEXT_STEP 0.25
 #define TEXT_MOST 3.0
@@ -162,6 +163,9 @@ static bool do_dialog(Window *window, Action action) {
         return true;
     case ACTION_EXPLAIN:
         explain(window);
+        return true;
+    case ACTION_TRY:
+        tries_bring_back(window);
         return true;
     case ACTION_ABOUT:
         dialog_pane_show(window, DIALOG_ABOUT);

@@ -106,6 +106,7 @@ typedef enum Action {
     ACTION_HELP,
     ACTION_EXPLAIN,
     ACTION_ABOUT,
+    ACTION_TRY,
     ACTION_ESCAPE,
     ACTION_LABORATORY, /* the first of `laboratories`; the others follow */
     ACTIONS,

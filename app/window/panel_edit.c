@@ -9,10 +9,55 @@
 #include "window/notice.h"
 #include "window/plan_input.h"
 
+/* Design points. */
+#define CARD_SCALE 36.0 /* a metre */
+#define CARD_HEIGHT 72.0
+
+enum { CARD_COLUMNS = 2 };
 enum { SCALE_MOST = 64 /* bytes of a typed length */ };
 enum { TEXT_MOST = 4096 + 1 /* bytes: the longest text that the editor accepts, and the zero */ };
 
 /* Catalogue -------------------------------------------------------------------------------------------------------- */
+
+/* Shows pieces of furniture as cards, drawn to one scale, their backs thick. True if one was chosen. */
+static bool show_card(Window *window, Editor *editor, const CatalogueRow *item, size_t index, bool chosen) {
+    Vec2 half = vec2_scale(item->size, CARD_SCALE / 2);
+    const Vec2 shape[] = {{-half.x, -half.y}, {half.x, -half.y}, {half.x, half.y}, {-half.x, half.y}};
+    UiCard card = {.id = text_in_arena(&window->arena, "item %zu", index),
+                   .name = item->name,
+                   .picture_height = CARD_HEIGHT,
+                   .shape = shape,
+                   .shape_count = item->size.x > 0 ? sizeof shape / sizeof *shape : 0,
+                   .help = text_in_arena(&window->arena, "%s: %s", item->name, item->detail),
+                   .chosen = chosen};
+    if (!ui_card(window->ui, &card))
+        return false;
+    editor_choose_item(editor, index);
+    ui_focus(window->ui, "view");
+    window->dirty = true;
+    return true;
+}
+
+static void show_cards(Window *window, Editor *editor) {
+    size_t count, chosen = editor_item(editor), column = 0;
+    const CatalogueRow *items = editor_items(editor, &count);
+    const char *group = "";
+    ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, chosen < count ? items[chosen].detail : "");
+    for (size_t n = 1; n <= count; n++, column++) { /* the first one, of a free size, comes last */
+        size_t i = n % count;
+        if (strcmp(group, items[i].group) != 0) {
+            ui_row(window->ui, 1);
+            ui_heading(window->ui, *items[i].group ? items[i].group : "Any size");
+            column = 0;
+        }
+        group = items[i].group;
+        if (column % CARD_COLUMNS == 0)
+            ui_row(window->ui, CARD_COLUMNS);
+        if (show_card(window, editor, &items[i], i, i == chosen))
+            return;
+    }
+    ui_row(window->ui, 1);
+}
 
 static void show_items(Window *window, Editor *editor) {
     size_t count, chosen = editor_item(editor);
@@ -174,7 +219,10 @@ void panel_edit_show(Window *window) {
     Editor *editor = tab_editor(tab);
     if (!editor)
         return;
-    show_items(window, editor);
+    if (editor_tool(editor) == TOOL_FURNITURE)
+        show_cards(window, editor);
+    else
+        show_items(window, editor);
     if (editor_tool(editor) == TOOL_IMAGE || editor_image(editor).path)
         show_image(window, editor);
     if (editor_tool(editor) == TOOL_MEASURE)

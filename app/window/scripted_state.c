@@ -26,6 +26,7 @@ static json_t *frame_state(const Window *window) {
     json_object_set_new(state, "panel", json_box(window, frame->panel));
     json_object_set_new(state, "timeline", json_box(window, frame->timeline));
     json_object_set_new(state, "strip", json_box(window, frame->strip));
+    json_object_set_new(state, "tries", json_box(window, window->tries));
     for (size_t i = 0; i < frame->pane_count && i < panes->count; i++)
         json_object_set_new(plots, panes->panes[i].source.name, json_box(window, frame->panes[i]));
     json_object_set_new(state, "plots", plots);
@@ -235,6 +236,7 @@ json_t *scripted_state_of(Window *window) {
     json_object_set_new(state, "present", json_boolean(window->present));
     json_object_set_new(state, "fullscreen", json_boolean(window->fullscreen));
     json_object_set_new(state, "sound", json_boolean(window->sound != NULL));
+    json_object_set_new(state, "tried", json_integer(window->settings.state.tried));
     json_object_set_new(state, "field", json_string(window->field));
     json_t *listed = json_array();
     for (size_t i = 0; window->dialog == DIALOG_OPEN && i < window->folder.count; i++)

@@ -22,6 +22,7 @@
 #include "window/timeline.h"
 #include "window/toolbar.h"
 #include "window/trace_image.h"
+#include "window/tries.h"
 #include "window/window_state.h"
 
 enum { WIDTH = 1280, HEIGHT = 720 /* pixels of a new window */ };
@@ -226,6 +227,7 @@ static void make_frame(Window *window) {
         wish.panel = false;
         window->frame = frame_make(page, &wish);
     }
+    tries_take_room(window);
     window->frame.view = snapped(window, window->frame.view);
     for (size_t i = 0; i < window->frame.pane_count; i++)
         window->frame.panes[i] = snapped(window, window->frame.panes[i]);
@@ -246,6 +248,7 @@ static void show_panes(Window *window) {
     canvas_show(window);
     panel_show(window);
     toolbar_show(window);
+    tries_show(window);
     timeline_show(window);
     bars_show_strip(window);
     bars_show_message(window);

@@ -101,6 +101,7 @@ typedef struct Window {
     int width, height; /* pixels */
     double unit;       /* pixels a design point */
     Frame frame;
+    Box tries; /* the strip of first things to try; without a width: there is none */
     UiInput input;
     Vec2 mouse; /* pixels */
 

@@ -102,6 +102,7 @@ typedef struct CatalogueRow {
     const char *name;   /* "wardrobe" */
     const char *group;  /* "Japanese", "European" */
     const char *detail; /* "0.90 x 0.60 m, 1.80 m high" */
+    Vec2 size;          /* m, of furniture on the floor; 0: none */
 } CatalogueRow;
 
 /* A text of the selected item: a name, an id, a note. */

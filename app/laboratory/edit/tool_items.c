@@ -55,13 +55,15 @@ static void add(Editor *edit, size_t *count, CatalogueRow item) {
 }
 
 static void list_furniture(Editor *edit, size_t *count) {
-    add(edit, count, (CatalogueRow){"free rectangle", "", "drawn from corner to corner"});
+    add(edit, count, (CatalogueRow){.name = "free rectangle", .group = "", .detail = "drawn from corner to corner"});
     for (size_t i = 0; i < edit->catalogue.count; i++) {
         const CatalogueItem *item = &edit->catalogue.items[i];
         add(edit, count,
-            (CatalogueRow){item->name, item->group,
-                           text_in_arena(&edit->item_texts, "%.2f x %.2f m, %.2f m high (%s)", item->size.x,
-                                         item->size.y, item->height, item->provenance)});
+            (CatalogueRow){.name = item->name,
+                           .group = item->group,
+                           .detail = text_in_arena(&edit->item_texts, "%.2f x %.2f m, %.2f m high (%s)", item->size.x,
+                                                   item->size.y, item->height, item->provenance),
+                           .size = item->size});
     }
 }
 
@@ -73,15 +75,17 @@ const CatalogueRow *edit_tool_items_list(Editor *edit, size_t *count) {
         list_furniture(edit, count);
     } else if (edit->tool == TOOL_PERSON) {
         for (size_t i = 0; i < edit->profile_count; i++)
-            add(edit, count, (CatalogueRow){edit->profiles[i], "", ""});
+            add(edit, count, (CatalogueRow){.name = edit->profiles[i], .group = "", .detail = ""});
     } else if (edit->tool == TOOL_DOOR) {
-        add(edit, count, (CatalogueRow){"hinged", "", "a leaf that swings"});
-        add(edit, count, (CatalogueRow){"opening", "", "without a leaf"});
-        add(edit, count, (CatalogueRow){"sliding", "", "a leaf that slides along the wall"});
+        add(edit, count, (CatalogueRow){.name = "hinged", .group = "", .detail = "a leaf that swings"});
+        add(edit, count, (CatalogueRow){.name = "opening", .group = "", .detail = "without a leaf"});
+        add(edit, count, (CatalogueRow){.name = "sliding", .group = "", .detail = "a leaf that slides along the wall"});
     }
     if (edit->tool == TOOL_IMAGE) {
-        add(edit, count, (CatalogueRow){"scale", "", "two points and their real distance"});
-        add(edit, count, (CatalogueRow){"level", "", "two points that are level, or one above the other"});
+        add(edit, count, (CatalogueRow){.name = "scale", .group = "", .detail = "two points and their real distance"});
+        add(edit, count,
+            (CatalogueRow){
+                .name = "level", .group = "", .detail = "two points that are level, or one above the other"});
     }
     return edit->item_rows;
 }

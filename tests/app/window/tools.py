@@ -263,6 +263,89 @@ check(done["answer"]["title"].startswith("Out in ") and done["unsaved_edits"] ==
       (done["answer"]["title"], done["undo_name"], done["unsaved_edits"]))
 fix.end()
 
+# 21: three first things to try, ticked by real keys, gone for good, and brought back
+def middle_of(box, part=0.5):
+    return box[0] + part * (box[2] - box[0]), (box[1] + box[3]) / 2
+
+
+first = Plan("tries")
+state = first.until(lambda s: s.get("complete") and s["frame"]["tries"][2] > 0)
+strip = state["frame"]["tries"]
+check(strip[3] - strip[1] >= 46 and state["frame"]["view"][3] <= strip[1], "21: an empty home has a strip to try", strip)
+first.shot("tries")
+first.until(lambda s: s["time"] > 3 or not s["playing"])
+first.keys("r")
+first.until(lambda s: s["tried"] & 1)
+check(first.state()["tried"] & 1, "21: watching for 3 s is ticked")
+first.click(*middle_of(strip, 0.5))
+state = first.state()
+check("door" in (state["selected"] or "").lower() and state["focus"] == "panel", "21: the second selects a door",
+      (state["selected"], state["focus"]))
+for _ in range(6):
+    if (first.state()["focus_help"] or "").startswith("width"):
+        break
+    first.keys("Tab")
+first.keys("Left")
+first.until(lambda s: s["tried"] & 2)
+check(first.state()["tried"] & 2, "21: and a narrower door is ticked", first.state()["undo_name"])
+while first.state()["focus"] != "view":
+    first.keys("F6")
+first.keys("shift+t")
+state = first.until(lambda s: s["frame"]["tries"][2] == 0)
+check(state["tried"] == 7 and state["frame"]["tries"][2] == 0, "21: after the third the strip is gone", state["tried"])
+first.end()
+first.log.unlink()
+first = Plan("tries")
+state = first.until(lambda s: s.get("complete"))
+check(state["frame"]["tries"][2] == 0, "21: it stays gone")
+first.keys("ctrl+shift+F1")
+check(first.until(lambda s: s["frame"]["tries"][2] > 0)["tried"] == 0, "21: Help brings it back")
+first.end()
+
+# a new user: a flat of two rooms with a door, an exit, a wardrobe and a person in at most 25 actions
+user = Plan("user")
+done = 0
+
+
+def act(what, *with_what):
+    global done
+    done += 1
+    what(*with_what)
+
+
+user.until(lambda s: s["floor"])
+act(user.keys, "ctrl+n")
+user.until(lambda s: s["title"] == "new house" and s["floor"])
+act(user.keys, "w")
+for corner in ((-3, -2), (3, -2), (3, 2), (-3, 2), (-3, -2)):
+    act(user.put, *corner)
+act(user.put, 0, -2)
+act(user.put, 0, 2)
+act(user.keys, "Escape")
+act(user.keys, "d")
+act(user.put, 0, 1)
+act(user.keys, "x")
+act(user.put, 3, -1)
+act(user.keys, "o")
+state = user.state()
+user.shot("catalogue")
+done += 1  # a click on the wardrobe, wherever it lies in the catalogue
+left, top, right, foot = state["frame"]["panel"]
+for y in range(round(top) + 60, round(foot), 30):
+    user.click(left + 0.27 * (right - left), y)
+    user.move(-2, 0)
+    if (user.state()["gesture"].get("preview") or {"words": ""})["words"].startswith("wardrobe"):
+        break
+act(user.put, -2, 1.6)
+act(user.keys, "p")
+act(user.put, -2, -1)
+answer = user.until(lambda s: s["answer"]["title"].startswith("Out in") and not s["answer"]["stale"])["answer"]
+check(answer["title"].startswith("Out in") and done <= 25, "a new user has an answer in at most 25 actions",
+      (answer["title"], done))
+print("     actions:", done)
+user.shot("answer")
+user.end()
+
 # a film never takes the place of a file, and its messages name it
 film = stage.Screen("film", stage.house("corner-0.90-0.90"))
 film.until(lambda s: s["complete"])

@@ -1,0 +1,134 @@
+#include "window/tries.h"
+
+#include <string.h>
+
+#include "laboratory/house_items.h"
+#include "window/act.h"
+
+/* Design points. */
+#define HEIGHT 46.0
+#define GAP 6.0
+#define HEAD_WIDTH 84.0
+#define CROSS_WIDTH 34.0
+#define LEAST_VIEW 220.0 /* height of the view that remains */
+#define LEAST_WIDTH 860.0
+
+#define WATCHED 3.0 /* s, until which somebody has watched */
+
+enum { TRY_WATCH = 1, TRY_NARROW = 2, TRY_SHAKE = 4, TRY_ALL = 7, TRIES = 3 };
+
+static const struct {
+    int bit;
+    const char *label, *help;
+} tries[TRIES] = {
+    {TRY_WATCH, "1  Watch them leave (Space)", "Watch them leave (Space): Play the run"},
+    {TRY_NARROW, "2  Make a door narrower", "Make a door narrower: Select the narrowest door and open its width"},
+    {TRY_SHAKE, "3  Shake the house (Shift+T)", "Shake the house (Shift+T): Make an earthquake; some furniture falls"},
+};
+
+/* True where the strip belongs: in a house, in a window that a person sees. */
+static bool is_due(Window *window) {
+    const Tab *tab = window_tab(window);
+    bool unseen = window->options->script && !sdl_window_is_seen(window->sdl_window);
+    return tab->session && tab_editor(tab) && !window->present && !unseen && window->settings.state.tried != TRY_ALL &&
+           !window->frame.drawer;
+}
+
+static void cut(Box *box, double foot) {
+    box->high.y = box->high.y > foot && box->low.y < foot ? foot : box->high.y;
+}
+
+void tries_take_room(Window *window) {
+    Frame *frame = &window->frame;
+    double foot = frame->timeline.low.y - HEIGHT, right = frame->view.high.x;
+    window->tries = (Box){{0, 0}, {0, 0}};
+    for (size_t i = 0; i < frame->pane_count; i++)
+        right = real_max(right, frame->panes[i].high.x);
+    if (!is_due(window) || right < LEAST_WIDTH || foot - frame->view.low.y < LEAST_VIEW)
+        return;
+    cut(&frame->view, foot);
+    cut(&frame->toolbar, foot);
+    for (size_t i = 0; i < frame->pane_count; i++)
+        cut(&frame->panes[i], foot);
+    window->tries = (Box){{0, foot}, {right, frame->timeline.low.y}};
+}
+
+/* Selects the narrowest door that can be passed, and gives its width the focus. */
+static void select_door(Window *window, Tab *tab) {
+    size_t count, narrowest = 0;
+    double least = HUGE_VAL;
+    size_t index = 0;
+    const PanelParameter *parameters = tab->laboratory->parameters(tab->session, &count);
+    for (size_t i = 0; i < count; i++) {
+        const char *name = parameters[i].name, *end = strrchr(name, '.');
+        if (strncmp(name, "door.", 5) != 0 || !end || strcmp(end, ".width") != 0)
+            continue;
+        if (parameters[i].value < least) {
+            least = parameters[i].value;
+            narrowest = index;
+        }
+        index++;
+    }
+    if (least < HUGE_VAL)
+        tab_select(tab, (Item){HOUSE_DOOR, narrowest});
+    window->panel = true;
+    ui_focus(window->ui, "panel");
+}
+
+static void begin(Window *window, Tab *tab, int bit) {
+    if (bit == TRY_WATCH) {
+        tab_seek(tab, 0);
+        tab->player.playing = true;
+    } else if (bit == TRY_NARROW) {
+        select_door(window, tab);
+    } else {
+        act_do(window, ACTION_SHAKE, 0, 0);
+    }
+    window->dirty = true;
+}
+
+static void note_done(Window *window, const Tab *tab) {
+    int *tried = &window->settings.state.tried;
+    const char *step = editor_undo_name(tab_editor(tab));
+    if (tab->player.time > WATCHED && tab->player.playing)
+        *tried |= TRY_WATCH;
+    if (step && strstr(step, "width"))
+        *tried |= TRY_NARROW;
+    if (*editor_shake_result(tab_editor(tab)))
+        *tried |= TRY_SHAKE;
+}
+
+void tries_show(Window *window) {
+    Box strip = window->tries;
+    Tab *tab = window_tab(window);
+    if (box_width(strip) <= 0 || !tab->session)
+        return;
+    ui_pane_begin(window->ui, &(UiPane){.name = "tries", .box = strip, .ground = ROLE_SHADE});
+    double middle = (strip.low.y + strip.high.y) / 2, left = strip.low.x + 2 * GAP + HEAD_WIDTH;
+    double width = (strip.high.x - CROSS_WIDTH - GAP - left) / TRIES;
+    ui_draw_text(window->ui, UI_BOLD, ROLE_TEXT, vec2(strip.low.x + 2 * GAP, middle), 0, "Try this");
+    bool due = true;
+    for (int i = 0; i < TRIES; i++, left += width) {
+        bool done = window->settings.state.tried & tries[i].bit;
+        UiButton button = {.id = text_in_arena(&window->arena, "try %d", i),
+                           .label = text_in_arena(&window->arena, "%s%s", done ? "\u2713 " : "", tries[i].label),
+                           .help = tries[i].help,
+                           .chosen = due && !done};
+        due = due && done;
+        ui_at(window->ui, (Box){{left, strip.low.y + GAP}, {left + width - GAP, strip.high.y - GAP}});
+        if (ui_button(window->ui, &button))
+            begin(window, tab, tries[i].bit);
+    }
+    ui_at(window->ui, (Box){{strip.high.x - CROSS_WIDTH, strip.low.y + GAP}, {strip.high.x - GAP, strip.high.y - GAP}});
+    if (ui_button(window->ui, &(UiButton){.id = "no tries",
+                                          .label = "\u00d7",
+                                          .help = "Close: Hide these for good; Help > Try this brings them back"}))
+        window->settings.state.tried = TRY_ALL;
+    ui_pane_end(window->ui);
+    note_done(window, tab);
+}
+
+void tries_bring_back(Window *window) {
+    window->settings.state.tried = 0;
+    window->dirty = true;
+}

@@ -1,0 +1,13 @@
+/* The strip of three first things to try, between the view and the timeline. Each is ticked once it has been done;
+ * after the third, or its cross, the strip is gone until Help > Try this. */
+#pragma once
+
+#include "window/window_state.h"
+
+/* Takes the strip's room from the layout, if there is something left to try. */
+void tries_take_room(Window *window);
+
+/* Shows the strip and notes what has been done. */
+void tries_show(Window *window);
+
+void tries_bring_back(Window *window);
