@@ -14,6 +14,7 @@
 #include "command/types_answer.h"
 #include "experiment/beam_experiment.h"
 #include "result/beam.h"
+#include "result/beam_survival.h"
 #include "result/json.h"
 #include "result/text.h"
 
@@ -58,7 +59,8 @@ static void print_peaks(const Response *response, const Beam *beam, const Rig *r
     else if (peaks->max - peaks->min < 0.005)
         printf("at %g Hz the tip hits the joint with %.2f N on either side", beam->frequency, peaks->max);
     else
-        printf("at %g Hz the tip hits the joint with %.0f to %.0f N, %.0f N in the mean (%zu peaks in %zu cycles)",
+        printf("at %g Hz the tip hits the joint with %.0f to %.0f N, %.0f N in the mean (one draw of %zu peaks in %zu "
+               "cycles)",
                beam->frequency, peaks->min, peaks->max, peaks->mean, peaks->count, response->section.count);
     printf("\n");
 }
@@ -73,30 +75,18 @@ static void print_orbit(const Response *response) {
 }
 
 static void print_verdict(const Response *response, const Beam *beam, const Rig *rig) {
-    switch (response->verdict) {
-    case RESPONSE_PERIODIC:
-        printf("Periodic, period %zu: ", response->orbit.period);
-        break;
-    case RESPONSE_CHAOTIC:
-        printf("Chaotic: ");
-        break;
-    case RESPONSE_UNRESOLVED:
-        printf("Unresolved, neither periodic nor chaotic after %zu cycles: ", response->cycles);
-        break;
-    case RESPONSE_CHATTERS:
-        printf("Chatter, more than %d switches in one cycle, after %zu cycles: ", MOTION_SWITCHES_MOST,
-               response->cycles);
-        break;
-    case RESPONSE_DIVERGED:
-        printf("The numbers diverged after %zu cycles: ", response->cycles);
-        break;
-    case RESPONSE_INTERRUPTED:
-        printf("Interrupted before a verdict, after %zu recorded cycles: ", response->section.count);
-        break;
-    }
+    Text text = {0};
+    result_beam_survival_name(&text, response);
+    printf("%s: ", text.text);
     print_peaks(response, beam, rig);
+    memory_free(text.text);
+    text = (Text){0};
     if (response->verdict == RESPONSE_PERIODIC)
         print_orbit(response);
+    result_beam_survival_say(&text, response);
+    if (text.text)
+        printf("%s", text.text);
+    memory_free(text.text);
 }
 
 /* The numbers of a response as rows. */
@@ -179,6 +169,8 @@ int run_beam_file(const Options *options) {
     Response response;
     TypeAnswer type;
     beam_cycle_respond(&response, &rig, &beam, NULL, &progress_stop);
+    response_confirm(&response, beam_cycle_of(&rig),
+                     &(SurvivalTask){(size_t)options->lanes, SURVIVAL_CYCLES, options->jobs, &progress_stop});
     if (!type_tell(&type, &beam, options, &fault)) {
         beam_files_end(&files);
         response_clear(&response);
@@ -186,7 +178,7 @@ int run_beam_file(const Options *options) {
         beam_free(&beam);
         return house_file_report(&fault);
     }
-    bool interrupted = response.verdict == RESPONSE_INTERRUPTED || type.types.stopped;
+    bool interrupted = response.verdict == RESPONSE_INTERRUPTED || type.types.stopped || stop_requested(&progress_stop);
     if (interrupted)
         fprintf(stderr, "clearance: interrupted after %zu recorded cycles; the results up to there are kept\n",
                 response.section.count);
@@ -205,7 +197,7 @@ int run_beam_file(const Options *options) {
         print_answer(&response, &facts, &type, &beam, &rig);
     if (options->out && written && !options->json)
         printf("\nplots and data are in %s\n", options->out);
-    bool resolved = response.verdict == RESPONSE_PERIODIC || response.verdict == RESPONSE_CHAOTIC;
+    bool resolved = response_is_told(response.verdict);
     json_decref(answer);
     result_clear(&facts.motion);
     result_clear(&facts.forces);

@@ -122,6 +122,10 @@ const Option option_rows[] = {
      GROUP_SIMULATION, (FOR_HOUSES & ~FOR_LOCI) | FOR_OPEN, "driver|miura", NULL},
     {"--until", OPTION_READ, NO_FIELD, 0, UNTIL_MOST, "SECONDS", "stop at this simulated time", GROUP_SIMULATION,
      FOR_RUN | FOR_COMPARE | FOR_STUDY, NULL, read_until},
+    {"--lanes", OPTION_WHOLE, FIELD(lanes), 0, 1024, "N",
+     "beams only: motions that are watched for 20,000 cycles each, to tell whether one that is not periodic lasts "
+     "(default 64; 0: none, and the verdict is marked quick)",
+     GROUP_SIMULATION, FOR_RUN, NULL, NULL},
     {"--seed", OPTION_WHOLE, FIELD(seed), 0, (double)INT64_MAX, "N", "seed of all random numbers (default 1)",
      GROUP_SIMULATION, FOR_HOUSES | FOR_CASES | FOR_OPEN, NULL, NULL},
 

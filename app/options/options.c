@@ -7,12 +7,14 @@
 
 #include "base/parallel.h"
 #include "base/text.h"
+#include "cycle/survival.h"
 #include "options/option.h"
 
 void options_begin(Options *options, int argc, char **argv) {
     *options = (Options){.seed = 1,
                          .driving = -1,
                          .jobs = parallel_processors(),
+                         .lanes = SURVIVAL_LANES,
                          .width = 1280,
                          .height = 720,
                          .from = -1,

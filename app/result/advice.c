@@ -57,7 +57,7 @@ static const Sentences all_sentences[] = {
                    "It is undecided whether it is periodic right here, from %zu of %d starts.",
                    "It is undecided whether it is periodic at %s, from any of %d starts.",
                    "It is undecided whether it is periodic at %s, from %zu of %d starts."},
-     .remedy = "A larger run.transient_cycles may decide it.",
+     .remedy = "clearance run says what was tried there.",
      .slope = {"1 %% more %s makes the largest force %.2g %% larger.",
                "1 %% more %s makes the largest force %.2g %% smaller.",
                "A change of 1 %% in %s decides whether there is any force at all."},

@@ -1,6 +1,7 @@
 #include "result/beam.h"
 
 #include "base/text.h"
+#include "result/beam_survival.h"
 
 /* A length on either side of the middle, which people read in millimetres. */
 static const char *either_side(Arena *arena, double length) {
@@ -10,7 +11,7 @@ static const char *either_side(Arena *arena, double length) {
 ResultTable result_beam_motion(const Beam *beam, const Response *response) {
     ResultTable table = {.numbers = RESULT_SHORTEST};
     const ChaosExponent *exponent = &response->exponent;
-    bool periodic = response->verdict == RESPONSE_PERIODIC, known = isfinite(exponent->value);
+    bool periodic = response->orbit.period > 0, known = isfinite(exponent->value);
     const char *words =
         known ? text_in_arena(&table.arena, "%+.3f \u00b1 %.3f", exponent->value, exponent->error) : NULL;
     result_add(&table, (ResultRow){.key = "frequency",
@@ -25,8 +26,11 @@ ResultTable result_beam_motion(const Beam *beam, const Response *response) {
                                    .number = beam->clearance,
                                    .text = either_side(&table.arena, beam->clearance),
                                    .unit = "mm"});
-    result_add(&table,
-               (ResultRow){.key = "verdict", .label = "response", .text = response_verdict_name(response->verdict)});
+    result_add(&table, (ResultRow){.key = "verdict", .label = "response", .text = response_name(response)});
+    result_add(&table, (ResultRow){.key = "quick",
+                                   .label = "quick verdict",
+                                   .kind = RESULT_FLAG,
+                                   .number = response_is_quick(response)});
     result_add(&table, (ResultRow){.key = "period",
                                    .label = "period in cycles",
                                    .kind = RESULT_COUNT,
@@ -48,6 +52,7 @@ ResultTable result_beam_motion(const Beam *beam, const Response *response) {
                                    .kind = RESULT_NUMBER,
                                    .number = response->zero_one,
                                    .decimals = 3});
+    result_beam_survival_add(&table, response);
     result_add(&table, (ResultRow){.key = "cycles",
                                    .label = "cycles analysed",
                                    .kind = RESULT_COUNT,
@@ -66,7 +71,7 @@ static const double *natural_frequencies(Arena *arena, const Rig *rig) {
 ResultTable result_beam_forces(const Rig *rig, const Response *response) {
     ResultTable table = {.numbers = RESULT_SHORTEST};
     const SectionPeaks *peaks = &response->peaks;
-    bool periodic = response->verdict == RESPONSE_PERIODIC, touches = peaks->count > 0;
+    bool periodic = response->orbit.period > 0, touches = peaks->count > 0;
     double free_amplitude = rig_free_amplitude(rig), lacking = fmax(0, rig->modes.residual * rig->stiffness);
     result_add(&table, (ResultRow){.key = "multiplier",
                                    .label = "largest multiplier",

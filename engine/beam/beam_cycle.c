@@ -1,6 +1,9 @@
 #include "beam/beam_cycle.h"
 
+#include <math.h>
+
 #include "base/memory.h"
+#include "beam/lanes.h"
 
 static const TraceColumn columns[] = {[BEAM_TIME] = {"time", "s"},
                                       [BEAM_DEFLECTION] = {"displacement", "m"},
@@ -98,6 +101,31 @@ static void restore(void *motion, const double *saved) {
     motion_restore(motion, saved);
 }
 
+static double rest_tip(const void *given) {
+    return rig_rest_deflection(given);
+}
+
+static void many(const void *given, CycleRun *runs, size_t count, const Stop *stop) {
+    const Rig *rig = given;
+    LanesRun *lanes = memory_zeroed(count, sizeof *lanes);
+    for (size_t i = 0; i < count; i++)
+        lanes[i] = (LanesRun){.frequency = rig->omega / (2 * M_PI),
+                              .force = rig->force,
+                              .clearance = rig->clearance,
+                              .start = runs[i].start,
+                              .cycles = (int)runs[i].cycles,
+                              .peak = runs[i].peak,
+                              .deflection = runs[i].deflection,
+                              .velocity = runs[i].velocity,
+                              .end = runs[i].end};
+    lanes_run(rig, lanes, count, stop);
+    for (size_t i = 0; i < count; i++) {
+        runs[i].status = lanes[i].status;
+        runs[i].recorded = lanes[i].recorded;
+    }
+    memory_free(lanes);
+}
+
 static const CycleKind kind = {.columns = columns,
                                .column_count = sizeof columns / sizeof *columns,
                                .samples = BEAM_SAMPLES,
@@ -106,6 +134,7 @@ static const CycleKind kind = {.columns = columns,
                                .cycles_most = BEAM_CYCLES_MOST,
                                .states = states_of,
                                .period = period_of,
+                               .rest_tip = rest_tip,
                                .rest_state = rest_state,
                                .create = create,
                                .destroy = destroy,
@@ -123,7 +152,8 @@ static const CycleKind kind = {.columns = columns,
                                .sample = sample,
                                .saved_size = saved_size,
                                .save = save,
-                               .restore = restore};
+                               .restore = restore,
+                               .many = many};
 
 Cycle beam_cycle_of(const Rig *rig) {
     return (Cycle){&kind, rig};

@@ -43,6 +43,10 @@ static double period_of(const void *given) {
     return ((const Tree *)given)->period;
 }
 
+static double rest_tip(const void *given) {
+    return CRANK_REST * ((const Tree *)given)->clearance;
+}
+
 static double rest_state(const void *given) {
     const Tree *tree = given;
     Turn turn = turn_create(tree, TURN_FINE);
@@ -265,6 +269,7 @@ const CycleKind crank_cycle = {
     .cycles_most = 1600,
     .states = states_of,
     .period = period_of,
+    .rest_tip = rest_tip,
     .rest_state = rest_state,
     .create = create,
     .destroy = destroy,

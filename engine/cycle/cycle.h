@@ -7,6 +7,7 @@
 
 #include <stddef.h>
 
+#include "base/stop.h"
 #include "mechanics/trace.h"
 
 typedef enum CycleStatus {
@@ -23,6 +24,18 @@ typedef struct CycleTally {
     double contact_time; /* s */
 } CycleTally;
 
+/* A motion among many, and what is recorded of it. */
+typedef struct CycleRun {
+    const double *start; /* (states) */
+    size_t cycles;
+
+    CycleStatus status;
+    size_t recorded;               /* cycles; fewer after chatter, divergence or interruption */
+    double *peak;                  /* (cycles x CYCLE_SIDES) N */
+    double *deflection, *velocity; /* (cycles) of the tip at the end of each cycle, m and m/s */
+    double *end;                   /* (states) the last state */
+} CycleRun;
+
 /* `given` is the fixed part (of a beam, its rig), which several motions may share; `motion` is what `create` returned.
  * A state has `states` numbers of one unit, in which lengths of states have a meaning. */
 typedef struct CycleKind {
@@ -34,6 +47,7 @@ typedef struct CycleKind {
 
     size_t (*states)(const void *given);
     double (*period)(const void *given);     /* s, of one cycle */
+    double (*rest_tip)(const void *given);   /* deflection of the tip, m, below which it counts as rest */
     double (*rest_state)(const void *given); /* length of a state below which a motion counts as rest */
 
     /* Creates a motion at rest with `tangents` tangent vectors: deviations of the state to first order, exact or by
@@ -64,6 +78,10 @@ typedef struct CycleKind {
     size_t (*saved_size)(const void *given);
     void (*save)(const void *motion, double *saved);
     void (*restore)(void *motion, const double *saved);
+
+    /* Runs many motions faster than one after another, with results that do not depend on the others. NULL: there is
+     * no faster way. */
+    void (*many)(const void *given, CycleRun *runs, size_t count, const Stop *stop);
 } CycleKind;
 
 typedef struct Cycle {
@@ -81,6 +99,9 @@ typedef struct CycleMotion {
 /* Creates a motion at rest with unit tangents. */
 CycleMotion cycle_create(Cycle cycle, size_t tangents);
 void cycle_destroy(CycleMotion *motion);
+
+/* Runs many motions; a request of `stop` ends them early. */
+void cycle_many(Cycle cycle, CycleRun *runs, size_t count, const Stop *stop);
 
 /* Advances to the end of the cycle. */
 static inline CycleStatus cycle_run(CycleMotion *motion) {

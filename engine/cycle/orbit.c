@@ -136,6 +136,38 @@ double orbit_distance(const Orbit *orbit, Cycle cycle, const double *state) {
     return nearest;
 }
 
+/* Replaces an orbit found with a multiple of its period by the orbit with its own period. Returns false if
+ * interrupted. */
+static bool reduce_period(Orbit *orbit, Cycle cycle, const Stop *stop) {
+    for (size_t period = 1; period < orbit->period; period++) {
+        Orbit shorter;
+        OrbitAnswer answer =
+            orbit->period % period ? ORBIT_NONE : orbit_find(&shorter, cycle, orbit->point, period, stop);
+        if (answer == ORBIT_INTERRUPTED)
+            return false;
+        if (answer == ORBIT_NONE)
+            continue;
+        if (orbit_distance(&shorter, cycle, orbit->point) < ORBIT_SETTLED) {
+            orbit_clear(orbit);
+            *orbit = shorter;
+            return true;
+        }
+        orbit_clear(&shorter);
+    }
+    return true;
+}
+
+OrbitAnswer orbit_settle(Orbit *orbit, Cycle cycle, const double *state, size_t period, double near, const Stop *stop) {
+    OrbitAnswer answer = orbit_find(orbit, cycle, state, period, stop);
+    if (answer != ORBIT_GOOD)
+        return answer;
+    bool good = orbit_is_stable(orbit) && orbit_distance(orbit, cycle, state) < near,
+         whole = good && reduce_period(orbit, cycle, stop);
+    if (!whole)
+        orbit_clear(orbit);
+    return whole ? ORBIT_GOOD : good ? ORBIT_INTERRUPTED : ORBIT_NONE;
+}
+
 void orbit_clear(Orbit *orbit) {
     memory_free(orbit->point);
     *orbit = (Orbit){0};

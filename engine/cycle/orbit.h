@@ -10,7 +10,9 @@
 #include "base/stop.h"
 #include "cycle/cycle.h"
 
-enum { ORBIT_PERIOD_MOST = 16 /* cycles */ };
+enum { ORBIT_PERIOD_MOST = 16 /* cycles */, ORBIT_LOCKED_MOST = 256 /* cycles, of a torus that is locked */ };
+
+#define ORBIT_SETTLED 1e-3 /* fraction of a state's length: a motion this close to an orbit has settled on it */
 
 /* The bifurcation named by the point at which a multiplier leaves the unit circle. */
 typedef enum OrbitLeaving {
@@ -39,6 +41,11 @@ typedef struct Orbit {
  * an orbit, which orbit_clear releases, only with ORBIT_GOOD. `stop` NULL: never. */
 __attribute__((warn_unused_result)) OrbitAnswer orbit_find(Orbit *orbit, Cycle cycle, const double *start,
                                                            size_t period, const Stop *stop);
+
+/* Finds the stable orbit that a motion has settled on, or is settling on: of `period` cycles or a divisor of it, no
+ * farther from `state` than the fraction `near` of its length, with its own period. */
+__attribute__((warn_unused_result)) OrbitAnswer orbit_settle(Orbit *orbit, Cycle cycle, const double *state,
+                                                             size_t period, double near, const Stop *stop);
 
 /* True if all multipliers lie inside the unit circle. */
 bool orbit_is_stable(const Orbit *orbit);

@@ -1,6 +1,7 @@
 #include "cycle/response.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/digest.h"
 #include "base/memory.h"
@@ -18,13 +19,23 @@ static const double GROWS = 0.1;
 /* The time of the 0-1 test grows with the square of the cycles; it uses only the last ones. */
 enum { ZERO_ONE_CYCLES = 4000 };
 
-/* Fraction of the state's length: a motion this close to an orbit has settled on it. */
-static const double SETTLED = 1e-3;
-
 const char *response_verdict_name(ResponseVerdict verdict) {
-    static const char *const names[] = {"periodic", "chaotic", "unresolved", "chatters", "diverged", "interrupted"};
+    static const char *const names[] = {"periodic",     "quasi-periodic", "chaotic",  "transient",
+                                        "undetermined", "chatters",       "diverged", "interrupted"};
     return names[verdict];
 }
+
+const char *response_name(const Response *response) {
+    return response->verdict == RESPONSE_PERIODIC && !response->peaks.count ? "without contact"
+                                                                            : response_verdict_name(response->verdict);
+}
+
+bool response_is_told(ResponseVerdict verdict) {
+    return verdict < RESPONSE_UNDETERMINED;
+}
+
+/* Per cycle: exponents below it are 0. */
+static const double ROUNDING = 1e-9;
 
 /* A motion and the data for its verdict. */
 typedef struct Watch {
@@ -33,6 +44,8 @@ typedef struct Watch {
     double *growth; /* (analysed.count) logarithm of the tangent's growth in each cycle */
     size_t growth_capacity;
     Section analysed; /* since the transient */
+    Section early;    /* of the transient */
+    double early_growth;
 } Watch;
 
 static bool goes_on(const Watch *watch) {
@@ -40,10 +53,10 @@ static bool goes_on(const Watch *watch) {
 }
 
 static void pass_transient(Watch *watch, int cycles) {
-    double growth = 0;
     for (int i = 0; i < cycles && goes_on(watch); i++) {
-        cycle_run(&watch->motion);
-        chaos_renew_tangents(&watch->motion, &growth);
+        if (cycle_run(&watch->motion) == CYCLE_GOOD)
+            section_add(&watch->early, &watch->motion);
+        chaos_renew_tangents(&watch->motion, &watch->early_growth);
     }
     double *peak = watch->motion.cycle.kind->peaks(watch->motion.own);
     peak[0] = peak[1] = 0;
@@ -102,27 +115,6 @@ static void record(Response *response, Watch *watch, int cycles) {
     response->grazes = after.grazes - before.grazes;
 }
 
-/* Replaces an orbit found with a multiple of its period by the orbit with its own period. Returns false if
- * interrupted. */
-static bool reduce_period(Orbit *orbit, Cycle cycle, const Stop *stop) {
-    for (size_t period = 1; period < orbit->period; period++) {
-        Orbit shorter;
-        OrbitAnswer answer =
-            orbit->period % period ? ORBIT_NONE : orbit_find(&shorter, cycle, orbit->point, period, stop);
-        if (answer == ORBIT_INTERRUPTED)
-            return false;
-        if (answer == ORBIT_NONE)
-            continue;
-        if (orbit_distance(&shorter, cycle, orbit->point) < SETTLED) {
-            orbit_clear(orbit);
-            *orbit = shorter;
-            return true;
-        }
-        orbit_clear(&shorter);
-    }
-    return true;
-}
-
 /* True if the tangent grew in the last quarter of the record. */
 static bool tangent_grows(const Watch *watch) {
     size_t count = watch->analysed.count, last = count / 4 > 0 ? count / 4 : 1;
@@ -132,31 +124,19 @@ static bool tangent_grows(const Watch *watch) {
     return sum > GROWS * (double)last;
 }
 
-/* Finds the stable orbit near the motion. */
-static OrbitAnswer find_orbit(Response *response, const Watch *watch) {
+/* Finds the stable orbit near the motion, of periods from `least` to `most`. */
+static OrbitAnswer find_orbit(Response *response, const Watch *watch, size_t least, size_t most, double near) {
     const Section *seen = &watch->analysed;
-    Cycle cycle = watch->motion.cycle;
-    double rest = cycle_rest_state(cycle);
+    double rest = cycle_rest_state(watch->motion.cycle);
     if (tangent_grows(watch))
         return ORBIT_NONE;
-    for (size_t period = 1; period <= ORBIT_PERIOD_MOST && period < seen->count; period++) {
-        Orbit orbit;
-        OrbitAnswer answer = section_return(seen, period, rest) > NEAR_RETURN
-                                 ? ORBIT_NONE
-                                 : orbit_find(&orbit, cycle, section_last(seen), period, watch->stop);
-        if (answer == ORBIT_INTERRUPTED)
-            return ORBIT_INTERRUPTED;
-        if (answer == ORBIT_NONE)
+    for (size_t period = least; period <= most && period < seen->count; period++) {
+        if (section_return(seen, period, rest) > near)
             continue;
-        if (orbit_is_stable(&orbit) && orbit_distance(&orbit, cycle, section_last(seen)) < NEAR_RETURN) {
-            bool whole = reduce_period(&orbit, cycle, watch->stop);
-            if (whole)
-                response->orbit = orbit;
-            else
-                orbit_clear(&orbit);
-            return whole ? ORBIT_GOOD : ORBIT_INTERRUPTED;
-        }
-        orbit_clear(&orbit);
+        OrbitAnswer answer =
+            orbit_settle(&response->orbit, watch->motion.cycle, section_last(seen), period, near, watch->stop);
+        if (answer != ORBIT_NONE)
+            return answer;
     }
     return ORBIT_NONE;
 }
@@ -169,10 +149,134 @@ static bool is_chaotic(const Response *response) {
     return response->exponent.value - 3 * response->exponent.error > 0 && response->zero_one > RESPONSE_ZERO_ONE_LEAST;
 }
 
+/* True if neither order nor chaos grows: a torus, perhaps. */
+static bool is_neutral(const Response *response) {
+    return fabs(response->exponent.value) < RESPONSE_NEUTRAL &&
+           fabs(response->exponent.value) <= fmax(3 * response->exponent.error, ROUNDING) &&
+           fabs(response->zero_one) < RESPONSE_ZERO_ONE_REGULAR;
+}
+
+/* Sets K: of deflection and velocity, of every p-th cycle, until one is chaotic; otherwise the largest. */
+static void test_zero_one(Response *response, const Section *seen) {
+    static const size_t steps[] = {1, 2, 3, 4, 6, 8};
+    const double *observed[] = {seen->deflection, seen->velocity};
+    size_t count = seen->count < ZERO_ONE_CYCLES ? seen->count : ZERO_ONE_CYCLES;
+    double *room = memory_zeroed(count, sizeof *room);
+    response->zero_one = -HUGE_VAL;
+    for (size_t s = 0; s < sizeof steps / sizeof *steps; s++)
+        for (size_t o = 0; o < 2 && !(response->zero_one > RESPONSE_ZERO_ONE_LEAST); o++) {
+            size_t taken = 0;
+            for (size_t i = 0; i < count; i += steps[s])
+                room[taken++] = observed[o][seen->count - count + i];
+            double k = chaos_zero_one(room, taken);
+            if (k > response->zero_one) {
+                response->zero_one = k;
+                response->zero_one_step = steps[s];
+            }
+        }
+    memory_free(room);
+}
+
 static void note_orbit(Response *response, Cycle cycle) {
-    response->settled = orbit_distance(&response->orbit, cycle, response->section.state) < SETTLED;
+    response->settled = orbit_distance(&response->orbit, cycle, response->section.state) < ORBIT_SETTLED;
     response->exponent = (ChaosExponent){real_log(response->orbit.largest) / (double)response->orbit.period, 0};
     response->zero_one = NAN;
+}
+
+/* True if the state is farther from all points (period x states) of an orbit than the fraction NEAR_RETURN of their
+ * length. */
+static bool is_away(const double *points, const Orbit *orbit, const double *state, double rest) {
+    for (size_t p = 0; p < orbit->period; p++) {
+        double apart = 0, size = 0;
+        for (size_t k = 0; k < orbit->states; k++) {
+            double at = points[p * orbit->states + k];
+            apart += (state[k] - at) * (state[k] - at);
+            size += at * at;
+        }
+        if (sqrt(apart) <= NEAR_RETURN * fmax(sqrt(size), rest))
+            return false;
+    }
+    return true;
+}
+
+/* Returns how many of the states of the transient and the record came before the motion stayed near its orbit. */
+static size_t count_away(const Response *response, const Watch *watch) {
+    const Orbit *orbit = &response->orbit;
+    Cycle cycle = watch->motion.cycle;
+    double rest = cycle_rest_state(cycle), *points = memory_zeroed(orbit->period * orbit->states, sizeof *points);
+    memcpy(points, orbit->point, orbit->states * sizeof *points);
+    for (size_t p = 1; p < orbit->period; p++) {
+        memcpy(points + p * orbit->states, points + (p - 1) * orbit->states, orbit->states * sizeof *points);
+        if (orbit_map(cycle, points + p * orbit->states, 1, NULL, NULL) != ORBIT_GOOD)
+            break;
+    }
+    size_t away = watch->early.count + watch->analysed.count;
+    for (; away > 0; away--) {
+        size_t last = away - 1;
+        const Section *in = last < watch->early.count ? &watch->early : &watch->analysed;
+        size_t at = last < watch->early.count ? last : last - watch->early.count;
+        if (is_away(points, orbit, in->state + at * in->states, rest))
+            break;
+    }
+    memory_free(points);
+    return away;
+}
+
+/* Tells a motion that has settled on an orbit: periodic, unless it was chaotic long before. */
+static ResponseVerdict tell_settled(Response *response, Watch *watch) {
+    size_t away = count_away(response, watch), of_record = away > watch->early.count ? away - watch->early.count : 0;
+    double growth = watch->early_growth;
+    for (size_t i = 0; i < of_record; i++)
+        growth += watch->growth[i];
+    note_orbit(response, watch->motion.cycle);
+    if (away < RESPONSE_TRANSIENT_LEAST || growth <= GROWS * (double)away)
+        return RESPONSE_PERIODIC;
+    response->wandering = watch->early;
+    watch->early = (Section){0};
+    section_join(&response->wandering, &watch->analysed, of_record);
+    response->wandering.count = away;
+    return RESPONSE_TRANSIENT;
+}
+
+/* Returns the second exponent of a motion that goes on from its last state. */
+static ChaosExponent second_exponent(const Watch *watch, size_t cycles) {
+    CycleMotion motion = cycle_create(watch->motion.cycle, 2);
+    double *grown = memory_zeroed(cycles, sizeof *grown);
+    size_t done = 0;
+    watch->motion.cycle.kind->set_state(motion.own, section_last(&watch->analysed));
+    watch->motion.cycle.kind->unit_tangents(motion.own);
+    for (; done < cycles && cycle_status(&motion) == CYCLE_GOOD && !stop_requested(watch->stop); done++) {
+        double growth[2] = {0};
+        cycle_run(&motion);
+        chaos_renew_tangents(&motion, growth);
+        grown[done] = growth[1];
+    }
+    ChaosExponent second = done == cycles ? chaos_exponent(grown, cycles) : (ChaosExponent){NAN, NAN};
+    memory_free(grown);
+    cycle_destroy(&motion);
+    return second;
+}
+
+/* Tells a motion that is not chaotic: a torus, or an orbit of a long period, as on one that is locked. */
+static ResponseVerdict tell_torus(Response *response, const Watch *watch) {
+    const Section *seen = &watch->analysed;
+    Cycle cycle = watch->motion.cycle;
+    switch (find_orbit(response, watch, ORBIT_PERIOD_MOST + 1, ORBIT_LOCKED_MOST, ORBIT_SETTLED)) {
+    case ORBIT_GOOD:
+        note_orbit(response, cycle);
+        return RESPONSE_PERIODIC;
+    case ORBIT_INTERRUPTED:
+        return RESPONSE_INTERRUPTED;
+    case ORBIT_NONE:
+        break;
+    }
+    if (!is_neutral(response))
+        return RESPONSE_UNDETERMINED;
+    response->second = second_exponent(watch, cycle.kind->cycles_least);
+    response->bands = shape_bands(seen);
+    response->rotation = shape_rotation(seen, response->bands, 2 * M_PI / cycle_period(cycle));
+    bool below = response->second.value < fmax(3 * response->second.error, RESPONSE_NEUTRAL);
+    return stop_requested(watch->stop) ? RESPONSE_INTERRUPTED : below ? RESPONSE_QUASI_PERIODIC : RESPONSE_UNDETERMINED;
 }
 
 /* Forgets the exponent and the 0-1 test of fewer cycles than the verdict needs. */
@@ -186,19 +290,27 @@ static ResponseVerdict interrupt(Response *response) {
 static ResponseVerdict decide(Response *response, Watch *watch) {
     const CycleKind *kind = watch->motion.cycle.kind;
     for (size_t cycles = kind->cycles_least;; cycles *= 2) {
-        switch (watch->analysed.count > 1 ? find_orbit(response, watch) : ORBIT_NONE) {
+        switch (watch->analysed.count > 1 ? find_orbit(response, watch, 1, ORBIT_PERIOD_MOST, NEAR_RETURN)
+                                          : ORBIT_NONE) {
         case ORBIT_GOOD:
-            note_orbit(response, watch->motion.cycle);
-            return RESPONSE_PERIODIC;
+            return tell_settled(response, watch);
         case ORBIT_INTERRUPTED:
             return interrupt(response);
         case ORBIT_NONE:
             break;
         }
-        if (is_chaotic(response))
+        if (is_chaotic(response)) {
+            response->bands = shape_bands(&watch->analysed);
             return RESPONSE_CHAOTIC;
-        if (cycles > kind->cycles_most)
-            return RESPONSE_UNRESOLVED;
+        }
+        bool last = cycles > kind->cycles_most;
+        if (last || (cycles > 2 * kind->cycles_least && is_neutral(response))) {
+            ResponseVerdict verdict = tell_torus(response, watch);
+            if (verdict == RESPONSE_INTERRUPTED)
+                return interrupt(response);
+            if (last || verdict != RESPONSE_UNDETERMINED)
+                return verdict;
+        }
         while (watch->analysed.count < cycles && goes_on(watch)) {
             cycle_run(&watch->motion);
             note_cycle(watch);
@@ -208,13 +320,16 @@ static ResponseVerdict decide(Response *response, Watch *watch) {
         if (watch->analysed.count < cycles)
             return interrupt(response);
         response->exponent = chaos_exponent(watch->growth, watch->analysed.count);
-        size_t last = watch->analysed.count < ZERO_ONE_CYCLES ? watch->analysed.count : ZERO_ONE_CYCLES;
-        response->zero_one = chaos_zero_one(watch->analysed.deflection + watch->analysed.count - last, last);
+        test_zero_one(response, &watch->analysed);
     }
 }
 
 void response_run(Response *response, Cycle cycle, int transient, int cycles, const double *start, const Stop *stop) {
-    *response = (Response){.verdict = RESPONSE_INTERRUPTED, .exponent = {NAN, NAN}, .zero_one = NAN};
+    *response = (Response){.verdict = RESPONSE_INTERRUPTED,
+                           .exponent = {NAN, NAN},
+                           .second = {NAN, NAN},
+                           .zero_one = NAN,
+                           .rotation = {NAN, NAN}};
     trace_init(&response->trace, cycle.kind->columns, cycle.kind->column_count);
     Watch watch = {.motion = cycle_create(cycle, 1), .stop = stop};
     if (start)
@@ -228,13 +343,33 @@ void response_run(Response *response, Cycle cycle, int transient, int cycles, co
     response->cycles = watch.analysed.count;
     cycle_destroy(&watch.motion);
     response->analysed = watch.analysed;
+    section_clear(&watch.early);
     memory_free(watch.growth);
+}
+
+bool response_is_quick(const Response *response) {
+    return !response->survival.lanes &&
+           (response->verdict == RESPONSE_CHAOTIC || response->verdict == RESPONSE_QUASI_PERIODIC ||
+            response->verdict == RESPONSE_TRANSIENT || response->verdict == RESPONSE_UNDETERMINED);
+}
+
+void response_confirm(Response *response, Cycle cycle, const SurvivalTask *task) {
+    if (!response_is_quick(response) || !task->lanes)
+        return;
+    bool settled = response->verdict == RESPONSE_TRANSIENT;
+    Survival survival = survival_run(cycle, settled ? &response->wandering : &response->analysed, task);
+    if (!survival.whole)
+        return;
+    response->survival = survival;
+    if (survival.settled)
+        response->verdict = RESPONSE_TRANSIENT;
 }
 
 void response_clear(Response *response) {
     memory_free(response->start);
     section_clear(&response->section);
     section_clear(&response->analysed);
+    section_clear(&response->wandering);
     trace_clear(&response->trace);
     orbit_clear(&response->orbit);
 }

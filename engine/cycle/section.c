@@ -15,12 +15,17 @@ static const double RETURN_NEAR = 1e-4;
  * sometimes returns this close, but not for a quarter of the record. */
 static const double RETURN_SETTLING = 0.05;
 
-void section_add(Section *section, CycleMotion *motion) {
-    size_t states = section->states = motion->states, at = section->count++, count = section->count;
+static void reserve(Section *section, size_t count) {
+    size_t states = section->states;
     section->state = memory_reserve(section->state, &section->state_capacity, count * states, sizeof(double));
     section->deflection = memory_reserve(section->deflection, &section->deflection_capacity, count, sizeof(double));
     section->velocity = memory_reserve(section->velocity, &section->velocity_capacity, count, sizeof(double));
     section->peak = memory_reserve(section->peak, &section->peak_capacity, 2 * count, sizeof(double));
+}
+
+void section_add(Section *section, CycleMotion *motion) {
+    size_t states = section->states = motion->states, at = section->count++;
+    reserve(section, section->count);
     motion->cycle.kind->state(motion->own, section->state + at * states);
     double tip[2], *peak = motion->cycle.kind->peaks(motion->own);
     motion->cycle.kind->tip(motion->own, tip);
@@ -30,6 +35,20 @@ void section_add(Section *section, CycleMotion *motion) {
         section->peak[2 * at + side] = peak[side];
         peak[side] = 0;
     }
+}
+
+void section_join(Section *section, const Section *from, size_t count) {
+    size_t at = section->count, states = section->states = from->states;
+    section->count += count;
+    reserve(section, section->count);
+    for (size_t i = 0; i < count * states; i++)
+        section->state[at * states + i] = from->state[i];
+    for (size_t i = 0; i < count; i++) {
+        section->deflection[at + i] = from->deflection[i];
+        section->velocity[at + i] = from->velocity[i];
+    }
+    for (size_t i = 0; i < CYCLE_SIDES * count; i++)
+        section->peak[CYCLE_SIDES * at + i] = from->peak[i];
 }
 
 void section_clear(Section *section) {

@@ -18,6 +18,9 @@ typedef struct Section {
  * peaks. A zeroed section is empty. */
 void section_add(Section *section, CycleMotion *motion);
 
+/* Adds the first `count` states of another section, with what belongs to them. */
+void section_join(Section *section, const Section *from, size_t count);
+
 void section_clear(Section *section);
 
 /* Peaks of both sides, contacts only. */

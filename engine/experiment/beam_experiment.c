@@ -12,6 +12,7 @@
 #include "beam/beam_cycle.h"
 #include "beam/lanes.h"
 #include "experiment/beam_numbers.h"
+#include "study/types.h"
 
 const char *const beam_experiment_window[] = {"drive.frequency", "beam.length", "joint.clearance", "drive.force"};
 
@@ -154,9 +155,23 @@ static double free_speed(const Beam *beam, const Rig *rig) {
     return speed;
 }
 
+/* Sets the steady response without the joint, if it stays within the clearance. */
+static bool start_free(const Case *one, const Rig *rig, double *state) {
+    Rig own = rig_share(rig, one->beam.frequency, one->beam.force, one->beam.clearance);
+    bool inside =
+        rig_free_amplitude(&own) < one->beam.clearance && isnan(one->start.deflection) && isnan(one->start.velocity);
+    if (inside)
+        regime_state(&own.free, own.steady_free.cosine, state);
+    rig_clear_shared(&own);
+    return inside;
+}
+
 /* Computes the initial state (states) of a case. */
 static void make_start(const Case *one, const Rig *rig, double *state) {
-    Random random = random_seed(one->trial->seed, 0);
+    bool free = one->trial->seed == BEAM_EXPERIMENT_FREE;
+    if (free && start_free(one, rig, state))
+        return;
+    Random random = random_seed(free ? TYPES_STARTS - 1 : one->trial->seed, 0);
     bool chance = one->trial->seed != 0;
     double across = chance ? 2 * random_uniform(&random) - 1 : 0, along = chance ? 2 * random_uniform(&random) - 1 : 0;
     double deflection = isnan(one->start.deflection) ? across * one->beam.clearance : one->start.deflection;
@@ -257,11 +272,17 @@ static void run_quickly(Case **cases, size_t count, const Rig *rig, double *stat
     memory_free(lanes);
 }
 
+/* True if a motion that is not periodic is regular all the same: on a torus, with peaks that hardly vary. */
+static bool is_even(const Response *response) {
+    return response->verdict == RESPONSE_QUASI_PERIODIC &&
+           response->peaks.max - response->peaks.min <= BEAM_EXPERIMENT_EVEN * response->peaks.max;
+}
+
 static void tell_response(Trial *trial, const Response *response) {
     double *observed = trial->observed;
     list_peaks(trial, response->section.peak, response->section.count);
-    if (response->verdict == RESPONSE_PERIODIC || response->verdict == RESPONSE_CHAOTIC)
-        tell_regular(trial, response->verdict == RESPONSE_PERIODIC, response->orbit.period);
+    if (response_is_told(response->verdict))
+        tell_regular(trial, response->orbit.period || is_even(response), response->orbit.period);
     observed[BEAM_LYAPUNOV] = response->exponent.value;
     observed[BEAM_LYAPUNOV_ERROR] = response->exponent.error;
     observed[BEAM_ZERO_ONE] = response->zero_one;
@@ -393,6 +414,7 @@ static bool begin(Experiment *experiment, Given *given, const char *place, Fault
                                .periods = true,
                                .measure = BEAM_PEAK_MAX,
                                .carries = true,
+                               .special = BEAM_EXPERIMENT_FREE,
                                .batch = given->beam.cycles > LONG ? 1 : BATCH,
                                .given = given,
                                .parameter = find_parameter,

@@ -9,6 +9,8 @@
  * the deflection uniform within the clearance, the velocity uniform up to +-omega times the amplitude that the tip has
  * without the joint.
  *
+ * Of the seed BEAM_EXPERIMENT_FREE, it begins with the steady response without the joint.
+ *
  * Carried on, a trial begins with the state that the one before ended with, at the drive's phase 0. Where the beam is
  * another one, each natural mode keeps its share of the tip's deflection and velocity; modes that there were not rest.
  * After numbers that were lost, it begins as its seed says.
@@ -19,6 +21,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "base/fault.h"
 #include "base/stop.h"
@@ -40,6 +43,13 @@ typedef enum BeamObservable {
     BEAM_ZERO_ONE,
     BEAM_OBSERVABLES,
 } BeamObservable;
+
+/* Seed of the steady response without the joint, where it stays within the clearance: an attractor that is known in
+ * closed form, and may have a basin that random starts miss. */
+#define BEAM_EXPERIMENT_FREE UINT64_MAX
+
+/* Largest relative variation of the peaks of a quasi-periodic motion that counts as regular. */
+#define BEAM_EXPERIMENT_EVEN 0.1
 
 /* Number of parameters of the window for a beam's type. */
 enum { BEAM_EXPERIMENT_WINDOW = 4 };

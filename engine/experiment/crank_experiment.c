@@ -186,8 +186,8 @@ static void run_thoroughly(Trial *trial, const Crank *crank, const Tree *tree, C
     response_run(&response, crank_cycle_of(tree), crank->transient_cycles, crank->cycles, carried ? carry->state : NULL,
                  stop);
     list_peaks(trial, response.section.peak, CYCLE_SIDES, response.section.count);
-    if (response.verdict == RESPONSE_PERIODIC || response.verdict == RESPONSE_CHAOTIC)
-        tell_regular(trial, response.verdict == RESPONSE_PERIODIC, response.orbit.period);
+    if (response_is_told(response.verdict))
+        tell_regular(trial, response.orbit.period > 0, response.orbit.period);
     trial->observed[CRANK_LYAPUNOV] = response.exponent.value;
     trial->observed[CRANK_LYAPUNOV_ERROR] = response.exponent.error;
     trial->observed[CRANK_ZERO_ONE] = response.zero_one;

@@ -224,7 +224,7 @@ static const char *say_response(Paper *paper, const Response *response) {
 
 /* Compares a verdict with the claim; an undetermined verdict stays undetermined. */
 static PaperMet met_verdict(const Response *response, ResponseVerdict verdict) {
-    return response->verdict == RESPONSE_UNRESOLVED ? PAPER_NOT_TOLD : met_if(response->verdict == verdict);
+    return !response_is_told(response->verdict) ? PAPER_NOT_TOLD : met_if(response->verdict == verdict);
 }
 
 static double tip_speed(const Response *response) {

@@ -43,9 +43,10 @@ typedef struct Experiment {
     bool periods;   /* the outcome is a period: a doubled value is a flip */
     size_t measure; /* the observable of sensitivities, which also separates equal outcomes: a peak force, a time */
 
-    bool carries; /* a run can continue from the end of the previous one: sweeps up and down */
-    size_t batch; /* number of runs that are best simulated together */
-    void *given;  /* owned by the experiment; read by any number of threads at once */
+    uint64_t special; /* seed of a start of its own, which is always among those of a type; 0: none */
+    bool carries;     /* a run can continue from the end of the previous one: sweeps up and down */
+    size_t batch;     /* number of runs that are best simulated together */
+    void *given;      /* owned by the experiment; read by any number of threads at once */
 
     /* digest of the origin of `given` besides the file and the settings; 0: nothing else */
     uint64_t identity;

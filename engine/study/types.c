@@ -67,7 +67,9 @@ static void run_window(Work *work) {
     work->window = batch_create(task->experiment, task->names, task->name_count, types->point_count * TYPES_STARTS);
     for (size_t i = 0; i < work->window.count; i++) {
         const TypesPoint *point = &types->points[i / TYPES_STARTS];
-        work->window.trials[i].seed = i % TYPES_STARTS;
+        size_t start = i % TYPES_STARTS;
+        uint64_t special = work->task->experiment->special;
+        work->window.trials[i].seed = special && start == TYPES_STARTS - 1 ? special : start;
         if (point->parameter < types->parameter_count)
             batch_set(&work->window, i, point->parameter, point->value);
     }
@@ -239,14 +241,18 @@ static bool decide(Types *types, TypesKind kind, TypesReason reason, size_t wors
     return true;
 }
 
-static bool decide_irregular(Types *types, bool periods) {
+static bool decide_irregular(Types *types) {
     for (size_t i = 0; i < types->point_count; i++)
         if (types->points[i].irregular)
             return decide(types, TYPES_III, TYPES_NOT_REGULAR, i);
-    for (size_t i = 0; i < types->point_count && periods; i++)
+    return false;
+}
+
+static bool decide_flips(Types *types) {
+    for (size_t i = 0; i < types->point_count; i++)
         for (size_t k = 0; k < types->point_count; k++)
             if (flips(&types->points[k], &types->points[i]))
-                return decide(types, TYPES_III, TYPES_FLIPS, i ? i : k);
+                return decide(types, TYPES_II, TYPES_FLIPS, i ? i : k);
     return false;
 }
 
@@ -285,7 +291,8 @@ static void decide_kind(Types *types, bool periods) {
     for (size_t i = 0; i < types->point_count; i++)
         if (types->points[i].answer_count > types->answers)
             types->answers = types->points[i].answer_count;
-    if (!decide_irregular(types, periods) && !decide_untold(types) && !decide_several(types) && !decide_steep(types))
+    if (!decide_irregular(types) && !decide_untold(types) && !(periods && decide_flips(types)) &&
+        !decide_several(types) && !decide_steep(types))
         decide(types, TYPES_I, TYPES_ALL_WELL, 0);
 }
 

@@ -5,8 +5,9 @@
  * in each of some parameters (its centre, and both ends of each), from 16 starts at each point,
  *
  *     I           one answer, regular throughout, and no |d ln P / d ln p| of 5 or more: run it
- *     II          regular throughout, but a sensitivity of 5 or more, or several answers: by tolerances and starts
- *     III         somewhere in the window not regular, or an answer whose period doubles inside it: do not run it
+ *     II          regular throughout, but a sensitivity of 5 or more, several answers, or a period that doubles inside
+ *                 the window: by tolerances and starts
+ *     III         somewhere in the window not regular: do not run it
  *     unresolved  something could not be told, and nothing of what was told makes it III
  *     interrupted the search was stopped before the window was complete
  *
@@ -40,7 +41,7 @@ typedef enum TypesReason {
     TYPES_STEEP_ANSWER, /* II: high sensitivity */
     TYPES_SEVERAL,      /* II: several responses, at one point or between points */
     TYPES_NOT_REGULAR,  /* III */
-    TYPES_FLIPS,        /* III: period doubling */
+    TYPES_FLIPS,        /* II: period doubling */
     TYPES_UNDECIDED,    /* unresolved */
     TYPES_INTERRUPTED,  /* interrupted: the window is not complete, and has no points */
 } TypesReason;

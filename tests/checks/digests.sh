@@ -26,9 +26,9 @@ for house in "$houses"/*.json; do
     answer "$(basename "$house" .json)" run "$house" --until "$until" "$@" || exit 1
 done
 for beam in "$beams"/*.json; do
-    answer "$(basename "$beam" .json)" run "$beam" "$@" || exit 1
+    answer "$(basename "$beam" .json)" run "$beam" --lanes 0 "$@" || exit 1
 done
-answer "ibs at 305 Hz" run "$beams/ibs.json" --set drive.frequency=305 "$@" || exit 1
+answer "ibs at 305 Hz" run "$beams/ibs.json" --set drive.frequency=305 --lanes 0 "$@" || exit 1
 answer "study of a corner" study "$houses/corner-1.20-1.20.json" --vary profile.manual-chair.width=0.5:0.7:3 --runs 2 \
     --spread profile.manual-chair.free_speed=0.1 "$@" || exit 1
 answer "study of a beam" study "$beams/ibs.json" --vary drive.frequency=200:320:25 --sweep reset,up "$@" || exit 1

@@ -51,7 +51,7 @@ app/widgets         draw paint
 app/platform        draw paint plot
 app/window          draw laboratory laboratory/edit laboratory/house paint platform plot widgets
 app/report          document exchange experiment house plan plot result rules visual/
-app/options         draw exchange study visual/beam visual/house
+app/options         cycle draw exchange study visual/beam visual/house
 app/command         beam crank cycle document draw exchange experiment house inquiry laboratory mechanics options paint plan platform plot report result rules study visual/ window
 END
 }

@@ -111,6 +111,7 @@ Cycle planar_map_cycle(const PlanarMap *map) {
                                    .cycles_most = 16000,
                                    .states = states_of,
                                    .period = one,
+                                   .rest_tip = small,
                                    .rest_state = small,
                                    .create = create,
                                    .destroy = memory_free,

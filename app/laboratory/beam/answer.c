@@ -54,9 +54,14 @@ static void title_lately(BeamAnswer *answer, const BeamTape *tape, const BeamLat
 }
 
 static void title_verdict(BeamAnswer *answer, const BeamVerdict *verdict) {
-    static const char *const titles[] = {
-        [RESPONSE_PERIODIC] = "",        [RESPONSE_CHAOTIC] = "Chaotic",   [RESPONSE_UNRESOLVED] = "Unresolved",
-        [RESPONSE_CHATTERS] = "Chatter", [RESPONSE_DIVERGED] = "Diverged", [RESPONSE_INTERRUPTED] = "Interrupted"};
+    static const char *const titles[] = {[RESPONSE_PERIODIC] = "",
+                                         [RESPONSE_QUASI_PERIODIC] = "Quasi-periodic",
+                                         [RESPONSE_CHAOTIC] = "Chaotic",
+                                         [RESPONSE_TRANSIENT] = "Transient",
+                                         [RESPONSE_UNDETERMINED] = "Undetermined",
+                                         [RESPONSE_CHATTERS] = "Chatter",
+                                         [RESPONSE_DIVERGED] = "Diverged",
+                                         [RESPONSE_INTERRUPTED] = "Interrupted"};
     if (verdict->verdict == RESPONSE_PERIODIC)
         title_periodic(answer->title, sizeof answer->title, verdict->period, verdict->peaks.count);
     else
@@ -76,7 +81,7 @@ static void peaks_words(const SectionPeaks *peaks, char *text, size_t size) {
 static bool is_another(const BeamLately *lately, const BeamVerdict *verdict) {
     if (lately->cycles < SETTLED || lately->period == SECTION_UNDECIDED)
         return false;
-    if (verdict->verdict == RESPONSE_CHAOTIC)
+    if (verdict->verdict == RESPONSE_CHAOTIC || verdict->verdict == RESPONSE_QUASI_PERIODIC)
         return lately->period > 0;
     if (verdict->verdict != RESPONSE_PERIODIC || (size_t)lately->period != verdict->period)
         return verdict->verdict == RESPONSE_PERIODIC;
@@ -196,7 +201,7 @@ void beam_answer_write(BeamAnswer *answer, const BeamTape *tape, const Beam *bea
     arena_clear(&answer->arena);
     write_detail(answer, beam, lately, verdict);
     write_rows(answer, lately, verdict);
-    bool resolved = !verdict || verdict->verdict == RESPONSE_PERIODIC || verdict->verdict == RESPONSE_CHAOTIC;
+    bool resolved = !verdict || response_is_told(verdict->verdict);
     answer->result.title = answer->title;
     answer->result.role = failed || !resolved ? ROLE_ERROR : ROLE_TEXT;
     answer->result.stale = !verdict && !failed;

@@ -113,7 +113,7 @@ Box beam_scene_box(const BeamScale *scale, bool alone) {
 
 void beam_scene_labels(Scene *scene, const Beam *beam, const Rig *rig, const Response *response, const BeamScale *scale,
                        double slow) {
-    bool resolved = response->verdict == RESPONSE_PERIODIC || response->verdict == RESPONSE_CHAOTIC;
+    bool resolved = response_is_told(response->verdict);
     scene->box = beam_scene_box(scale, false);
     scene->panel_height = PANELS_HEIGHT;
     scene->unscaled = true;

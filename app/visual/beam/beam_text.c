@@ -42,8 +42,10 @@ static const char *peaks_of(Scene *scene, const SectionPeaks *peaks) {
 
 const char *beam_text_title(Scene *scene, const Beam *beam, const Rig *rig, const Response *response) {
     static const char *const verdicts[] = {
-        [RESPONSE_PERIODIC] = "Periodic", [RESPONSE_CHAOTIC] = "Chaotic",   [RESPONSE_UNRESOLVED] = "Unresolved",
-        [RESPONSE_CHATTERS] = "Chatter",  [RESPONSE_DIVERGED] = "Diverged", [RESPONSE_INTERRUPTED] = "Interrupted"};
+        [RESPONSE_PERIODIC] = "Periodic",         [RESPONSE_QUASI_PERIODIC] = "Quasi-periodic",
+        [RESPONSE_CHAOTIC] = "Chaotic",           [RESPONSE_TRANSIENT] = "Transient",
+        [RESPONSE_UNDETERMINED] = "Undetermined", [RESPONSE_CHATTERS] = "Chatter",
+        [RESPONSE_DIVERGED] = "Diverged",         [RESPONSE_INTERRUPTED] = "Interrupted"};
     const char *verdict = verdicts[response->verdict];
     if (response->verdict == RESPONSE_PERIODIC && response->orbit.period > 1)
         verdict = scene_text(scene, "Period %zu", response->orbit.period);

@@ -22,15 +22,23 @@ def check_beams():
     length = next(p for p in types["parameters"] if p["name"] == "beam.length")
     check(abs(length["above"]["away"] - 0.02) < 1e-9 and length["sensitivity"] < -5, f"nearest trouble of a beam: {length}")
     check("The nearest trouble is at length 286.8 mm (2 % above)" in types["advice"], f"advice: {types['advice']}")
-    chaotic = expect(0, "run", beam).stdout
-    check(chaotic.startswith("Chaotic: at 300 Hz the tip hits the joint with "), "run of a chaotic beam")
+    chaotic = expect(0, "run", beam, "--lanes", "0").stdout
+    check(chaotic.startswith("Chaotic (quick verdict): at 300 Hz the tip hits the joint with "), "run of a chaotic beam")
     check("\nType III: do not run it here. It is not periodic right here, from any of 16 starts.\n" in chaotic,
           f"type of a chaotic beam: {chaotic}")
     check("This rests on 144 runs of 400 cycles from 16 starts" in chaotic, f"what a type rests on: {chaotic}")
+    lasting = json.loads(expect(0, "run", beam, "--lanes", "2", "--json").stdout)
+    check(lasting["verdict"] == "chaotic" and not lasting["quick"], f"confirmed chaos: {lasting['verdict']}")
+    survival = lasting["survival"]
+    check((survival["lanes"], survival["cycles"], survival["settled"]) == (2, 20000, 0), f"survival: {survival}")
+    both = json.loads(expect(0, "run", beam, "--set", "drive.frequency=250", "--set", "drive.force=60", "--json").stdout)
+    answers = [(a["starts"], round(a["peak_max"])) for a in both["types"]["points"][0]["answers"]]
+    check(answers == [(15, 744), (1, 0)] or answers == [(1, 0), (15, 744)], f"a motion without contact beside one: {answers}")
+    expect(2, "run", beam, "--lanes", "-1", says="--lanes takes N from 0 to 1024")
     quiet = json.loads(expect(0, "run", beam, "--set", "joint.clearance=0.001", "--jobs", "1", "--json").stdout)
     check((quiet["type"], quiet["types"]["reason"]) == ("I", "one answer"), f"type of a beam that does not touch: {quiet}")
-    torus = expect(1, "run", beam, "--set", "beam.modes=4").stdout
-    check(torus.startswith("Unresolved") and "use more beam.modes" in torus, f"run of four modes: {torus}")
+    torus = expect(0, "run", beam, "--set", "beam.modes=4", "--lanes", "0").stdout
+    check(torus.startswith("Quasi-periodic") and "use more beam.modes" in torus, f"run of four modes: {torus}")
 
 
 check_beams()

@@ -162,12 +162,12 @@ static Told flip_backwards(double a, double b, uint64_t seed) {
     return (Told){1, b > 2.98 ? 4 : 2, a};
 }
 
-TEST(a_period_that_doubles_inside_the_window_is_type_three) {
+TEST(a_period_that_doubles_inside_the_window_is_type_two) {
     Types types = tell(flip);
-    CHECK(types.kind == TYPES_III && types.reason == TYPES_FLIPS);
+    CHECK(types.kind == TYPES_II && types.reason == TYPES_FLIPS);
     CHECK(types.points[types.worst].parameter == 0 && types.points[types.worst].value > 2);
     types = tell(flip_backwards);
-    CHECK(types.kind == TYPES_III && types.reason == TYPES_FLIPS);
+    CHECK(types.kind == TYPES_II && types.reason == TYPES_FLIPS);
     CHECK(types.points[types.worst].parameter == 1 && types.points[types.worst].value < 3);
 }
 
