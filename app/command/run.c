@@ -11,6 +11,8 @@
 #include "command/progress.h"
 #include "command/report_files.h"
 #include "command/run_beam.h"
+#include "command/run_crank.h"
+#include "crank/crank.h"
 #include "exchange/jupedsim.h"
 #include "visual/house/house_scene.h"
 
@@ -76,8 +78,13 @@ static void print_json(const House *house, const Observation *observation, bool 
 }
 
 int command_run(const Options *options) {
-    if (beam_is_file(options->files[0]))
-        return run_beam_file(options);
+    static const struct {
+        bool (*is_file)(const char *path);
+        int (*run)(const Options *options);
+    } machines[] = {{beam_is_file, run_beam_file}, {crank_is_file, run_crank_file}};
+    for (size_t i = 0; i < sizeof machines / sizeof *machines; i++)
+        if (machines[i].is_file(options->files[0]))
+            return machines[i].run(options);
     House house = {0};
     Fault fault = {0};
     if (frames_check(options) || !report_files_possible(options) || (options->out && !output_directory(options->out)))

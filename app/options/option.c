@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "exchange/import.h"
 #include "visual/beam/beam_plots.h"
+#include "visual/crank/crank_plots.h"
 #include "visual/house/film.h"
 
 /* Values that one number, word or text does not hold ----------------------------------------------------------------*/
@@ -52,10 +53,11 @@ static bool read_show(Options *options, const char *value) {
 
 static bool read_plots(Options *options, const char *value) {
     char fault[PLOT_CHOICE_FAULT];
-    PlotChoice beam;
+    PlotChoice beam, crank;
     options->plot_words = value;
     options->plots.count = 0;
-    return house_plots_choose(&options->plots, value, fault) || beam_plots_choose(&beam, value, fault);
+    return house_plots_choose(&options->plots, value, fault) || beam_plots_choose(&beam, value, fault) ||
+           crank_plots_choose(&crank, value, fault);
 }
 
 static bool read_house_plots(Options *options, const char *value) {
@@ -210,8 +212,9 @@ const Option option_rows[] = {
 
     {"--plots", OPTION_READ, NO_FIELD, NO_RANGE, HOUSE_PLOTS_NAMES,
      "curves next to the house instead of the list of people, and as DIR/plot-NAME.png, .svg, .pdf and .csv; a list; "
-     "for a beam: " BEAM_PLOTS_NAMES " (default " BEAM_PLOTS_USUAL ")",
-     GROUP_PICTURES, FOR_RUN, HOUSE_PLOTS_NAMES "," BEAM_PLOTS_NAMES, read_plots},
+     "for a beam: " BEAM_PLOTS_NAMES " (default " BEAM_PLOTS_USUAL "); "
+     "for a crank: " CRANK_PLOTS_NAMES " (default " CRANK_PLOTS_USUAL ")",
+     GROUP_PICTURES, FOR_RUN, HOUSE_PLOTS_NAMES "," BEAM_PLOTS_NAMES "," CRANK_PLOTS_NAMES, read_plots},
     {"--plots", OPTION_READ, NO_FIELD, NO_RANGE, HOUSE_PLOTS_NAMES,
      "curves of both houses next to the second one instead of the list of people, and as DIR/plot-NAME.png, .svg, .pdf "
      "and .csv; a list",

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "base/provenance_file.h"
 #include "base/real.h"
@@ -191,6 +192,13 @@ bool crank_read(Crank *crank, const char *path, const char *const *settings, siz
     }
     crank_free(crank);
     *crank = read;
+    return true;
+}
+
+bool crank_is_assumed(const Crank *crank) {
+    for (size_t i = 0; i < ROWS; i++)
+        if (strncmp(crank->provenance[i], "assumed", strlen("assumed")) != 0)
+            return false;
     return true;
 }
 

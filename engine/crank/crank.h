@@ -86,6 +86,9 @@ bool crank_read(Crank *crank, const char *path, const char *const *settings, siz
  * socket. Returns false after errors at the place `place`. */
 bool crank_check(const Crank *crank, const char *place, Fault *fault);
 
+/* True if the provenance of every number says that it is assumed. */
+bool crank_is_assumed(const Crank *crank);
+
 /* Writes the crank, each value with its provenance, so that reading the file gives the same crank. Returns 0, or errno.
  */
 int crank_write(const Crank *crank, const char *path);

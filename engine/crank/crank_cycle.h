@@ -24,7 +24,7 @@ typedef enum CrankColumn {
     CRANK_COLUMNS,
 } CrankColumn;
 
-enum { CRANK_SAMPLES = 360 /* rows of the trace per revolution */ };
+enum { CRANK_SAMPLES = 1440 /* rows of the trace per revolution: 4 per degree */ };
 
 /* Part of the clearance below which a motion counts as rest. */
 #define CRANK_REST 1e-2

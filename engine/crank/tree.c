@@ -82,6 +82,14 @@ Tree tree_of(const Crank *crank) {
     return tree;
 }
 
+double tree_bending_frequency(const Tree *tree, size_t n) {
+    return sqrt(tree->sine_stiffness[n] / (tree->mass / 2)) / (2 * M_PI);
+}
+
+double tree_support_frequency(const Tree *tree, size_t axis) {
+    return sqrt(tree->support_stiffness[axis] / tree->support_mass) / (2 * M_PI);
+}
+
 /* Geometry --------------------------------------------------------------------------------------------------------- */
 
 TreePin tree_pin(const Tree *tree, double theta, double theta_rate) {

@@ -63,6 +63,11 @@ typedef struct Tree {
 
 Tree tree_of(const Crank *crank);
 
+/* Natural frequencies, Hz, of bending mode n (from 0) of the coupler between its ends, and of the support along axis 0
+ * to 2, without damping. */
+double tree_bending_frequency(const Tree *tree, size_t n);
+double tree_support_frequency(const Tree *tree, size_t axis);
+
 /* The crank's pin. */
 typedef struct TreePin {
     double at[3], rate[3]; /* m, m/s, without u */

@@ -39,9 +39,10 @@ app/draw            -
 app/paint           draw
 app/plot            draw paint
 app/document        draw paint
-app/result          beam cycle document draw experiment house inquiry rules study
+app/result          beam crank cycle document draw experiment house inquiry rules study
 app/visual/study    exchange plot study
 app/visual/house    draw experiment house plan plot result route rules space study visual/study
+app/visual/crank    crank cycle mechanics plot visual/study
 app/visual/beam     beam cycle draw exchange mechanics plot visual/house visual/study
 app/laboratory            beam draw exchange house plan plot visual/beam visual/house
 app/laboratory/edit       house inquiry laboratory plan result
@@ -51,7 +52,7 @@ app/widgets         draw paint
 app/platform        draw paint plot
 app/window          draw laboratory laboratory/edit laboratory/house paint platform plot widgets
 app/report          document exchange experiment house plan plot result rules visual/
-app/options         cycle draw exchange study visual/beam visual/house
+app/options         cycle draw exchange study visual/beam visual/crank visual/house
 app/command         beam crank cycle document draw exchange experiment house inquiry laboratory mechanics options paint plan platform plot report result rules study visual/ window
 END
 }

@@ -1,0 +1,243 @@
+#include "command/run_crank.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+
+#include "base/text.h"
+#include "command/answer.h"
+#include "command/house_file.h"
+#include "command/output.h"
+#include "command/progress.h"
+#include "plot/plot_write.h"
+#include "result/crank.h"
+#include "result/json.h"
+#include "result/text.h"
+#include "visual/crank/crank_plots.h"
+
+/* A multiple of the speed within this part of a natural frequency is told. */
+#define NEAR_MULTIPLE 0.01
+
+/* Revolutions in which a joint without clearance settles. */
+enum { IDEAL_TURNS = 20 };
+
+/* A run of a crank. */
+typedef struct CrankRun {
+    Crank crank;
+    Tree tree;
+    Response response;
+    double ideal; /* N, largest force of a joint without clearance; NAN: not known */
+    ResultTable motion, forces;
+    PlotChoice plots;
+} CrankRun;
+
+/* Returns the largest force of the same mechanism without clearance, N, or NAN. */
+static double ideal_force(const Crank *crank) {
+    Crank tight = *crank;
+    tight.clearance = tight.start_along = tight.start_across = tight.start_up = 0;
+    Tree tree = tree_of(&tight);
+    Turn turn = turn_create(&tree, TURN_QUICK);
+    for (int i = 0; i < IDEAL_TURNS && turn.status == CYCLE_GOOD; i++) {
+        turn.peak[0] = 0;
+        turn_cycle(&turn);
+    }
+    return turn.status == CYCLE_GOOD ? turn.peak[0] : (double)NAN;
+}
+
+/* Words ------------------------------------------------------------------------------------------------------------ */
+
+static void print_peaks(const CrankRun *run) {
+    const SectionPeaks *peaks = &run->response.peaks;
+    printf("at %.4g rpm ", 60 * run->crank.frequency);
+    if (!peaks->count)
+        printf("the ball does not touch its socket");
+    else if (peaks->max - peaks->min < 0.005)
+        printf("the largest force in the joint is %.2f N", peaks->max);
+    else
+        printf("the largest force in the joint is %.0f to %.0f N a revolution, %.0f N in the mean of %zu", peaks->min,
+               peaks->max, peaks->mean, run->response.section.count);
+    if (peaks->count && run->ideal > 0 && run->crank.clearance > 0)
+        printf(", %.2g times the %.4g N of a joint without clearance", peaks->max / run->ideal, run->ideal);
+    printf("\n");
+}
+
+static void print_verdict(const CrankRun *run) {
+    const Response *response = &run->response;
+    switch (response->verdict) {
+    case RESPONSE_PERIODIC:
+        printf("Periodic, period %zu: ", response->orbit.period);
+        break;
+    case RESPONSE_CHAOTIC:
+        printf("Chaotic: ");
+        break;
+    case RESPONSE_UNRESOLVED:
+        printf("Unresolved, neither periodic nor chaotic after %zu revolutions: ", response->cycles);
+        break;
+    case RESPONSE_CHATTERS:
+        printf("Chatter, more than %d switches in one revolution, after %zu revolutions: ", TURN_SWITCHES_MOST,
+               response->cycles);
+        break;
+    case RESPONSE_DIVERGED:
+        printf("The numbers diverged%s after %zu revolutions: ", run->tree.turns ? ", or the motor stalled," : "",
+               response->cycles);
+        break;
+    case RESPONSE_INTERRUPTED:
+        printf("Interrupted before a verdict, after %zu recorded revolutions: ", response->section.count);
+        break;
+    }
+    print_peaks(run);
+}
+
+static void print_contact(const CrankRun *run) {
+    const Response *response = &run->response;
+    if (run->crank.clearance <= 0 || !response->section.count)
+        return;
+    if (response->switches > 0)
+        printf("The ball is in contact %.3g %% of the time; contact begins or ends %.3g times a revolution.\n",
+               100 * response->contact_share, response->switches);
+    else
+        printf("The ball never leaves the wall of its socket.\n");
+    if (run->crank.contact.friction <= 0)
+        printf("There is no friction in this joint (joint.friction 0); friction calms such a mechanism.\n");
+}
+
+/* Tells which multiple of the speed meets a natural frequency: a likely cause of forces that change steeply. */
+static void print_meeting(const CrankRun *run, double frequency, const char *what) {
+    double speed = run->crank.frequency, multiple = round(frequency / speed);
+    if (multiple >= 1 && fabs(multiple * speed - frequency) < NEAR_MULTIPLE * frequency)
+        printf("%.0f times the speed, %.4g Hz, is near %s, %.4g Hz: forces may change steeply with the speed.\n",
+               multiple, multiple * speed, what, frequency);
+}
+
+static void print_answer(const CrankRun *run, const Options *options) {
+    Text text = {0};
+    print_verdict(run);
+    print_contact(run);
+    if (run->tree.bending)
+        print_meeting(run, tree_bending_frequency(&run->tree, 0), "the coupler's first bending");
+    print_meeting(run, tree_support_frequency(&run->tree, 0), "the support's frequency along the guide");
+    print_meeting(run, tree_support_frequency(&run->tree, 2), "the support's upright frequency");
+    if (run->response.verdict == RESPONSE_PERIODIC && !run->response.settled)
+        printf("The recorded revolutions still hold the transient: use more run.transient_cycles to leave it out\n");
+    printf("Its numbers are %s. For its type I, II or III: clearance study %s --types "
+           "drive.frequency,joint.clearance,coupler.length,slider.mass\n",
+           crank_is_assumed(&run->crank) ? "all assumed" : "not all measured", options->files[0]);
+    result_text_list(&text, (const ResultTable *const[]){&run->motion, &run->forces}, 2);
+    printf("\n%s", text.text);
+    memory_free(text.text);
+    printf("\ndigest %016" PRIx64 "\n", run->response.digest);
+}
+
+/* JSON ------------------------------------------------------------------------------------------------------------- */
+
+static json_t *provenance_json(const Crank *crank) {
+    json_t *object = json_object();
+    for (size_t i = 0; i < crank_table()->count; i++)
+        json_object_set_new(object, crank_table()->rows[i].name, json_string(crank->provenance[i]));
+    return object;
+}
+
+static json_t *make_answer(const CrankRun *run) {
+    char digest[17];
+    snprintf(digest, sizeof digest, "%016" PRIx64, run->response.digest);
+    json_t *answer = json_pack("{s:s, s:s, s:s}", "kind", "crank", "crank", run->crank.name, "note", run->crank.note);
+    result_json_add(answer, &run->motion, 0);
+    result_json_add(answer, &run->forces, 0);
+    json_object_set_new(answer, "provenance", provenance_json(&run->crank));
+    json_object_set_new(answer, "digest", json_string(digest));
+    return answer;
+}
+
+/* Files ------------------------------------------------------------------------------------------------------------ */
+
+static bool write_plots(const CrankRun *run, const Options *options) {
+    char path[PLOT_WRITE_PATH];
+    int error = 0;
+    CrankPlots plots = crank_plots_make(&run->response, &run->crank, &run->plots);
+    for (size_t i = 0; i < plots.choice.count && !error; i++)
+        error = plot_write_files(&plots.plots[i], crank_plots_name(plots.choice.indices[i]), options->out,
+                                 options->width, options->height, options->theme, path);
+    crank_plots_free(&plots);
+    if (error)
+        output_failed(path, error);
+    return !error;
+}
+
+static bool write_files(const CrankRun *run, json_t *answer, const Options *options) {
+    char path[OUTPUT_PATH];
+    snprintf(path, sizeof path, "%s/summary.json", options->out);
+    int error = answer_write(answer, path);
+    if (!error) {
+        snprintf(path, sizeof path, "%s/trace.csv", options->out);
+        error = trace_write_csv(&run->response.trace, path);
+    }
+    if (error)
+        output_failed(path, error);
+    return !error && write_plots(run, options);
+}
+
+/* Refuses options that are for others only. */
+static bool check_options(CrankRun *run, const Options *options) {
+    char message[PLOT_CHOICE_FAULT];
+    const char *foreign = options->route                      ? "--route"
+                          : options->driving >= 0             ? "--driving"
+                          : options->report                   ? "--report"
+                          : options->observed                 ? "--observed"
+                          : options_given(options, "--until") ? "--until"
+                          : options->measured                 ? "--measured"
+                          : options->frames > 0               ? "--frames"
+                          : options->movie                    ? "--movie"
+                          : options->show                     ? "--show"
+                                                              : NULL;
+    if (foreign) {
+        fprintf(stderr, "clearance: %s is not for cranks, %s is a crank\n", foreign, options->files[0]);
+        return false;
+    }
+    if (options->plot_words && !options->out) {
+        fprintf(stderr, "clearance: --plots needs --out DIR, where the plots are written\n");
+        return false;
+    }
+    const char *words = options->plot_words ? options->plot_words : CRANK_PLOTS_USUAL;
+    if (!crank_plots_choose(&run->plots, words, message)) {
+        fprintf(stderr, "clearance: --plots %s: %s\n", words, message);
+        return false;
+    }
+    return !options->out || output_directory(options->out);
+}
+
+int run_crank_file(const Options *options) {
+    CrankRun run = {0};
+    Fault fault = {0};
+    if (!check_options(&run, options))
+        return EXIT_WRONG_INPUT;
+    if (!crank_read(&run.crank, options->files[0], options->settings, options->setting_count, &fault))
+        return house_file_report(&fault);
+    run.tree = tree_of(&run.crank);
+    response_run(&run.response, crank_cycle_of(&run.tree), run.crank.transient_cycles, run.crank.cycles, NULL,
+                 &progress_stop);
+    bool interrupted = run.response.verdict == RESPONSE_INTERRUPTED;
+    if (interrupted)
+        fprintf(stderr, "clearance: interrupted after %zu recorded revolutions; the results up to there are kept\n",
+                run.response.section.count);
+    run.ideal = ideal_force(&run.crank);
+    run.motion = result_crank_motion(&run.crank, &run.response);
+    run.forces = result_crank_forces(&run.tree, &run.response, run.ideal);
+    json_t *answer = make_answer(&run);
+    answer_mark_interrupted(answer, interrupted);
+    bool written = !options->out || write_files(&run, answer, options);
+    interrupted = output_tell_interrupted(interrupted);
+    answer_mark_interrupted(answer, interrupted);
+    if (options->json)
+        answer_print(json_incref(answer));
+    else
+        print_answer(&run, options);
+    if (options->out && written && !options->json)
+        printf("\nplots and data are in %s\n", options->out);
+    bool resolved = run.response.verdict == RESPONSE_PERIODIC || run.response.verdict == RESPONSE_CHAOTIC;
+    json_decref(answer);
+    result_clear(&run.motion);
+    result_clear(&run.forces);
+    response_clear(&run.response);
+    crank_free(&run.crank);
+    return !written ? EXIT_WRONG_INPUT : resolved && !interrupted ? EXIT_ANSWERED : EXIT_ANSWER_NO;
+}
