@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/real.h"
 #include "mechanics/spectrum.h"
 
 /* Design points. */
@@ -82,17 +83,30 @@ static void add_nought(Plot *plot) {
 }
 
 /* Adds the edges of the clearance. */
-static void add_clearance(Plot *plot, const Given *given, bool both_ways) {
+static void add_clearance(Plot *plot, const Given *given) {
     double edge = MILLI * given->crank->clearance;
-    for (int side = -1; side <= 1; side += 2) {
+    for (int side = -1; side <= 1; side += 2)
         add_guide(plot, (PlotGuide){.upright = true,
                                     .at = side * edge,
                                     .name = side > 0 ? "clearance" : NULL,
                                     .role = ROLE_FURNITURE_LINE,
                                     .style = LINE_DASHED});
-        if (both_ways)
-            add_guide(plot, (PlotGuide){.at = side * edge, .role = ROLE_FURNITURE_LINE, .style = LINE_DASHED});
+}
+
+/* Adds the wall of the socket, seen along the coupler. */
+static void add_wall(Plot *plot, const Given *given) {
+    enum { CORNERS = 120 };
+    double *x = arena_allocate(given->arena, 2 * (CORNERS + 1) * sizeof *x), edge = MILLI * given->crank->clearance;
+    for (size_t i = 0; i <= CORNERS; i++) {
+        SineCosine turn = real_sincos(2 * M_PI * (double)i / CORNERS);
+        x[2 * i] = edge * turn.cosine;
+        x[2 * i + 1] = edge * turn.sine;
     }
+    PlotSeries *wall = add_line(plot, x, x + 1, CORNERS + 1);
+    wall->stride = 2;
+    wall->heading = wall->name = "clearance";
+    wall->role = ROLE_FURNITURE_LINE;
+    wall->style = LINE_DASHED;
 }
 
 static bool is_tangle(const Given *given) {
@@ -118,7 +132,7 @@ static void make_phase(Plot *plot, const Given *given) {
     plot->title = "Phase plane of the ball in its socket";
     plot->x = (PlotAxis){.title = "place along the coupler", .unit = "mm"};
     plot->y = (PlotAxis){.title = "velocity along the coupler", .unit = "m/s"};
-    add_clearance(plot, given, false);
+    add_clearance(plot, given);
     add_nought(plot);
     add_path(plot, given, CRANK_ALONG, CRANK_ALONG_RATE);
 }
@@ -127,8 +141,8 @@ static void make_across(Plot *plot, const Given *given) {
     plot->title = "Path of the ball, seen along the coupler";
     plot->x = (PlotAxis){.title = "place across the coupler, level", .unit = "mm"};
     plot->y = (PlotAxis){.title = "place across the coupler, upwards", .unit = "mm"};
-    add_clearance(plot, given, true);
     add_path(plot, given, CRANK_ACROSS, CRANK_UP);
+    add_wall(plot, given);
 }
 
 /* Plots every revolution on which the verdict rests. */
@@ -151,7 +165,8 @@ static void make_poincare(Plot *plot, const Given *given) {
     series->symbol = few ? SYMBOL_DIAMOND : SYMBOL_DISC;
     series->size = few ? SIGN : DOT;
     series->role = ROLE_WALL;
-    add_clearance(plot, given, false);
+    if (few) /* a few points say nothing about the size of the motion */
+        add_clearance(plot, given);
     add_nought(plot);
 }
 
@@ -238,7 +253,8 @@ static void make_spectrum(Plot *plot, const Given *given) {
     }
     spectrum_clear(&spectrum);
     plot->title = "Spectrum of the force";
-    plot->x = (PlotAxis){.title = "frequency", .unit = "Hz", .high = end};
+    plot->x = (PlotAxis){
+        .title = "frequency (dashed: natural frequencies of supports and coupler)", .unit = "Hz", .high = end};
     plot->y = (PlotAxis){.title = "amplitude", .unit = "N", .logarithmic = true};
     if (largest > 0) {
         plot->y.high = pow(10, ceil(log10(largest)));
@@ -246,10 +262,10 @@ static void make_spectrum(Plot *plot, const Given *given) {
     }
     if (tree.bending)
         mark_frequency(plot, tree_bending_frequency(&tree, 0), end, "bending");
-    mark_frequency(plot, tree_support_frequency(&tree, 0), end, "support x");
-    mark_frequency(plot, tree_support_frequency(&tree, 1), end, "support y");
+    mark_frequency(plot, tree_support_frequency(&tree, 0), end, "x");
+    mark_frequency(plot, tree_support_frequency(&tree, 1), end, "y");
     if (fabs(tree_support_frequency(&tree, 2) - tree_support_frequency(&tree, 1)) > 1e-9)
-        mark_frequency(plot, tree_support_frequency(&tree, 2), end, "support z");
+        mark_frequency(plot, tree_support_frequency(&tree, 2), end, "z");
     add_line(plot, values, values + 1, count)->stride = 2;
     plot->series[0].width = LINE_WIDTH / 1.4;
 }

@@ -1,0 +1,59 @@
+#!/usr/bin/env python3
+"""Tests what the command line says about slider cranks.
+
+cranks.py CLEARANCE
+"""
+
+import json
+import pathlib
+import tempfile
+
+from program import check, end, expect, source
+
+crank = str(source / "assets/cranks/ssc.json")
+calm = ("--set", "drive.frequency=10", "--set", "joint.clearance=1e-4", "--set", "run.transient_cycles=20")
+
+
+def check_run():
+    with tempfile.TemporaryDirectory() as folder:
+        out = pathlib.Path(folder, "out")
+        text = expect(0, "run", crank, *calm, "--out", str(out), "--plots", "phase,across,spectrum").stdout
+        check(text.startswith("Periodic, period 1: at 600 rpm the largest force in the joint is 51.16 N, 1.5 times the "
+                              "34.52 N of a joint without clearance\n"), f"run of a crank: {text}")
+        check("The ball never leaves the wall of its socket." in text, f"contact of a crank: {text}")
+        check("Its numbers are all assumed." in text, f"provenance of a crank: {text}")
+        check("friction calms such a mechanism" in text, f"friction of a crank: {text}")
+        check("13 times the speed, 130 Hz, is near the support's frequency along the guide" in text, f"multiples: {text}")
+        summary = json.loads((out / "summary.json").read_text())
+        check((summary["kind"], summary["verdict"], summary["period"]) == ("crank", "periodic", 1), f"summary: {summary}")
+        check(abs(summary["multiplier"] - 0.349387) < 1e-4, f"multiplier of a crank: {summary}")
+        check(all(why.startswith("assumed") for why in summary["provenance"].values()), f"provenance: {summary}")
+        header = (out / "trace.csv").read_text().splitlines()[0]
+        check(header.startswith("time [s],angle [deg],along [m],"), f"trace of a crank: {header}")
+        for name in ("phase", "across", "spectrum"):
+            for ending in ("png", "svg", "pdf", "csv"):
+                check((out / f"plot-{name}.{ending}").stat().st_size > 1000, f"plot-{name}.{ending}")
+        again = expect(0, "run", crank, *calm, "--json").stdout
+        check(json.loads(again)["digest"] == summary["digest"], "a crank's run repeats")
+
+
+def check_study():
+    alike = [expect(0, "study", crank, "--vary", "drive.frequency=9:11:3", *calm, "--set", "run.cycles=8", "--jobs", jobs,
+                    "--json").stdout for jobs in ("1", "2")]
+    check(alike[0] == alike[1], "a study of a crank is the same with one job and with two")
+
+
+def check_faults():
+    expect(2, "run", str(source / "tests/data/bad/cranks/does-not-close.json"), says="the mechanism does not close")
+    expect(2, "run", crank, "--report", "--out", "/nowhere", says="--report is not for cranks")
+    expect(2, "run", crank, "--plots", "displacement", "--out", "/nowhere", says="displacement")
+    expect(2, "run", crank, "--plots", "phase", says="--plots needs --out DIR")
+    expect(2, "run", crank, "--set", "joint.clearence=1", says='did you mean "joint.clearance"')
+    expect(2, "study", crank, "--vary", "drive.frequency=5:25:3", "--route", "A", says="is a crank")
+    expect(2, "study", crank, "--paper", says="crank")
+
+
+check_run()
+check_study()
+check_faults()
+end()
