@@ -9,11 +9,13 @@
 #include "command/house_file.h"
 #include "command/output.h"
 #include "command/progress.h"
+#include "paint/paint_cairo.h"
 #include "plot/plot_write.h"
 #include "result/crank.h"
 #include "result/json.h"
 #include "result/text.h"
 #include "visual/crank/crank_plots.h"
+#include "visual/crank/crank_scene.h"
 
 /* A multiple of the speed within this part of a natural frequency is told. */
 #define NEAR_MULTIPLE 0.01
@@ -163,6 +165,25 @@ static bool write_plots(const CrankRun *run, const Options *options) {
     return !error;
 }
 
+/* Writes the moment of the largest force. */
+static bool write_still(const CrankRun *run, const Options *options) {
+    static const char *const endings[] = {[CAIRO_FILE_PNG] = "png", [CAIRO_FILE_SVG] = "svg", [CAIRO_FILE_PDF] = "pdf"};
+    char path[OUTPUT_PATH];
+    int error = 0;
+    if (run->response.trace.rows < CRANK_SAMPLES)
+        return true;
+    Scene scene = {0};
+    crank_scene_make(&scene, &run->crank, &run->tree, &run->response);
+    for (CairoFileKind kind = CAIRO_FILE_PNG; kind <= CAIRO_FILE_PDF && !error; kind++) {
+        snprintf(path, sizeof path, "%s/crank.%s", options->out, endings[kind]);
+        error = paint_cairo_file(kind, &scene, path, options->width, options->height, options->theme);
+    }
+    scene_clear(&scene);
+    if (error)
+        output_failed(path, error);
+    return !error;
+}
+
 static bool write_files(const CrankRun *run, json_t *answer, const Options *options) {
     char path[OUTPUT_PATH];
     snprintf(path, sizeof path, "%s/summary.json", options->out);
@@ -173,7 +194,7 @@ static bool write_files(const CrankRun *run, json_t *answer, const Options *opti
     }
     if (error)
         output_failed(path, error);
-    return !error && write_plots(run, options);
+    return !error && write_plots(run, options) && write_still(run, options);
 }
 
 /* Refuses options that are for others only. */

@@ -187,7 +187,8 @@ const Option option_rows[] = {
      "file or directory to write (default: WKT to standard output, a picture next to the house)", GROUP_OUTPUT,
      FOR_EXPORT, ".wkt,.svg", NULL},
     {"--out", OPTION_FOLDER, FIELD(out), NO_RANGE, "DIR",
-     "write summary.json, trace.csv, plan.png or beam.png (also .svg and .pdf), and trajectory.sqlite (houses only) to "
+     "write summary.json, trace.csv, plan.png, beam.png or crank.png (also .svg and .pdf), and trajectory.sqlite "
+     "(houses only) to "
      "DIR",
      GROUP_OUTPUT, FOR_RUN, NULL, NULL},
     {"--out", OPTION_FOLDER, FIELD(out), NO_RANGE, "DIR",

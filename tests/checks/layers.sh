@@ -42,7 +42,7 @@ app/document        draw paint
 app/result          beam crank cycle document draw experiment house inquiry rules study
 app/visual/study    exchange plot study
 app/visual/house    draw experiment house plan plot result route rules space study visual/study
-app/visual/crank    crank cycle mechanics plot visual/study
+app/visual/crank    crank cycle draw mechanics plot visual/study
 app/visual/beam     beam cycle draw exchange mechanics plot visual/house visual/study
 app/laboratory            beam draw exchange house plan plot visual/beam visual/house
 app/laboratory/edit       house inquiry laboratory plan result

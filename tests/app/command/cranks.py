@@ -33,6 +33,8 @@ def check_run():
         for name in ("phase", "across", "spectrum"):
             for ending in ("png", "svg", "pdf", "csv"):
                 check((out / f"plot-{name}.{ending}").stat().st_size > 1000, f"plot-{name}.{ending}")
+        for ending in ("png", "svg", "pdf"):
+            check((out / f"crank.{ending}").stat().st_size > 3000, f"crank.{ending}")
         again = expect(0, "run", crank, *calm, "--json").stdout
         check(json.loads(again)["digest"] == summary["digest"], "a crank's run repeats")
 
