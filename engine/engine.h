@@ -91,6 +91,7 @@
 #include "study/study.h"
 #include "study/batch.h"
 #include "study/fit.h"
+#include "study/fit_search.h"
 #include "study/neighbours.h"
 #include "study/types.h"
 #include "study/type_map.h"

@@ -12,6 +12,7 @@ int command_check(const Options *options);
 int command_cases(const Options *options);
 int command_compare(const Options *options);
 int command_export(const Options *options);
+int command_fit(const Options *options);
 int command_help(const Options *options);
 int command_import(const Options *options);
 int command_loci(const Options *options);

@@ -13,7 +13,6 @@
 #include "command/paper.h"
 #include "command/progress.h"
 #include "command/shake_answer.h"
-#include "command/shake_words.h"
 #include "command/study_answer.h"
 #include "command/study_laboratory.h"
 #include "command/study_shards.h"
@@ -299,7 +298,7 @@ static json_t *make_answer(const StudyJob *job) {
 static void print_words(const StudyJob *job) {
     const char *file = job->options->files[0];
     if (job->findings) {
-        shake_words_print(job->findings, file);
+        shake_answer_print(job->findings, file);
         return;
     }
     Text text = {0};

@@ -52,6 +52,9 @@ typedef struct Options {
     bool report;
     const char *observed; /* file of measured loci, or NULL */
     bool suggest;
+    const char *fit;    /* names of parameters, separated by commas, or NULL */
+    const char *priors; /* NAME=VALUE:SPREAD, separated by commas, or NULL */
+    bool leave_out;
     const char *rules; /* ids and files, separated by commas, or NULL: all that are shipped */
     StudyRequest study;
     bool paper;

@@ -38,6 +38,13 @@ const Verb verb_rows[VERBS] = {
     [VERB_LOCI] = {"loci", 1, SIZE_MAX, "HOUSE ...", ".json", "",
                    "Run each house with both driving models, miura and driver: times, and how far the loci are apart.",
                    "clearance loci houses/corner-*.json\n"},
+    [VERB_FIT] =
+        {"fit", 1, 1, "HOUSE|BEAM", ".json", "",
+         "Fit parameters to measurements: times of routes, or peaks and natural frequencies of a beam; with intervals, "
+         "and what the data do not tell.",
+         "clearance fit houses/ube-techno-house.json --observed times.csv --leave-out --out out\n"
+         "clearance fit assets/beams/ibs-r.json --measured frequencies.csv \\\n"
+         "    --fit shaker.position,shaker.moving_mass\n"},
     [VERB_RULES] =
         {"rules", 1, 1, "HOUSE", ".json", "",
          "Hold rules of accessibility against a house: widths, doors, space to turn, and whether the chairs "

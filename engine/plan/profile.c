@@ -80,7 +80,7 @@ static const char *const groups[] = {"body", "drive", "space", "contact"};
 enum { GROUPS = sizeof groups / sizeof *groups };
 
 /* Allowed beginnings of a provenance in a file. */
-#define SOURCES "paper|reconstructed|literature: |assumed"
+#define SOURCES "paper|reconstructed|fitted: |literature: |assumed"
 
 const ParameterTable *profile_table(void) {
     return &table;

@@ -1,5 +1,5 @@
 /* A kind of person: body, driving model, personal space and contact law, each number with its provenance (`paper`,
- * `reconstructed`, `literature: source`, `assumed`), read from assets/profiles.
+ * `reconstructed`, `fitted: to what`, `literature: source`, `assumed`), read from assets/profiles.
  *
  * The body is a rounded rectangle, length by width, its corners rounded by `corner_radius`; the reference point is the
  * middle of the drive axle, `axle` ahead of the rear edge, and the mass centre stands `mass_centre` ahead of the axle.

@@ -8,7 +8,7 @@ cd "$(dirname "$0")/../.."
 . app/packages.sh
 seconds=${1:-60}
 [ $# -eq 0 ] || shift
-all="plan profile beam crank parameters set observed measured script dxf sh3d vadere wkt journey world draft settings recovery store rules"
+all="plan profile beam crank parameters set observed measured timed script dxf sh3d vadere wkt journey world draft settings recovery store rules"
 targets=${*:-$all}
 build=build-fuzz
 
@@ -53,6 +53,7 @@ cp assets/cranks/*.json tests/data/bad/cranks/*.json $build/seeds/crank/
 cp assets/rules/*.json tests/data/bad/rules/*.json $build/seeds/rules/
 cp tests/data/bad/observed/*.csv $build/seeds/observed/
 cp tests/data/bad/measured/*.csv $build/seeds/measured/
+cp tests/data/bad/timed/*.csv $build/seeds/timed/
 cp tests/data/bad/scripts/*.script $build/seeds/script/
 for ending in dxf wkt sh3d; do
     cp tests/data/imports/*.$ending tests/data/bad/imports/*.$ending $build/seeds/$ending/

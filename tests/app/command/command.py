@@ -123,6 +123,44 @@ def check_options():
     check("cannot pass" in wide.stdout, "--set profile.manual-chair.width=1.3")
 
 
+def check_rules():
+    """The corridor of 0.78 m is legal and impassable; what was measured is in the files; unknown rules are refused."""
+    with tempfile.TemporaryDirectory() as place:
+        answer = json.loads(expect(0, "rules", house("corner-0.78-0.78"), "--rules", "jp-senior-housing-1414", "--json",
+                                   "--out", place).stdout)
+        check(answer["headline"].startswith("Legal and impassable: corridor c1"), answer["headline"])
+        check(answer["legal_impassable"] and answer["pass"] == 1 and answer["unknown"] == 1, "counts of rules --json")
+        names = sorted(path.name for path in pathlib.Path(place).iterdir())
+        check(names == ["plan.pdf", "plan.png", "plan.svg", "rules.html", "rules.json", "rules.pdf"], f"rules writes {names}")
+        check(json.loads(pathlib.Path(place, "rules.json").read_text()) == answer, "rules.json is the answer")
+    expect(1, "rules", house("flat-0.910-module"), "--rules", "ada-2010")
+    expect(2, "rules", house("straight-corridor"), "--rules", "ada", says='there are no rules "ada"')
+    bad = str(source / "tests/data/bad/rules/what-unknown.json")
+    expect(2, "rules", house("straight-corridor"), "--rules", bad, says="what-unknown.json:2:32: what is")
+
+
+def check_fit():
+    """Frequencies of a beam with another shaker give its mass; files are written; wrong use is refused."""
+    beam = str(source / "assets/beams/ibs-r.json")
+    with tempfile.TemporaryDirectory() as place:
+        table = pathlib.Path(place, "frequencies.csv")
+        table.write_text("frequency_1 [Hz],frequency_2 [Hz],frequency_3 [Hz]\n60,480,1500\n")
+        answer = json.loads(expect(0, "fit", beam, "--measured", str(table), "--fit", "shaker.moving_mass", "--json",
+                                   "--out", place + "/out").stdout)
+        mass = answer["parameters"][0]
+        check(mass["name"] == "shaker.moving_mass" and mass["low"] < mass["best"] < mass["high"], f"fit finds {mass}")
+        check(answer["sum"] < answer["sum_before"] and len(answer["rows"]) == 3, "fit lowers the sum of squares")
+        expect(2, "fit", beam, "--measured", str(table), "--fit", "shaker.mass", says="did you mean")
+        expect(2, "fit", beam, "--measured", str(table), "--fit", "shaker.damping", says="only what is more than 0")
+        expect(2, "fit", beam, "--measured", str(table), "--fit", "shaker.position", "--prior", "shaker.position=1",
+               says="--prior takes NAME=VALUE:SPREAD")
+        expect(2, "fit", house("ube-techno-house"), "--measured", str(table), says="--measured is for beams")
+        times = pathlib.Path(place, "times.csv")
+        times.write_text("route,time [s]\nZ,3\n")
+        expect(2, "fit", house("ube-techno-house"), "--observed", str(times), says='times.csv:2:1: the house has no route "Z"')
+    expect(2, "fit", house("straight-corridor"), says="has observed times")
+
+
 def check_wrong_use():
     expect(2, "rnu", says="did you mean run?")
     expect(2, "run", says="usage: clearance run")
@@ -159,7 +197,7 @@ def check_numbers():
 
 def check_help():
     """Help fits into 100 columns, groups options by use, and has the topics that the README refers to."""
-    for verb in ("open", "run", "check", "compare", "study", "loci", "rules", "cases", "import", "export", "schema", "help"):
+    for verb in ("open", "run", "check", "compare", "study", "loci", "fit", "rules", "cases", "import", "export", "schema", "help"):
         text = expect(0, verb, "--help").stdout
         check(text.startswith(f"Usage: clearance {verb} "), f"{verb} --help begins {text[:40]!r}")
         check(max(map(len, text.splitlines())) <= 100, f"a line of {verb} --help is too long")
@@ -274,7 +312,7 @@ def check_interrupt():
         check(os.path.exists(os.path.join(out, "summary.json")), "interrupted: what there is is kept")
 
 
-for part in (check_answers, check_crowds, check_beams, check_options, check_wrong_use, check_numbers, check_help,
+for part in (check_answers, check_crowds, check_beams, check_options, check_rules, check_fit, check_wrong_use, check_numbers, check_help,
              check_open, check_files, check_cases, check_interrupt):
     part()
 end()

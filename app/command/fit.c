@@ -1,0 +1,511 @@
+#include <errno.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "beam/beam.h"
+#include "command/answer.h"
+#include "command/command.h"
+#include "command/house_file.h"
+#include "command/output.h"
+#include "command/progress.h"
+#include "command/terminal.h"
+#include "exchange/measured.h"
+#include "exchange/timed.h"
+#include "experiment/beam_experiment.h"
+#include "experiment/beam_frequencies.h"
+#include "experiment/house_experiment.h"
+#include "laboratory/shipped.h"
+#include "plot/plot_write.h"
+#include "result/fit.h"
+#include "result/json.h"
+#include "result/text.h"
+#include "visual/study/fit_plots.h"
+
+#define SPREAD 0.5           /* 1, of the logarithm of what is not given with --prior: assumed */
+#define TIME_DEVIATION 0.5   /* s, of a measured time without one: assumed */
+#define PEAK_DEVIATION 0.05  /* 1, of the logarithm of a peak: assumed */
+#define TONE_DEVIATION 0.005 /* 1, of the logarithm of a natural frequency: assumed */
+
+/* What is fitted, and all that it stands on. */
+typedef struct Job {
+    const Options *options;
+    bool is_beam;
+    HouseOptions house_options;
+    Beam beam;
+    Timed timed;
+    Measured measured;
+    Experiment *experiments; /* (experiment_count) of a house one for each measured route; of a beam motion and tones */
+    size_t experiment_count;
+    FitUnknown unknowns[FIT_UNKNOWNS_MOST];
+    Fit fit;
+    size_t row_capacity;
+    Arena arena;
+} Job;
+
+static void add_row(Job *job, FitRow row) {
+    Fit *fit = &job->fit;
+    fit->rows = memory_reserve(fit->rows, &job->row_capacity, fit->row_count + 1, sizeof *fit->rows);
+    fit->rows[fit->row_count++] = row;
+}
+
+/* Houses ------------------------------------------------------------------------------------------------------------
+ */
+
+static double deviation_of(const TimedRun *run, const PlanRoute *route) {
+    return !isnan(run->deviation)          ? run->deviation
+           : route->observed.deviation > 0 ? route->observed.deviation
+                                           : TIME_DEVIATION;
+}
+
+/* Takes the means that the house file holds: their standard error is the deviation of one run by sqrt(runs). */
+static void take_means(Job *job, const Plan *plan) {
+    for (size_t r = 0; r < plan->route_count; r++) {
+        const Observed *observed = &plan->routes[r].observed;
+        double error =
+            observed->deviation > 0 && observed->runs > 1 ? observed->deviation / sqrt(observed->runs) : TIME_DEVIATION;
+        Timed *timed = &job->timed;
+        if (!(observed->mean > 0))
+            continue;
+        timed->runs = memory_reserve(timed->runs, &timed->capacity, timed->count + 1, sizeof *timed->runs);
+        timed->runs[timed->count++] =
+            (TimedRun){.route = plan->routes[r].id, .time = observed->mean, .deviation = error};
+    }
+}
+
+/* Opens the experiment of a route, once; NULL after an error. */
+static const Experiment *open_route(Job *job, const char *id, Fault *fault) {
+    for (size_t e = 0; e < job->experiment_count; e++)
+        if (strcmp(job->experiments[e].kind, id) == 0)
+            return &job->experiments[e];
+    Experiment *experiment = &job->experiments[job->experiment_count];
+    if (!house_experiment_open(experiment, job->options->files[0], &job->house_options, id, fault))
+        return NULL;
+    experiment->kind = id;
+    job->experiment_count++;
+    return experiment;
+}
+
+static bool open_house(Job *job, Fault *fault) {
+    const Options *options = job->options;
+    House house = {0};
+    if (options->measured) {
+        fault_add(fault, "clearance: --measured is for beams, %s is a house; its times come with --observed",
+                  options->files[0]);
+        return false;
+    }
+    if (!house_file_read(&house, options, 0, fault))
+        return false;
+    job->house_options = (HouseOptions){.profiles = shipped_places()->profiles,
+                                        .settings = options->settings,
+                                        .setting_count = options->setting_count,
+                                        .seed = options->seed,
+                                        .driving = options->driving};
+    bool good = !options->observed || timed_read(&job->timed, options->observed, fault);
+    if (good && !options->observed)
+        take_means(job, &house.plan);
+    if (good && !job->timed.count)
+        fault_add(fault, "clearance: no route of %s has observed times, so that --observed FILE is needed",
+                  options->files[0]);
+    job->experiments = memory_zeroed(house.plan.route_count + 1, sizeof *job->experiments);
+    for (size_t i = 0; i < job->timed.count && good; i++) {
+        TimedRun *run = &job->timed.runs[i];
+        size_t route = plan_find_route(&house.plan, run->route);
+        if (route == SIZE_MAX) {
+            fault_add(fault, "%s:%d:1: the house has no route \"%s\"", options->observed, run->line, run->route);
+            continue;
+        }
+        const char *id = arena_text(&job->arena, run->route);
+        const Experiment *experiment = open_route(job, id, fault);
+        if (experiment)
+            add_row(job, (FitRow){.experiment = experiment,
+                                  .observable = HOUSE_TIME,
+                                  .way = HOUSE_WAY,
+                                  .observed = run->time,
+                                  .deviation = deviation_of(run, &house.plan.routes[route]),
+                                  .group = (size_t)(experiment - job->experiments),
+                                  .label = text_in_arena(&job->arena, "route %s", id)});
+    }
+    house_free(&house);
+    return good && !fault->total;
+}
+
+/* Returns the free speed and the steering time of the first chair, which is what times alone can tell. */
+static const char *house_names(Job *job) {
+    const House *house = house_experiment_house(&job->experiments[0]);
+    for (size_t i = 0; i < house->person_count; i++) {
+        const Profile *profile = house->people[i].profile;
+        if (profile->driving != DRIVING_WALKER)
+            return text_in_arena(&job->arena, "profile.%s.free_speed,profile.%s.steering_time", profile->name,
+                                 profile->name);
+    }
+    return NULL;
+}
+
+/* Beams -------------------------------------------------------------------------------------------------------------
+ */
+
+enum { MOTION, TONES, BEAM_EXPERIMENTS };
+
+/* Lists what the columns of a file may be: numbers of the beam, and what its experiments observe. */
+static size_t list_kinds(const Job *job, MeasuredKind kinds[MEASURED_KINDS]) {
+    size_t count = 0;
+    for (size_t r = 0; r < beam_table()->count && count < MEASURED_KINDS; r++) {
+        const Parameter *row = &beam_table()->rows[r];
+        if (row->kind == PARAMETER_NUMBER)
+            kinds[count++] = (MeasuredKind){row->name, NULL, row->unit};
+    }
+    for (size_t e = 0; e < BEAM_EXPERIMENTS; e++)
+        for (size_t o = 0; o < job->experiments[e].observable_count && count < MEASURED_KINDS; o++) {
+            const Observable *observable = &job->experiments[e].observables[o];
+            kinds[count++] = (MeasuredKind){observable->name, NULL, observable->unit};
+        }
+    return count;
+}
+
+/* The parameters that the file gives for each row. */
+typedef struct Given {
+    const char **names; /* (count) */
+    const double **values;
+    size_t count;
+} Given;
+
+static Given list_given(Job *job) {
+    Given given = {.names = arena_allocate(&job->arena, job->measured.column_count * sizeof *given.names),
+                   .values = arena_allocate(&job->arena, job->measured.column_count * sizeof *given.values)};
+    for (size_t c = 0; c < job->measured.column_count; c++)
+        if (parameters_find(beam_table(), job->measured.columns[c].name)) {
+            given.names[given.count] = job->measured.columns[c].name;
+            given.values[given.count++] = job->measured.columns[c].values;
+        }
+    return given;
+}
+
+static void add_observed(Job *job, const Given *given, size_t e, size_t observable, const double *values) {
+    const Experiment *experiment = &job->experiments[e];
+    for (size_t i = 0; i < job->measured.count; i++) {
+        double *at = arena_allocate(&job->arena, (given->count + 1) * sizeof *at);
+        if (!(values[i] > 0))
+            continue;
+        const char *label = text_in_arena(&job->arena, "row %zu", i + 1);
+        for (size_t g = 0; g < given->count; g++) {
+            bool known = !isnan(given->values[g][i]);
+            at[g] = known ? given->values[g][i] : experiment->nominal(experiment->given, given->names[g]);
+            label = g ? label : text_in_arena(&job->arena, "%s %g", given->names[g], at[g]);
+        }
+        add_row(job, (FitRow){.experiment = experiment,
+                              .observable = observable,
+                              .way = SIZE_MAX,
+                              .names = given->names,
+                              .at = at,
+                              .name_count = given->count,
+                              .observed = values[i],
+                              .deviation = e == TONES ? TONE_DEVIATION : PEAK_DEVIATION,
+                              .relative = true,
+                              .group = e == TONES ? job->fit.row_count : i,
+                              .label = label});
+        job->fit.robust |= e == MOTION;
+    }
+}
+
+static bool open_beam(Job *job, Fault *fault) {
+    const Options *options = job->options;
+    MeasuredKind kinds[MEASURED_KINDS];
+    const char *foreign = options->observed ? "--observed" : options->driving >= 0 ? "--driving" : NULL;
+    if (foreign)
+        fault_add(fault, "clearance: %s is for houses, %s is a beam", foreign, options->files[0]);
+    else if (!options->measured)
+        fault_add(fault, "clearance: a beam is fitted to --measured FILE");
+    else if (!options->fit)
+        fault_add(fault, "clearance: --fit must name what to fit, for instance shaker.position,shaker.moving_mass");
+    if (fault->total || !beam_read(&job->beam, options->files[0], options->settings, options->setting_count, fault))
+        return false;
+    job->experiments = memory_zeroed(BEAM_EXPERIMENTS, sizeof *job->experiments);
+    if (!beam_experiment_of(&job->experiments[MOTION], &job->beam, options->files[0], fault))
+        return false;
+    beam_frequencies_open(&job->experiments[TONES], &job->beam);
+    job->experiment_count = BEAM_EXPERIMENTS;
+    if (!measured_read(&job->measured, options->measured, kinds, list_kinds(job, kinds), fault))
+        return false;
+    Given given = list_given(job);
+    for (size_t e = 0; e < BEAM_EXPERIMENTS; e++)
+        for (size_t o = 0; o < job->experiments[e].observable_count; o++) {
+            const double *values = measured_find(&job->measured, job->experiments[e].observables[o].name);
+            if (values)
+                add_observed(job, &given, e, o, values);
+        }
+    if (!job->fit.row_count)
+        fault_add(fault, "%s:1:1: no column is a positive result of a beam, such as peak_max or frequency_1",
+                  options->measured);
+    return job->fit.row_count;
+}
+
+/* What is fitted ----------------------------------------------------------------------------------------------------
+ */
+
+static bool is_given(const Job *job, const char *name) {
+    for (size_t i = 0; i < (job->fit.row_count ? job->fit.rows[0].name_count : 0); i++)
+        if (strcmp(job->fit.rows[0].names[i], name) == 0)
+            return true;
+    return false;
+}
+
+static void add_unknown(Job *job, const char *given_name, Fault *fault) {
+    const Experiment *experiment = &job->experiments[0];
+    const Parameter *row = experiment->parameter(experiment->given, given_name);
+    Fit *fit = &job->fit;
+    if (!row) {
+        experiment->unknown(experiment->given, given_name, "clearance: --fit: ", fault);
+        return;
+    }
+    const char *name = arena_text(&job->arena, job->is_beam ? row->name : given_name);
+    double prior = experiment->nominal(experiment->given, name);
+    for (size_t i = 0; i < fit->unknown_count; i++)
+        if (strcmp(job->unknowns[i].name, name) == 0) {
+            fault_add(fault, "clearance: --fit names %s twice", name);
+            return;
+        }
+    if (fit->unknown_count == FIT_UNKNOWNS_MOST)
+        fault_add(fault, "clearance: --fit names too many parameters, must be at most %d", FIT_UNKNOWNS_MOST);
+    else if (is_given(job, name))
+        fault_add(fault, "clearance: %s is a column of the measured values, it cannot be fitted too", name);
+    else if (!(prior > 0))
+        fault_add(fault, "clearance: --fit: %s is %g, only what is more than 0 can be fitted", name, prior);
+    else
+        job->unknowns[fit->unknown_count++] = (FitUnknown){.name = name, .prior = prior, .spread = SPREAD};
+}
+
+static void set_prior(Job *job, const char *word, Fault *fault) {
+    const char *equal = strchr(word, '=');
+    char *end = NULL;
+    double value = equal ? strtod(equal + 1, &end) : 0;
+    double spread = end && *end == ':' ? strtod(end + 1, &end) : 0;
+    if (!equal || *end || !(value > 0 && value < HUGE_VAL) || !(spread > 0 && spread <= 5)) {
+        fault_add(fault,
+                  "clearance: --prior takes NAME=VALUE:SPREAD, both more than 0 and SPREAD at most 5, not \"%s\"",
+                  word);
+        return;
+    }
+    for (size_t i = 0; i < job->fit.unknown_count; i++) {
+        FitUnknown *unknown = &job->unknowns[i];
+        size_t length = (size_t)(equal - word), whole = strlen(unknown->name);
+        bool same = length <= whole && strncmp(unknown->name + whole - length, word, length) == 0 &&
+                    (length == whole || unknown->name[whole - length - 1] == '.');
+        if (!same)
+            continue;
+        unknown->prior = value;
+        unknown->spread = spread;
+        return;
+    }
+    fault_add(fault, "clearance: --prior: %.*s is not fitted", (int)(equal - word), word);
+}
+
+static void each_word(Job *job, const char *list, void (*take)(Job *job, const char *word, Fault *fault),
+                      Fault *fault) {
+    char *copy = list ? text_copy(list) : NULL, *rest = copy, *word;
+    while (copy && (word = strsep(&rest, ",")))
+        take(job, word, fault);
+    memory_free(copy);
+}
+
+static bool choose(Job *job, Fault *fault) {
+    const char *names = job->options->fit ? job->options->fit : house_names(job);
+    if (!names)
+        fault_add(fault, "clearance: nobody in this house has a chair, so that --fit must name what to fit");
+    each_word(job, names, add_unknown, fault);
+    if (!fault->total)
+        each_word(job, job->options->priors, set_prior, fault);
+    job->fit.unknowns = job->unknowns;
+    return !fault->total;
+}
+
+/* Answers -----------------------------------------------------------------------------------------------------------
+ */
+
+static json_t *correlations(const Fit *fit) {
+    json_t *rows = json_array();
+    for (size_t i = 0; i < fit->unknown_count; i++) {
+        json_t *row = json_array();
+        for (size_t j = 0; j < fit->unknown_count; j++)
+            json_array_append_new(row, json_real(fit_correlation(fit, i, j)));
+        json_array_append_new(rows, row);
+    }
+    return rows;
+}
+
+static json_t *answer_of(const Job *job) {
+    Arena arena = {0};
+    size_t count;
+    const char **remarks = result_fit_remarks(&job->fit, &count, &arena);
+    json_t *lines = json_array();
+    for (size_t i = 0; i < count; i++)
+        json_array_append_new(lines, json_string(remarks[i]));
+    json_t *answer =
+        json_pack("{s:s, s:s, s:s, s:o, s:o, s:o, s:o}", "kind", "fit", "of", job->options->files[0], "headline",
+                  result_fit_sentence(&job->fit, &arena), "parameters",
+                  result_json_take_list(result_fit_unknowns(&job->fit, &job->experiments[0])), "correlation",
+                  correlations(&job->fit), "rows", result_json_take_list(result_fit_rows(&job->fit)), "remarks", lines);
+    result_json_take_record(answer, result_fit_whole(&job->fit));
+    answer_mark_interrupted(answer, job->fit.interrupted);
+    arena_clear(&arena);
+    return answer;
+}
+
+static void print_answer(const Job *job) {
+    Arena arena = {0};
+    Text text = {0};
+    size_t count;
+    const char **remarks = result_fit_remarks(&job->fit, &count, &arena);
+    text_format(&text, "%s\n", result_fit_sentence(&job->fit, &arena));
+    if (!job->fit.interrupted) {
+        result_text_take(&text, "", result_fit_unknowns(&job->fit, &job->experiments[0]));
+        result_text_take(&text, "", result_fit_rows(&job->fit));
+        ResultTable whole = result_fit_whole(&job->fit);
+        text_add(&text, "\n");
+        result_text_list(&text, (const ResultTable *const[]){&whole}, 1);
+        result_clear(&whole);
+        for (size_t i = 0; i < count; i++)
+            text_format(&text, "%s%s\n", i ? "" : "\n", remarks[i]);
+    }
+    fputs(text.text, stdout);
+    memory_free(text.text);
+    arena_clear(&arena);
+}
+
+/* Sets one value of a profile's or a beam's file, with where it comes from; false: it is not of this file. */
+static bool set_value(const Job *job, json_t *root, const char *profile, const FitUnknown *unknown) {
+    const Experiment *experiment = &job->experiments[0];
+    const Parameter *row = experiment->parameter(experiment->given, unknown->name);
+    const char *dot = strchr(row->name, '.'), *source = job->is_beam ? job->options->measured : job->options->observed;
+    size_t length = profile ? strlen(profile) : 0;
+    bool mine = job->is_beam || (strncmp(unknown->name, "profile.", 8) == 0 &&
+                                 strncmp(unknown->name + 8, profile, length) == 0 && unknown->name[8 + length] == '.');
+    if (!unknown->told || !mine || !dot)
+        return false;
+    Arena arena = {0};
+    const char *group_name = text_in_arena(&arena, "%.*s", (int)(dot - row->name), row->name);
+    json_t *group = json_object_get(root, group_name);
+    if (!group)
+        json_object_set_new(root, group_name, group = json_object());
+    const char *provenance =
+        text_in_arena(&arena, "%s: %s, %s, %zu values, 90 %% %.4g to %.4g", job->is_beam ? "identified" : "fitted",
+                      job->options->files[0], source ? source : "its observed times", job->fit.row_count, unknown->low,
+                      unknown->high);
+    json_object_set_new(group, dot + 1, json_pack("{s:f, s:s}", "value", unknown->value, "provenance", provenance));
+    arena_clear(&arena);
+    return true;
+}
+
+/* Writes a copy of a file with the told values as OUT/NAME-fitted.json, unless none of them is in it. */
+static bool write_copy(const Job *job, const char *from, const char *name, bool profile) {
+    json_t *root = json_load_file(from, 0, NULL);
+    char path[OUTPUT_PATH];
+    bool changed = false;
+    for (size_t i = 0; i < job->fit.unknown_count && root; i++)
+        changed |= set_value(job, root, profile ? name : NULL, &job->unknowns[i]);
+    int error = 0;
+    if (changed) {
+        snprintf(path, sizeof path, "%s/%.200s-fitted.json", job->options->out, name);
+        char fitted[240];
+        snprintf(fitted, sizeof fitted, "%.200s-fitted", name);
+        json_object_set_new(root, "name", json_string(fitted));
+        error = answer_write(root, path);
+        if (error)
+            output_failed(path, error);
+    }
+    json_decref(root);
+    return !error;
+}
+
+/* Returns the file of a profile: in the folder of the house first. */
+static const char *profile_file(Job *job, const char *name) {
+    const char *house = job->options->files[0], *slash = strrchr(house, '/');
+    const char *near = text_in_arena(&job->arena, "%.*s%s.json", slash ? (int)(slash - house + 1) : 0, house, name);
+    return access(near, R_OK) == 0 ? near : text_in_arena(&job->arena, "%s/%s.json", shipped_places()->profiles, name);
+}
+
+static bool write_files(Job *job, const json_t *answer) {
+    const Options *options = job->options;
+    char path[PLOT_WRITE_PATH];
+    Arena arena = {0};
+    Plot plot;
+    snprintf(path, sizeof path, "%s/fit.json", options->out);
+    int error = answer_write(answer, path);
+    fit_plots_residuals(&plot, &job->fit, &arena);
+    if (!error)
+        error =
+            plot_write_files(&plot, "residuals", options->out, options->width, options->height, options->theme, path);
+    arena_clear(&arena);
+    if (error) {
+        output_failed(path, error);
+        return false;
+    }
+    if (job->is_beam)
+        return write_copy(job, options->files[0], *job->beam.name ? job->beam.name : "beam", false);
+    const House *house = house_experiment_house(&job->experiments[0]);
+    bool good = true;
+    for (size_t p = 0; p < house->profile_count; p++)
+        good &= write_copy(job, profile_file(job, house->profiles[p].name), house->profiles[p].name, true);
+    return good;
+}
+
+static void show_progress(void *context, size_t runs) {
+    (void)context;
+    terminal_progress("%zu simulations ", runs);
+}
+
+static void close_job(Job *job) {
+    for (size_t e = 0; e < job->experiment_count; e++)
+        if (!job->is_beam)
+            house_experiment_close(&job->experiments[e]);
+        else if (e == MOTION)
+            beam_experiment_close(&job->experiments[e]);
+    beam_free(&job->beam);
+    memory_free(job->experiments);
+    memory_free(job->fit.rows);
+    timed_free(&job->timed);
+    measured_free(&job->measured);
+    arena_clear(&job->arena);
+}
+
+static bool learned(const Fit *fit) {
+    bool any = false;
+    for (size_t i = 0; i < fit->unknown_count; i++)
+        any |= fit->unknowns[i].told;
+    return any && !fit->interrupted && (!fit->leave_out || fit->error <= fit->error_before);
+}
+
+int command_fit(const Options *options) {
+    Job job = {.options = options, .is_beam = beam_is_file(options->files[0])};
+    Fault fault = {0};
+    if (options->out && !output_directory(options->out))
+        return EXIT_WRONG_INPUT;
+    bool shown = progress_is_shown(options);
+    job.fit = (Fit){.leave_out = options->leave_out,
+                    .jobs = options->jobs,
+                    .stop = &progress_stop,
+                    .progress = shown ? show_progress : NULL};
+    bool good = (job.is_beam ? open_beam(&job, &fault) : open_house(&job, &fault)) && choose(&job, &fault) &&
+                fit_run(&job.fit, &fault);
+    if (shown)
+        terminal_clear_progress();
+    if (!good) {
+        close_job(&job);
+        return house_file_report(&fault);
+    }
+    json_t *answer = answer_of(&job);
+    int code = learned(&job.fit) ? EXIT_ANSWERED : EXIT_ANSWER_NO;
+    if (options->json)
+        answer_print(json_incref(answer));
+    else
+        print_answer(&job);
+    if (options->out && !job.fit.interrupted && !write_files(&job, answer))
+        code = EXIT_WRONG_INPUT;
+    json_decref(answer);
+    close_job(&job);
+    return code;
+}
