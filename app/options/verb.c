@@ -64,9 +64,14 @@ const Verb verb_rows[VERBS] = {
     [VERB_EXPORT] = {"export", 1, 1, "HOUSE", ".json", "",
                      "Write the walkable area of a house, or a picture of its plan, for other programs.",
                      "clearance export houses/ube-techno-house.json --to wkt --out ube.wkt\n"},
-    [VERB_SCHEMA] = {"schema", 1, 1, "house|profile|beam|crank|rules", "", "house|profile|beam|crank|rules",
-                     "Print the JSON Schema of a kind of file, for editors that complete and check.",
-                     "clearance schema house > house.schema.json\n"},
+    [VERB_SCHEMA] =
+        {"schema", 1, 2, "house|profile|beam|crank|rules|man|completion SHELL|names FILE", "",
+         "house|profile|beam|crank|rules|man|completion|names",
+         "Print the JSON Schema of a kind of file, for editors that complete and check; the manual page; the "
+         "completion of command lines for bash, zsh or fish; or the names that --set takes for a file.",
+         "clearance schema house > house.schema.json\n"
+         "clearance schema completion bash > ~/.local/share/bash-completion/completions/clearance\n"
+         "clearance schema names houses/flat-0.910-module.json\n"},
     [VERB_HELP] = {"help", 0, 3, "[TOPIC|VERB]", "", "", "Explain a topic at length; without a topic, list the topics.",
                    "clearance help house-file\n"
                    "clearance help studies\n"},
