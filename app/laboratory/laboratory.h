@@ -38,6 +38,7 @@ enum {
     LABORATORY_PARAMETERS = 8, /* the list of parameters, or their values */
     LABORATORY_ERROR = 16,     /* a new error: see `error` */
     LABORATORY_ALL = 31,
+    LABORATORY_RESTART = 32, /* another run takes the place of the shown one: the clock goes back to the beginning */
 };
 
 /* The stretch of time that can be displayed. */
@@ -62,7 +63,8 @@ typedef struct Result {
     const char *title; /* "Out in 18.4 s", "Chaotic"; "Driving ..." before the result is known; never NULL */
     Role role;         /* ROLE_TEXT, or ROLE_ERROR if the answer is negative */
     const char *detail;
-    bool stale;        /* the answer is older than the last change: shown grey */
+    bool stale;        /* the answer is older than the last change: shown grey, nobody moves, and no other number of
+                          either run is shown */
     const char *doing; /* work in the background, "types: 40 of 768 runs", or NULL */
     double part;       /* completed share of that work, 0 to 1; NAN: unknown */
     const char *cure;  /* words of a button that takes a tool: "Add an exit"; NULL: none */
@@ -136,6 +138,12 @@ typedef struct PanelChoice {
 } PanelChoice;
 
 enum { LABORATORY_LAYERS_MOST = 9, LABORATORY_OUTLINE_MOST = 128 };
+
+/* The runs that the parts of the window show: equal numbers are the same run, 0 is none. */
+typedef struct LaboratoryRuns {
+    uint64_t answer, picture, rows, plots;
+    bool working; /* a newer run is being computed: the answer is grey, and the other parts show no numbers */
+} LaboratoryRuns;
 
 typedef struct Laboratory {
     const char *name;            /* "House" */
@@ -212,6 +220,12 @@ typedef struct Laboratory {
 
     const PanelChoice *(*choices)(void *session, size_t *count);
     void (*choose)(void *session, size_t choice, size_t word);
+
+    /* Returns the runs that are shown, for tests. NULL: every part always shows the present one. */
+    LaboratoryRuns (*runs)(void *session);
+
+    /* Gives up the work on the last change, and undoes it: the shown run stays. NULL: there is no such work. */
+    void (*stop)(void *session);
 
     /* Restart with the same parameters; save the displayed run for comparison (false: there is nothing to save yet);
      * discard the saved run, the trace and the points so far. */

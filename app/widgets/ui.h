@@ -161,6 +161,7 @@ typedef struct UiRow {
     const char *cells[3];
     const char *help;
     bool selected;
+    bool dim;    /* of an older state: grey */
     bool usable; /* can be chosen: a stop of the focus */
 } UiRow;
 bool ui_list_row(Ui *ui, const UiRow *row);

@@ -262,7 +262,7 @@ bool ui_list_row(Ui *ui, const UiRow *row) {
     }
     inside.high.x = draw_cells(ui, inside, style, row->cells);
     if (row->cells[0])
-        ui_text_in(ui, style, ui_state_ink(ui, ROLE_TEXT, 1), inside, 0, row->cells[0]);
+        ui_text_in(ui, style, ui_state_ink(ui, row->dim ? ROLE_DIM_TEXT : ROLE_TEXT, 1), inside, 0, row->cells[0]);
     ui_tip_offer(ui, id, box, row->help, touch.hovered, focused);
     return used;
 }

@@ -52,9 +52,10 @@ void act_play_do(Tab *tab, Action action) {
 }
 
 void act_play_again(Tab *tab) {
-    bool playing = tab->player.playing;
-    tab->laboratory->restart(tab->session);
     RecordSpan span = tab->laboratory->span(tab->session);
+    bool plays = tab->player.playing || (span.complete && tab->player.time >= span.end);
+    tab->laboratory->restart(tab->session);
+    span = tab->laboratory->span(tab->session);
     player_seek(&tab->player, span.begin, &span);
-    tab->player.playing = playing;
+    tab->player.playing = plays;
 }

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/stop.h"
+#include "base/stopwatch.h"
 #include "window/act.h"
 #include "window/dialog_pane.h"
 #include "window/plan_input.h"
@@ -16,6 +17,9 @@
 #define PROGRESS_HEIGHT 4.0
 #define MESSAGE_HEIGHT 34.0
 #define KEY_PAD 5.0
+#define STOP_AFTER 1.0 /* s */
+
+enum { RING_POINTS = 24 };
 
 static Vec2 middle_of(Box box) {
     return vec2_scale(vec2_add(box.low, box.high), 0.5);
@@ -125,8 +129,8 @@ static double show_cure_button(Window *window, Tab *tab, Box bar, const Result *
     return left - GAP;
 }
 
-static double show_place_button(Window *window, Tab *tab, Box bar) {
-    const PanelRow *place = tab_first_place(tab);
+static double show_place_button(Window *window, Tab *tab, Box bar, bool stale) {
+    const PanelRow *place = stale ? NULL : tab_first_place(tab);
     const char *label = "Show place";
     double width = ui_extent(window->ui, UI_BOLD, label).x + BUTTON_PAD;
     if (!place || window->frame.compact || bar.high.x < 3 * width)
@@ -148,6 +152,26 @@ static void show_progress(Window *window, Box bar, const Result *answer) {
     done.high.x = all.low.x + fmin(fmax(answer->part, 0), 1) * box_width(all);
     ui_draw_box(window->ui, all, ROLE_GRID, 1);
     ui_draw_box(window->ui, done, ROLE_CHAIR, 1);
+}
+
+/* Shows what is being worked out, and offers to give it up once it takes longer than a second. */
+static void show_work(Window *window, Tab *tab, const Result *answer, double left, double right, double y) {
+    double now = stopwatch_now();
+    window->work_begun = window->work_begun > 0 ? window->work_begun : now;
+    if (tab->laboratory->stop && now - window->work_begun > STOP_AFTER) {
+        double width = ui_extent(window->ui, UI_BOLD, "Stop").x + BUTTON_PAD;
+        ui_at(window->ui, (Box){{right - width, y - SHOW_HEIGHT / 2}, {right, y + SHOW_HEIGHT / 2}});
+        if (ui_button(window->ui, &(UiButton){.label = "Stop", .help = "Stop: Undo the change and keep this answer"}))
+            tab->laboratory->stop(tab->session);
+        right -= width + GAP;
+    }
+    double radius = ui_extent(window->ui, UI_DETAIL, "x").y / 3, turn = fmod(now, 1);
+    Vec2 ring[RING_POINTS], middle = {left + radius, y};
+    for (int i = 0; i < RING_POINTS; i++)
+        ring[i] = vec2_along(middle, radius, vec2_heading(2 * M_PI * (turn + 0.7 * i / (RING_POINTS - 1))));
+    ui_draw_polyline(window->ui, ring, RING_POINTS, false, ROLE_CHAIR, 3);
+    show_text(window, UI_DETAIL, ROLE_TEXT, left + 2 * radius + GAP, right, y,
+              answer->doing ? answer->doing : "working it out");
 }
 
 /* Shows the result's numbers in one line, or small in two. The background work is named behind them, so that nothing
@@ -183,14 +207,20 @@ void bars_show_answer(Window *window) {
     ui_pane_begin(window->ui, &(UiPane){.name = "answer", .box = bar, .ground = ROLE_PAPER});
     if (tab->session) {
         Result answer = tab->laboratory->answer(tab->session);
-        bool lacks = answer.cure && tab_editor(tab);
-        double right = lacks ? show_cure_button(window, tab, bar, &answer) : show_place_button(window, tab, bar);
+        bool lacks = answer.cure && tab_editor(tab) && !answer.stale;
+        double right = lacks ? show_cure_button(window, tab, bar, &answer)
+                             : show_place_button(window, tab, bar, answer.stale);
         double y = middle_of(bar).y;
         UiTextStyle size = title_size(window, &answer, right);
         double width = ui_extent(window->ui, size, answer.title).x;
         show_text(window, size, answer.stale ? ROLE_DIM_TEXT : answer.role, MARGIN, fmin(right, MARGIN + width + 2), y,
                   answer.title);
-        show_detail(window, &answer, MARGIN + width + 2 * GAP, right, y + 2);
+        if (answer.stale) {
+            show_work(window, tab, &answer, MARGIN + width + 2 * GAP, right, y + 2);
+        } else {
+            window->work_begun = 0;
+            show_detail(window, &answer, MARGIN + width + 2 * GAP, right, y + 2);
+        }
         show_progress(window, bar, &answer);
     }
     ui_pane_end(window->ui);

@@ -39,6 +39,7 @@ static void show_row(Window *window, Tab *tab, const PanelRow *row, size_t index
                    .help = usable ? text_in_arena(&window->arena, "%s: Select it and go to its time", scene->cells[0])
                                   : NULL,
                    .selected = row->item.kind && item_same(row->item, tab->laboratory->selected(tab->session)),
+                   .dim = tab->laboratory->answer(tab->session).stale,
                    .usable = usable};
     Item item = row->item;
     double time = row->time;

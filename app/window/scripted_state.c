@@ -84,10 +84,31 @@ static json_t *rows_state(const Tab *tab) {
 
 static json_t *answer_state(const Tab *tab) {
     Result answer = tab->laboratory->answer(tab->session);
-    json_t *state = json_pack("{s:s,s:b}", "title", answer.title, "stale", answer.stale);
+    bool working = tab->laboratory->runs && tab->laboratory->runs(tab->session).working;
+    json_t *state =
+        json_pack("{s:s,s:b,s:b}", "title", answer.title, "stale", answer.stale || working, "grey", answer.stale);
     json_object_set_new(state, "detail", answer.detail ? json_string(answer.detail) : json_null());
     json_object_set_new(state, "cure", answer.cure ? json_string(answer.cure) : json_null());
     json_object_set_new(state, "doing", answer.doing ? json_string(answer.doing) : json_null());
+    return state;
+}
+
+/* Returns the identities of the runs that the parts of the window show. */
+static json_t *runs_state(const Tab *tab) {
+    if (!tab->laboratory->runs)
+        return json_null();
+    LaboratoryRuns runs = tab->laboratory->runs(tab->session);
+    const struct {
+        const char *name;
+        uint64_t run;
+    } parts[] = {{"answer", runs.answer}, {"picture", runs.picture}, {"rows", runs.rows}, {"plots", runs.plots}};
+    json_t *state = json_object();
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        char text[32];
+        snprintf(text, sizeof text, "%016llx", (unsigned long long)parts[i].run);
+        json_object_set_new(state, parts[i].name, json_string(text));
+    }
+    json_object_set_new(state, "working", json_boolean(runs.working));
     return state;
 }
 
@@ -212,6 +233,7 @@ static void add_tab(json_t *state, Window *window) {
                         item.kind ? json_string(tab->laboratory->item_name(tab->session, item)) : json_null());
     json_object_set_new(state, "floor", floor_state(window, tab));
     json_object_set_new(state, "answer", answer_state(tab));
+    json_object_set_new(state, "runs", runs_state(tab));
     json_object_set_new(state, "rows", rows_state(tab));
     json_object_set_new(state, "parameters", parameters_state(tab));
     json_object_set_new(state, "choices", choices_state(tab));

@@ -149,6 +149,10 @@ unsigned tab_update(Tab *tab, double seconds) {
     kind->reach(tab->session, wish);
     unsigned changes = kind->update(tab->session, tab->player.time);
     span = kind->span(tab->session);
+    if (changes & LABORATORY_RESTART) {
+        player_seek(&tab->player, span.begin, &span);
+        wish = tab->player.time;
+    }
     player_advance(&tab->player, seconds, wish, &span);
     tab->worked += stopwatch_now() - begun;
     follow(tab);

@@ -24,17 +24,22 @@ typedef struct Row {
     Window *window;
     Box bar;
     double left, right; /* edges of the free part */
+    bool stale;         /* the answer is being worked out: there is nothing to play */
 } Row;
 
 /* Adds a button for an action at the left or right end of the free part. */
 static void add_button(Row *row, Action action, const char *label, bool chosen, bool at_right) {
+    bool waits = action == ACTION_PLAY && row->stale;
     double pad = row->window->frame.compact ? BUTTON_PAD / 2 : BUTTON_PAD;
-    const char *widest = action == ACTION_PLAY ? "Pause" : label; /* the width does not change with the label */
+    const char *widest = action == ACTION_PLAY ? "Ready soon" : label; /* the width does not change with the label */
     double width = fmax(ui_extent(row->window->ui, UI_BOLD, widest).x + pad, LEAST_BUTTON);
     double left = at_right ? row->right - width : row->left;
     ui_at(row->window->ui, (Box){{left, row->bar.low.y + MARGIN}, {left + width, row->bar.high.y - MARGIN}});
-    UiButton button = {
-        .id = keys_row(action).name, .label = label, .help = keys_help(&row->window->arena, action), .chosen = chosen};
+    UiButton button = {.id = keys_row(action).name,
+                       .label = label,
+                       .help = keys_help(&row->window->arena, action),
+                       .chosen = chosen && !waits,
+                       .disabled = waits};
     if (ui_button(row->window->ui, &button))
         act_do(row->window, action, 0, 0);
     if (at_right)
@@ -134,7 +139,8 @@ static void show_track(Window *window, Tab *tab, Box box) {
 
 void timeline_show(Window *window) {
     Tab *tab = window_tab(window);
-    Row row = {window, window->frame.timeline, MARGIN, window->frame.timeline.high.x - MARGIN};
+    Row row = {window, window->frame.timeline, MARGIN, window->frame.timeline.high.x - MARGIN, false};
+    row.stale = tab->session && tab->laboratory->answer(tab->session).stale;
     bool compact = window->frame.compact;
     ui_pane_begin(window->ui, &(UiPane){.name = "timeline", .box = row.bar, .ground = ROLE_SHADE, .stop = true});
     if (tab->session) {
@@ -142,7 +148,7 @@ void timeline_show(Window *window) {
             add_button(&row, ACTION_START, "|<", false, false);
         if (!compact)
             add_button(&row, ACTION_STEP_BACK, "<", false, false);
-        add_button(&row, ACTION_PLAY, tab->player.playing ? "Pause" : "Play", true, false);
+        add_button(&row, ACTION_PLAY, row.stale ? "Ready soon" : tab->player.playing ? "Pause" : "Play", true, false);
         if (!compact)
             add_button(&row, ACTION_STEP, ">", false, false);
         if (!compact)

@@ -124,8 +124,9 @@ typedef struct Window {
 
     FrameTimer frame_timer;
     EditBenchmark edit_benchmark;
-    size_t inputs; /* presses and releases of keys and buttons that were handled, without repeated keys */
-    bool dirty;    /* a new frame must be drawn */
+    size_t inputs;     /* presses and releases of keys and buttons that were handled, without repeated keys */
+    double work_begun; /* s of wall time, since when the answer has been grey; 0: it is not */
+    bool dirty;        /* a new frame must be drawn */
     bool quit;
     int code;    /* exit code */
     Arena arena; /* of this frame */

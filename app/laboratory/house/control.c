@@ -121,6 +121,7 @@ void house_control_reset(void *context) {
 #define GHOST "Ghost"
 #define ROUTE "Route"
 #define DRIVING "Driving"
+#define EDITS "Edits"
 
 static PanelChoice *add_choice(HouseSession *session, const char *name, const char *meaning) {
     PanelChoice *choice = &session->choices[session->choice_count];
@@ -167,6 +168,11 @@ static void list(HouseSession *session) {
             add_option(session, route, id, session->wish.route && strcmp(session->wish.route, id) == 0);
         }
     }
+    PanelChoice *edits = add_choice(session, EDITS,
+                                    "The time from which an edit applies: the beginning, so that the whole run is of "
+                                    "one plan, or the displayed time.");
+    add_option(session, edits, "from the start", !session->changes_on_the_way);
+    add_option(session, edits, "while it runs", session->changes_on_the_way);
     if (!rides)
         return;
     PanelChoice *driving = add_choice(session, DRIVING,
@@ -200,6 +206,8 @@ static void apply_choice(HouseSession *session, size_t choice, size_t word) {
     } else if (strcmp(taken->name, ROUTE) == 0) {
         session->wish.route = word ? arena_text(&session->arena, taken->options[word]) : NULL;
         house_schedule_request(session);
+    } else if (strcmp(taken->name, EDITS) == 0) {
+        session->changes_on_the_way = word == 1;
     } else {
         session->wish.driving = (int)word - 1;
         editor_set_driving(session->editor, session->wish.driving);

@@ -52,16 +52,18 @@ void house_picture_make_film(HouseSession *session, double time) {
     const House *house = last && session->runs[RUN_EARLY] ? &session->runs[RUN_EARLY]->house
                                                           : house_run_house(session->runs[RUN_SHOWN], epoch);
     Before ghost = house_runs_compared(session);
+    bool rests = session->settles;
     bool is_crowd = ghost.house && ghost.house->person_count > GHOSTS_MOST;
     bool has_routes = house_runs_is_over(session, RUN_ROUTES) && session->layers & 1u << LAYER_WIDTHS;
     FilmOptions options = {
         .camera = session->camera,
         .bare = true,
         .shown = session->layers & 1u << LAYER_CIRCLES ? FILM_CIRCLES : 0,
-        .hidden = hidden_of(session->layers),
+        .hidden = hidden_of(session->layers) | (rests ? FILM_RINGS | FILM_LOCI | FILM_DANGER | FILM_FORCES : 0),
         .before = is_crowd ? (Before){.house = NULL} : ghost,
         .live = true,
-        .ahead = session->whole && session->ghost == GHOST_BEFORE && ghost.house, /* both are complete */
+        .rests = rests,
+        .ahead = !rests && session->whole && session->ghost == GHOST_BEFORE && ghost.house, /* both are complete */
         .observed = house == &session->runs[RUN_SHOWN]->house ? NULL : &session->runs[RUN_SHOWN]->house,
         .trails = session->trails.trails,
         .routes = has_routes ? &session->runs[RUN_ROUTES]->routes : NULL,
@@ -69,6 +71,7 @@ void house_picture_make_film(HouseSession *session, double time) {
         .falling_count = falling,
         .box = box_of(&session->runs[RUN_SHOWN]->house)};
     session->epoch = epoch;
+    session->film_of = house_runs_identity(session->runs[RUN_SHOWN]);
     session->fall.drawn = falling;
     session->film = film_create(house, session->observation, &options);
     session->film_is_stale = false;
@@ -120,6 +123,7 @@ void house_picture_make_plots(HouseSession *session, bool restart) {
     if (plots->made)
         house_plots_free(&plots->plots);
     plots->made = true;
+    session->plots_of = house_runs_identity(session->runs[RUN_SHOWN]);
     plots->plots = house_plots_make_of(&session->runs[RUN_SHOWN]->house, session->observation, session->trails.trails,
                                        house_runs_compared(session), person, &all);
     for (size_t i = 0; i < HOUSE_PLOTS_KNOWN; i++) {

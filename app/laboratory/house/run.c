@@ -64,6 +64,12 @@ static void take_rows(HouseRun *run, const RunPiece *piece) {
     }
 }
 
+/* Removes the widths that a brief run has only estimated: the complete search may find others. */
+static void forget_needs(PersonObservation *people, size_t count) {
+    for (size_t i = 0; i < count; i++)
+        people[i].blockage.needs = 0;
+}
+
 static void take_piece(void *context, const RunPiece *piece) {
     HouseRun *run = context;
     pthread_mutex_lock(&run->mutex);
@@ -78,6 +84,8 @@ static void take_piece(void *context, const RunPiece *piece) {
         size_t place = piece->part[i] ? place_of(run, piece, i) : SIZE_MAX;
         if (place != SIZE_MAX)
             run->people[place] = piece->people[i];
+        if (place != SIZE_MAX && run->wish.brief)
+            forget_needs(&run->people[place], 1);
     }
     for (size_t d = 0; piece->house == &run->house && d < run->house.plan.door_count; d++)
         run->door_opened[d] = fmin(run->door_opened[d], piece->door_opened[d]);
@@ -108,6 +116,8 @@ static void drive(HouseRun *run) {
                       .changes = changes,
                       .change_count = earlier};
     run_house(&run->observation, first, &how);
+    if (run->wish.brief)
+        forget_needs(run->observation.people, run->observation.person_count);
     memory_free(changes);
 }
 

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/digest.h"
 #include "laboratory/house/picture.h"
 #include "visual/house/people_scene.h"
 
@@ -30,7 +31,6 @@ static const RoleRow roles[RUN_ROLES] = {
     [RUN_LATEST] = {HOUSE_JOB_RUN, RUNS_CLOSE | RUNS_ANSWER, NULL},
     [RUN_OLDER] = {HOUSE_JOB_RUN, RUNS_CLOSE | RUNS_ANSWER, NULL},
     [RUN_MIXED] = {HOUSE_JOB_MIXED, RUNS_CLOSE | RUNS_EDIT, NULL},
-    [RUN_CLEAN] = {HOUSE_JOB_RUN, RUNS_CLOSE, NULL},
     [RUN_EARLY] = {HOUSE_JOB_RUN, RUNS_CLOSE, NULL},
     [RUN_BEFORE] = {HOUSE_JOB_RUN, RUNS_CLOSE, NULL},
     [RUN_RIVAL] = {HOUSE_JOB_RIVAL, RUNS_CLOSE | RUNS_DISPLAY, wants_rival},
@@ -117,11 +117,27 @@ double house_runs_reach(const HouseSession *session) {
     if (!session->runs[RUN_SHOWN])
         return 0;
     const Observation *observation = session->observation;
+    if (house_runs_is_working(session)) /* nobody moves */
+        return session->settles && !session->runs[RUN_MIXED] ? 0 : session->time;
     return session->whole ? observation->time : fmax(0, observation->time - MARGIN * observation->sample);
 }
 
-const HouseRun *house_runs_answering(const HouseSession *session) {
-    return session->runs[RUN_CLEAN] ? session->runs[RUN_CLEAN] : session->runs[RUN_SHOWN];
+uint64_t house_runs_identity(const HouseRun *run) {
+    uint64_t digest = DIGEST_START;
+    if (!run)
+        return 0;
+    for (size_t i = 0; i < run->wish.epoch_count; i++) {
+        digest = digest_text(digest, run->wish.epochs[i].text);
+        digest = digest_bytes(digest, &run->wish.epochs[i].time, sizeof run->wish.epochs[i].time);
+    }
+    digest = digest_text(digest, run->wish.route ? run->wish.route : "");
+    digest = digest_bytes(digest, &run->wish.driving, sizeof run->wish.driving);
+    return digest_bytes(digest, &run->wish.seed, sizeof run->wish.seed);
+}
+
+bool house_runs_is_working(const HouseSession *session) {
+    const HouseRun *newest = session->runs[RUN_LATEST] ? session->runs[RUN_LATEST] : session->runs[RUN_MIXED];
+    return session->runs[RUN_SHOWN] && newest && !house_runs_seeks_reasons(session);
 }
 
 bool house_runs_is_of(const HouseSession *session, const HouseRun *run, const HouseEpoch *epochs, size_t count) {
@@ -133,7 +149,6 @@ bool house_runs_is_of(const HouseSession *session, const HouseRun *run, const Ho
 
 bool house_runs_seeks_reasons(const HouseSession *session) {
     HouseEpoch now = {0, NULL, draft_revision(session->draft)};
-    return session->runs[RUN_LATEST] && !session->runs[RUN_LATEST]->wish.brief &&
-           (session->runs[RUN_CLEAN] || session->whole) &&
-           house_runs_is_of(session, house_runs_answering(session), &now, 1);
+    return session->runs[RUN_LATEST] && !session->runs[RUN_LATEST]->wish.brief && session->whole &&
+           house_runs_is_of(session, session->runs[RUN_SHOWN], &now, 1);
 }

@@ -6,8 +6,8 @@
  *     latest    run     after each edit, in brief; then in full      when its answer is displayed or no longer needed
  *                       if a person cannot leave
  *     older     run     the latest, when another was requested       when the latest is displayed, or after GRACE
- *     mixed     mixed   after an edit while people move              by the next edit
- *     clean     run     - the answer while a mixed run is shown      when a run of one plan is displayed
+ *     mixed     mixed   after an edit while people move, if edits    by the next edit
+ *                       apply on the way
  *     early     run     - the latest, whose plan is drawn already    with its last other role
  *     before    run     - saved for comparison                       by clear, or when another run is saved
  *     rival     rival   while it is chosen as the ghost              when another run is displayed or needed
@@ -45,8 +45,11 @@ Before house_runs_compared(const HouseSession *session);
 /* Returns the driving model that the displayed house does not have. */
 int house_runs_other_driving(const HouseSession *session);
 
-/* Returns the run whose answer is the draft's: the displayed run, unless that is mixed. */
-const HouseRun *house_runs_answering(const HouseSession *session);
+/* Returns a number that is the same for runs of the same plans, route, driving model and seed only; NULL: 0. */
+uint64_t house_runs_identity(const HouseRun *run);
+
+/* True from a change until its run is displayed: the displayed run is of an older plan. */
+bool house_runs_is_working(const HouseSession *session);
 
 /* True if the run is the result of these epochs (count) with the present route and driving model. */
 bool house_runs_is_of(const HouseSession *session, const HouseRun *run, const HouseEpoch *epochs, size_t count);

@@ -1,5 +1,6 @@
 #include "laboratory/house/schedule.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "base/stopwatch.h"
@@ -7,9 +8,11 @@
 #include "laboratory/house/picture.h"
 #include "visual/house/people_scene.h"
 
-#define GRACE 0.3     /* s: a run may take this long before its first part is displayed or it is stopped */
-#define EARLY 0.15    /* s: the plan is drawn before the answer if the answer takes longer */
-#define TAKE_PART 16  /* new rows are copied once they make up 1/16 of the record, so total copying stays linear */
+#define GRACE 0.3    /* s: a run may take this long before its first part is displayed or it is stopped */
+#define EARLY 0.15   /* s: the plan is drawn before the answer, and the old run disappears, if the answer takes longer \
+                      */
+#define PARTLY 2.0   /* s: after an edit, an incomplete run is displayed only if it takes longer */
+#define TAKE_PART 16 /* new rows are copied once they make up 1/16 of the record, so total copying stays linear */
 #define TAKE_NEAR 1.0 /* s: or once the displayed time is this close to the end of the record */
 
 /* Requests -------------------------------------------------------------------------------------------------------- */
@@ -40,26 +43,20 @@ static void forget_asked(HouseSession *session) {
     session->changed |= LABORATORY_TEXTS | LABORATORY_PARAMETERS;
 }
 
-/* Sets the run of the answer; NULL: the displayed one. */
-static void set_clean(HouseSession *session, HouseRun *run) {
-    house_runs_set(session, RUN_CLEAN, run);
-    session->texts_are_stale = true;
-    session->changed |= LABORATORY_TEXTS;
-}
-
 /* True if the displayed run is over and has the present history. */
 static bool is_up_to_date(const HouseSession *session) {
     return session->whole &&
            house_runs_is_of(session, session->runs[RUN_SHOWN], session->history.at, session->history.count);
 }
 
-/* True if people move at the displayed time: then an edit applies from there on. */
+/* True if people move at the displayed time and an edit applies from there on. */
 static bool is_under_way(const HouseSession *session) {
-    return session->runs[RUN_SHOWN] && session->time > 0 && session->time < session->observation->time;
+    return session->changes_on_the_way && session->runs[RUN_SHOWN] && session->time > 0 &&
+           session->time < session->observation->time;
 }
 
-/* Adds the draft to the history. A completed edit applies at the displayed time; a gesture in progress is shown from
- * the beginning on. */
+/* Adds the draft to the history. A completed edit applies at the displayed time if that is wanted, otherwise from the
+ * beginning on, as a gesture in progress does. */
 static void note_history(HouseSession *session) {
     const char *text = draft_text(session->draft);
     uint64_t revision = draft_revision(session->draft);
@@ -80,15 +77,12 @@ static void ask_missing(HouseSession *session) {
     HouseEpoch now = {0, NULL, draft_revision(session->draft)};
     bool mixed = session->history.count > 1 && !draft_is_open(session->draft);
     house_runs_drop(session, RUNS_EDIT);
-    if (mixed && session->whole && house_runs_is_of(session, session->runs[RUN_SHOWN], &now, 1))
-        set_clean(session, session->runs[RUN_SHOWN]);
-    if (mixed && house_runs_is_of(session, session->runs[RUN_CLEAN], &now, 1)) {
+    if (mixed) {
         forget_asked(session);
         if (!is_up_to_date(session))
-            house_runs_ask(session, RUN_MIXED, true);
+            house_runs_ask(session, RUN_MIXED, false);
     } else if (!mixed && session->whole && house_runs_is_of(session, session->runs[RUN_SHOWN], &now, 1)) {
         forget_asked(session);
-        set_clean(session, NULL);
     } else if (!is_requested(session, &now)) {
         house_schedule_request(session);
     }
@@ -113,8 +107,21 @@ void house_schedule_restart(HouseSession *session) {
     ask_missing(session);
 }
 
+/* True if people take part in the displayed run and each of them has an exit to go to: earlier plans of a new house
+ * are not worth comparing with. */
+static bool is_answered(const HouseSession *session) {
+    bool answered = false;
+    for (size_t i = 0; i < session->observation->person_count; i++) {
+        const PersonObservation *person = &session->observation->people[i];
+        if (person->took_part && person->reason == REASON_NO_EXIT)
+            return false;
+        answered |= person->took_part;
+    }
+    return answered;
+}
+
 bool house_schedule_store(HouseSession *session, bool by_itself) {
-    if (!session->whole || (by_itself && (session->runs[RUN_BEFORE] || !session->runs[RUN_SHOWN]->house.person_count)))
+    if (!session->whole || (by_itself && (session->runs[RUN_BEFORE] || !is_answered(session))))
         return false;
     house_runs_set(session, RUN_BEFORE, session->runs[RUN_SHOWN]);
     session->stored_by_itself = by_itself;
@@ -212,9 +219,20 @@ static void finish(HouseSession *session) {
     session->changed |= LABORATORY_TEXTS | LABORATORY_PLOTS;
 }
 
-/* Displays another run. */
+/* Forgets the saved run that was saved automatically if it is of other people. */
+static void drop_other_people(HouseSession *session, const House *house) {
+    if (session->stored_by_itself && !house_run_alike(&session->runs[RUN_BEFORE]->house, house))
+        house_schedule_clear(session);
+}
+
+/* Displays another run, from its beginning unless it only continues the displayed one. */
 static void swap_in(HouseSession *session, HouseRun *run) {
     const HouseRun *last = session->runs[RUN_SHOWN];
+    if (last && run->wish.epoch_count == 1 && house_runs_identity(run) != house_runs_identity(last))
+        session->changed |= LABORATORY_RESTART;
+    drop_other_people(session, &run->house);
+    session->edited = NAN;
+    session->settles = false;
     house_picture_void_film(session);
     trail_clear(&session->trails);
     observation_free(&session->growing);
@@ -249,13 +267,8 @@ static bool is_ready(HouseSession *session, HouseRun *run, double time) {
     HouseStage stage = house_run_stage(run);
     if (stage == HOUSE_OVER || (!session->runs[RUN_SHOWN] && (stage == HOUSE_PLANS || stage == HOUSE_DRIVES)))
         return true;
-    return stage == HOUSE_DRIVES && house_run_age(run) > GRACE && house_run_reach(run) > time + TAKE_NEAR;
-}
-
-/* True if a run only gives the answer to an edit while people move: the mixed run is displayed instead. */
-static bool is_answer_only(const HouseSession *session, const HouseRun *run) {
-    return session->history.count > 1 && !draft_is_open(session->draft) &&
-           house_run_revision(run) == draft_revision(session->draft);
+    double patience = session->runs[RUN_SHOWN] ? PARTLY : GRACE;
+    return stage == HOUSE_DRIVES && house_run_age(run) > patience && house_run_reach(run) > time + TAKE_NEAR;
 }
 
 static void update_asked(HouseSession *session, HouseRunRole role, double time) {
@@ -270,17 +283,9 @@ static void update_asked(HouseSession *session, HouseRunRole role, double time) 
         if (latest && stage == HOUSE_FAILED)
             undo_invalid(session, run);
         house_runs_release(session, run);
-    } else if (latest && is_answer_only(session, run)) {
-        if (stage != HOUSE_OVER)
-            return;
-        set_clean(session, run);
-        house_runs_set(session, role, NULL);
-        ask_missing(session);
     } else if (is_ready(session, run, time)) {
         if (latest)
             house_runs_set(session, RUN_OLDER, NULL);
-        if (role != RUN_MIXED)
-            set_clean(session, NULL);
         swap_in(session, run);
         house_runs_set(session, role, NULL);
     }
@@ -354,11 +359,45 @@ static void update_plan(HouseSession *session) {
 
 /* Searches for the reasons why a person cannot leave, unless an edit is in progress. */
 static void update_reasons(HouseSession *session) {
-    const HouseRun *run = house_runs_answering(session);
-    bool whole = session->runs[RUN_CLEAN] || session->whole;
-    if (whole && run->wish.brief && !run->observation.completed && !session->runs[RUN_LATEST] &&
+    const HouseRun *run = session->runs[RUN_SHOWN];
+    if (session->whole && run->wish.brief && !run->observation.completed && !session->runs[RUN_LATEST] &&
         !draft_is_open(session->draft))
         ask_for_run(session, false);
+}
+
+/* Stops displaying the old run as if it held when the newest one takes longer than EARLY. */
+static void update_settling(HouseSession *session) {
+    bool working = house_runs_is_working(session);
+    if (!working)
+        session->edited = NAN;
+    else if (isnan(session->edited))
+        session->edited = stopwatch_now();
+    bool settles = working && stopwatch_now() - session->edited > EARLY;
+    if (settles == session->settles)
+        return;
+    session->settles = settles;
+    session->changed |= LABORATORY_TEXTS | LABORATORY_PLOTS;
+    session->changed |= settles && !session->runs[RUN_MIXED] ? LABORATORY_RESTART : 0;
+    session->texts_are_stale = true;
+    house_picture_void_film(session);
+}
+
+void house_schedule_stop(HouseSession *session) {
+    if (!house_runs_is_working(session) || draft_is_open(session->draft))
+        return;
+    forget_asked(session);
+    house_runs_drop(session, RUNS_EDIT);
+    while (draft_revision(session->draft) != house_run_revision(session->runs[RUN_SHOWN]) && draft_undo(session->draft))
+        ;
+    note_history(session);
+    session->wish.driving = session->runs[RUN_SHOWN]->wish.driving;
+    session->wish.route =
+        session->runs[RUN_SHOWN]->wish.route ? arena_text(&session->arena, session->runs[RUN_SHOWN]->wish.route) : NULL;
+    editor_set_driving(session->editor, session->wish.driving);
+    house_value_rebuild(&session->values, &session->opened, &session->runs[RUN_SHOWN]->house);
+    session->texts_are_stale = true;
+    if (!is_up_to_date(session))
+        ask_missing(session);
 }
 
 void house_schedule_update(HouseSession *session, double time) {
@@ -370,6 +409,7 @@ void house_schedule_update(HouseSession *session, double time) {
     update_shown(session, time);
     update_reasons(session);
     update_companions(session);
+    update_settling(session);
 }
 
 void house_schedule_end(HouseSession *session) {

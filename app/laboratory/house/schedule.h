@@ -19,3 +19,6 @@ void house_schedule_restart(HouseSession *session);
 /* Takes over new results; `time` is the displayed time. */
 void house_schedule_update(HouseSession *session, double time);
 void house_schedule_end(HouseSession *session);
+
+/* Gives up the newest run and undoes the edits since the displayed one. */
+void house_schedule_stop(HouseSession *session);

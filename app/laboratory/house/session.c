@@ -128,6 +128,7 @@ static void *open_house(const char *path, const LaboratoryOptions *options, Faul
                                                             .driving = session->wish.driving,
                                                             .jobs = session->wish.jobs});
     session->worker = worker;
+    session->edited = NAN;
     house_history_begin(&session->history, draft_text(draft), draft_revision(draft));
     house_schedule_request(session);
     return session;
@@ -158,7 +159,8 @@ static void close_house(void *context) {
 static RecordSpan span(const void *context) {
     const HouseSession *session = context;
     return (RecordSpan){.end = house_runs_reach(session),
-                        .complete = session->whole || (!session->runs[RUN_SHOWN] && !session->runs[RUN_LATEST]),
+                        .complete = !house_runs_is_working(session) &&
+                                    (session->whole || (!session->runs[RUN_SHOWN] && !session->runs[RUN_LATEST])),
                         .pace = 1,
                         .step = STEP,
                         .fastest = FASTEST};
@@ -260,7 +262,7 @@ static const char *note(void *context) {
     *session->texts.note = 0;
     if (wish && wish->epoch_count > 1) {
         char mixed[96];
-        snprintf(mixed, sizeof mixed, "mixed: the plan changed at %.1f s; press R to run it from the start",
+        snprintf(mixed, sizeof mixed, "the plan changed at %.1f s; R runs it from the start",
                  wish->epochs[wish->epoch_count - 1].time);
         add_note(session, mixed);
     }
@@ -285,7 +287,7 @@ static const PanelRow *rows(const void *context, size_t *count) {
 
 static const TimelineMark *marks(void *context, size_t *count) {
     const HouseSession *session = context;
-    *count = session->texts.mark_count;
+    *count = session->settles ? 0 : session->texts.mark_count;
     return session->texts.marks;
 }
 
@@ -371,6 +373,19 @@ uint64_t house_session_digest(void *context) {
     return session->whole && !session->runs[RUN_LATEST] && !session->runs[RUN_MIXED] ? session->observation->digest : 0;
 }
 
+static LaboratoryRuns runs(void *context) {
+    HouseSession *session = house_control_sync(context);
+    return (LaboratoryRuns){.answer = session->texts_of,
+                            .picture = session->film ? session->film_of : 0,
+                            .rows = session->texts_of,
+                            .plots = session->plots_of,
+                            .working = house_runs_is_working(session)};
+}
+
+static void stop(void *context) {
+    house_schedule_stop(house_control_sync(context));
+}
+
 static const char *const layer_names[LAYERS] = {
     [LAYER_RINGS] = "rings",   [LAYER_LOCI] = "ways",     [LAYER_GHOST] = "ghost",
     [LAYER_DANGER] = "danger", [LAYER_WIDTHS] = "widths", [LAYER_GRID] = "grid",
@@ -429,6 +444,8 @@ const Laboratory house_laboratory = {
     .apply_preset = house_control_apply_preset,
     .choices = house_control_choices,
     .choose = house_control_choose,
+    .runs = runs,
+    .stop = stop,
     .restart = house_control_restart,
     .save_run = house_control_save_run,
     .clear_runs = house_control_clear,

@@ -29,7 +29,7 @@ typedef enum HouseLayer {
 } HouseLayer;
 _Static_assert((int)LAYERS <= (int)LABORATORY_LAYERS_MOST, "a key for each layer");
 
-enum { HOUSE_CHOICES = 3, HOUSE_CHOICE_OPTIONS = 32 /* a choice has at most this many */ };
+enum { HOUSE_CHOICES = 4, HOUSE_CHOICE_OPTIONS = 32 /* a choice has at most this many */ };
 
 /* The plots of the displayed run, and how far their axes have grown. */
 typedef struct ShownPlots {
@@ -41,7 +41,6 @@ typedef struct ShownPlots {
 
 /* The texts about the displayed run. */
 typedef struct HouseTexts {
-    Scene clean;                 /* holds the answer of the draft when the run is mixed */
     Scene run;                   /* holds the texts about the run: its answer, its list */
     Scene moment;                /* holds the texts about the selection and the comparison */
     double before[HAZARDS_MOST]; /* s, shortly before a person reaches each dangerous point */
@@ -53,7 +52,7 @@ typedef struct HouseTexts {
     Missing missing; /* what the house lacks; title NULL: nothing */
     double said;     /* s, of a steady clock, at the last update of the texts */
     double time;     /* s, the time that the texts describe */
-    char doing[96], done[96], clock[32], note[192], name[HOUSE_ITEM_NAME];
+    char doing[128], done[128], clock[32], note[192], name[HOUSE_ITEM_NAME];
 } HouseTexts;
 
 /* The roles of runs: see runs.h. */
@@ -62,7 +61,6 @@ typedef enum HouseRunRole {
     RUN_LATEST,
     RUN_OLDER,
     RUN_MIXED,
-    RUN_CLEAN,
     RUN_EARLY,
     RUN_BEFORE,
     RUN_RIVAL,
@@ -82,17 +80,21 @@ typedef struct HouseSession {
     HouseWorker *worker;
     HouseRun *runs[RUN_ROLES]; /* see runs.h; NULL: none */
     bool stored_by_itself;     /* the saved run was saved automatically by a change */
+    bool changes_on_the_way;   /* an edit applies from the displayed time on; otherwise from the beginning */
+    double edited;             /* s, of a steady clock, when the newest run was requested; NAN: it is displayed */
+    bool settles;              /* that was so long ago that the old run is no longer displayed as if it held */
 
-    Observation growing;            /* the observation of the displayed run while it is in progress */
-    const Observation *observation; /* the observation of the displayed run */
-    TrailGrowth trails;             /* trails of that observation */
-    bool whole;                     /* the displayed run is over */
-    Film *film;                     /* NULL: not made yet */
-    bool film_is_stale;             /* the film must be rebuilt before it is displayed */
-    size_t epoch;                   /* the epoch of the run that the film shows */
-    bool fresh;                     /* nothing of the film has been displayed yet */
-    Scene nothing;                  /* displayed before the first house is read */
-    HouseFall fall;                 /* only in the picture */
+    Observation growing;                  /* the observation of the displayed run while it is in progress */
+    const Observation *observation;       /* the observation of the displayed run */
+    TrailGrowth trails;                   /* trails of that observation */
+    bool whole;                           /* the displayed run is over */
+    Film *film;                           /* NULL: not made yet */
+    bool film_is_stale;                   /* the film must be rebuilt before it is displayed */
+    size_t epoch;                         /* the epoch of the run that the film shows */
+    uint64_t film_of, texts_of, plots_of; /* identities of the runs that they show, see house_runs_identity */
+    bool fresh;                           /* nothing of the film has been displayed yet */
+    Scene nothing;                        /* displayed before the first house is read */
+    HouseFall fall;                       /* only in the picture */
 
     HouseGhost ghost;
     Camera camera;

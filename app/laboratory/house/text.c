@@ -239,10 +239,6 @@ static void make_marks(HouseSession *session) {
 /* Compares a value with the saved run: "before 24.1 s, -5.7 s (-24 %)". */
 static const char *against(HouseSession *session, const Observation *now) {
     Before ghost = house_runs_compared(session);
-    if (!ghost.observation && session->runs[RUN_CLEAN] &&
-        session->runs[RUN_BEFORE]) /* which is still displayed: the answer is newer */
-        ghost = (Before){.house = &session->runs[RUN_BEFORE]->house,
-                         .observation = &session->runs[RUN_BEFORE]->observation};
     Scene *scene = &session->texts.moment;
     if (!ghost.observation)
         return "";
@@ -259,23 +255,25 @@ static const char *against(HouseSession *session, const Observation *now) {
 
 static void make_answer(HouseSession *session) {
     HouseTexts *texts = &session->texts;
-    const Scene *run = session->runs[RUN_CLEAN] ? &texts->clean : &texts->run;
+    const Scene *run = &texts->run;
+    const HouseRun *shown = session->runs[RUN_SHOWN];
     texts->missing = (Missing){.title = NULL};
-    if (!session->whole && !session->runs[RUN_CLEAN]) {
+    if (!session->whole) {
         texts->title = session->observation->trace.rows ? "Driving ..." : "Planning ...";
         texts->role = ROLE_TEXT;
         texts->detail = "";
         return;
     }
-    const HouseRun *answering = house_runs_answering(session);
-    const Observation *answer = session->runs[RUN_CLEAN] ? &answering->observation : session->observation;
-    if (missing_find(&answering->house, answer, &texts->moment, &texts->missing)) {
+    if (missing_find(&shown->house, session->observation, &texts->moment, &texts->missing)) {
         texts->title = texts->missing.title;
         texts->role = texts->missing.role;
         texts->detail = texts->missing.detail;
         return;
     }
-    const char *than = against(session, session->runs[RUN_CLEAN] ? &answering->observation : session->observation);
+    const char *than = against(session, session->observation);
+    const HouseWish *wish = &shown->wish;
+    if (wish->epoch_count > 1)
+        than = scene_text(&texts->moment, "after the change at %.1f s", wish->epochs[wish->epoch_count - 1].time);
     texts->title = run->title;
     texts->role = run->title_role;
     texts->detail = !*than         ? run->detail
@@ -283,20 +281,8 @@ static void make_answer(HouseSession *session) {
                                    : than;
 }
 
-/* Writes the answer of the draft from the beginning on, while a mixed run is displayed. */
-static void make_clean_texts(HouseSession *session) {
-    scene_clear(&session->texts.clean);
-    if (!session->runs[RUN_CLEAN])
-        return;
-    Census census = census_make(&session->runs[RUN_CLEAN]->house, &session->runs[RUN_CLEAN]->observation);
-    house_scene_add_answer(&session->texts.clean, &session->runs[RUN_CLEAN]->house,
-                           &session->runs[RUN_CLEAN]->observation, &census);
-    census_clear(&census);
-}
-
 /* Makes the texts about the run as a whole. */
 static void make_run_texts(HouseSession *session) {
-    make_clean_texts(session);
     Census census = census_make(&session->runs[RUN_SHOWN]->house, session->observation);
     scene_clear(&session->texts.run);
     house_scene_add_answer(&session->texts.run, &session->runs[RUN_SHOWN]->house, session->observation, &census);
@@ -311,6 +297,7 @@ void house_text_make(HouseSession *session, double time) {
     texts->row_count = 0;
     texts->said = stopwatch_now();
     texts->time = time;
+    session->texts_of = house_runs_identity(session->runs[RUN_SHOWN]);
     if (session->texts_are_stale)
         make_run_texts(session);
     scene_clear(&texts->moment);
@@ -321,7 +308,6 @@ void house_text_make(HouseSession *session, double time) {
 }
 
 void house_text_clear(HouseSession *session) {
-    scene_clear(&session->texts.clean);
     scene_clear(&session->texts.run);
     scene_clear(&session->texts.moment);
     memory_free(session->texts.rows);
@@ -342,9 +328,16 @@ static const char *describe_progress(HouseSession *session) {
     HouseTexts *texts = &session->texts;
     const char *model = NULL;
     if (house_runs_seeks_reasons(session))
-        return "searching for the reason";
-    HouseRun *run = session->runs[RUN_LATEST] ? session->runs[RUN_LATEST] : session->runs[RUN_MIXED];
-    if (!run && session->runs[RUN_SHOWN] && !session->whole)
+        return "working out how wide it must be";
+    if (house_runs_is_working(session)) {
+        if (!session->settles)
+            return NULL;
+        snprintf(texts->doing, sizeof texts->doing, "working it out for the plan as it is now, %.1f s",
+                 stopwatch_now() - session->edited);
+        return texts->doing;
+    }
+    HouseRun *run = NULL;
+    if (session->runs[RUN_SHOWN] && !session->whole)
         run = session->runs[RUN_SHOWN];
     if (!run && session->runs[RUN_RIVAL] && !house_runs_is_over(session, RUN_RIVAL)) {
         run = session->runs[RUN_RIVAL];
@@ -373,7 +366,7 @@ Result house_text_answer(HouseSession *session) {
     return (Result){.title = texts->title ? texts->title : "Planning ...",
                     .role = texts->role,
                     .detail = texts->detail ? texts->detail : "",
-                    .stale = session->runs[RUN_LATEST] && !house_runs_seeks_reasons(session),
+                    .stale = session->settles,
                     .doing = describe_progress(session),
                     .part = NAN,
                     .cure = texts->missing.cure,

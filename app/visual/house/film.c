@@ -142,7 +142,8 @@ static void make_still(Film *film) {
         mark_routes(film);
     if (!film->crowd)
         plan_scene_signs(scene, &rest);
-    add_blockages(film);
+    if (!film->options.rests)
+        add_blockages(film);
     if (!(hidden & FILM_DANGER))
         people_scene_hazards(scene, film->observation);
     if (!(hidden & FILM_NAMES))

@@ -41,6 +41,7 @@ typedef struct FilmOptions {
     Before before; /* the comparison, whose loci are shown as "before" */
     bool live;  /* for a window: the interval between bodies does not depend on the length of the run, and the people of
                    the comparison move, too */
+    bool rests; /* an answer is being worked out: chairs stand at their starts, grey, without blockages */
     bool ahead; /* the whole loci, thin, also before they are driven */
     const House *observed; /* the house of the observation, if that is another plan with the same people and exits;
                               NULL: the same house */

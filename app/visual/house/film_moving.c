@@ -44,12 +44,20 @@ static size_t group_of(const Film *film, size_t i) {
     return route ? (size_t)(route - plan->routes) : plan->route_count;
 }
 
+/* Returns where a person is now: at the start while an answer is being worked out. */
+static Pose pose_of(const Film *film, size_t i) {
+    const Inhabitant *person = &film->house->people[i];
+    if (film->options.rests)
+        return (Pose){.at = person->at, .heading = person->heading};
+    return trail_pose(&film->trails[i], film->time);
+}
+
 static size_t find_standing(Film *film) {
     size_t count = 0;
     for (size_t i = 0; i < film->house->person_count; i++)
         if (is_there(film, i))
             film->standing[count++] = (Standing){.profile = film->house->people[i].profile,
-                                                 .pose = trail_pose(&film->trails[i], film->time),
+                                                 .pose = pose_of(film, i),
                                                  .person = i,
                                                  .group = group_of(film, i)};
     return count;
@@ -87,7 +95,7 @@ static void add_space(Film *film, size_t count, size_t i) {
 }
 
 static void add_chair(Film *film, const Standing *standing) {
-    Role role = film_layers_look(film, standing->person).role;
+    Role role = film->options.rests ? ROLE_WALKER : film_layers_look(film, standing->person).role;
     if (film->small)
         crowd_scene_chair(&film->moving, film->still.box, standing->profile, standing->pose, role);
     else
@@ -140,7 +148,7 @@ static void add_name(Film *film, const Standing *standing) {
     Vec2 at = raised ? middle : vec2_add(middle, vec2(0, ID_BESIDE));
     Primitive *tag =
         scene_add_label(&film->moving, ROLE_TEXT, ID_TEXT, at, person->route ? person->route->id : person->id);
-    tag->fill = film_layers_look(film, standing->person).role;
+    tag->fill = film->options.rests ? ROLE_WALKER : film_layers_look(film, standing->person).role;
     tag->base = ID_HEIGHT;
     tag->shape = LABEL_TAG;
     tag->fixed = tag->bold = true;
@@ -166,7 +174,7 @@ static void add_exits(Film *film) {
 /* Adds the people of the comparison at the same time. */
 static void add_ghosts(Film *film) {
     const Before *before = &film->options.before;
-    for (size_t i = 0; film->ghosts && i < before->observation->person_count; i++) {
+    for (size_t i = 0; film->ghosts && !film->options.rests && i < before->observation->person_count; i++) {
         const PersonObservation *observed = &before->observation->people[i];
         const Profile *profile = before->house->people[i].profile;
         bool gone = observed->completed && film->time > observed->time + STAY;

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "check.h"
 #include "editing.h"
+#include "running_house.h"
 
 static const Laboratory *const laboratory = &house_laboratory;
 
@@ -79,6 +80,41 @@ TEST(a_flat_drawn_by_hand_and_one_that_is_typed_are_the_same) {
     CHECK_TEXT(editor_text(laboratory->editor(typed)), editor_text(laboratory->editor(by_hand)));
     laboratory->close(by_hand);
     laboratory->close(typed);
+}
+
+static bool has_before(void *session) {
+    size_t count, words = 0;
+    const PanelChoice *choices = laboratory->choices(session, &count);
+    for (size_t i = 0; i < count; i++)
+        for (size_t w = 0; w < choices[i].count; w++)
+            words += strcmp(choices[i].options[w], "before") == 0;
+    return words > 0;
+}
+
+TEST(a_plan_without_exit_is_not_kept_as_before_and_nobody_who_is_undone) {
+    void *session = editing_open(NULL);
+    editor_set_tool(laboratory->editor(session), TOOL_PERSON);
+    choose(session, "", "manual-chair");
+    editing_click(session, 2.0, 4.5);
+    running_house_finish(session, 0);
+    editor_set_tool(laboratory->editor(session), TOOL_EXIT);
+    editing_drag(session, 6.0, 4.0, 6.0, 5.0);
+    running_house_finish(session, 0);
+    CHECK(!has_before(session));
+    editor_set_tool(laboratory->editor(session), TOOL_FURNITURE);
+    choose(session, "European", "wardrobe");
+    editing_click(session, 1.0, 7.5);
+    running_house_finish(session, 0);
+    CHECK(has_before(session));
+    editor_set_tool(laboratory->editor(session), TOOL_PERSON);
+    choose(session, "", "manual-chair");
+    editing_click(session, 2.0, 2.5);
+    running_house_finish(session, 0);
+    CHECK(!has_before(session));
+    CHECK(editor_undo(laboratory->editor(session)));
+    running_house_finish(session, 0);
+    CHECK(!has_before(session));
+    laboratory->close(session);
 }
 
 TEST(a_flat_is_undone_to_the_empty_plan_and_redone_to_the_same_bytes) {
