@@ -4,19 +4,22 @@
 #include "draw/mask.h"
 #include "draw/text.h"
 
-#define GAP 9.0           /* design points, between a point and a label next to it: half a line's width and some air */
-#define WIDEST 480.0      /* design points: longer texts are shortened */
-#define AIR 3.0           /* design points, left free around a label, also within the outline of its object */
-#define RING_STEP 12.0    /* design points, from one ring of candidate places to the next */
-#define LABEL_WEIGHT 10.0 /* overlapping labels are worse than anything but leaving the page */
-#define DISTANCE_COST 4.0 /* design points: a distance of 20 costs as much as hiding 80 of a locus */
-#define TURNED_COST 200.0 /* turned text is harder to read */
-#define SMALLER_COST 40.0
+#define GAP 9.0            /* design points, between a point and a label next to it: half a line's width and some air */
+#define WIDEST 480.0       /* design points: longer texts are shortened */
+#define AIR 3.0            /* design points, left free around a label, also within the outline of its object */
+#define RING_STEP 12.0     /* design points, from one ring of candidate places to the next */
+#define LABEL_WEIGHT 10.0  /* overlapping labels are worse than anything but leaving the page */
+#define DISTANCE_COST 4.0  /* design points: a distance of 20 costs as much as hiding 80 of a locus */
+#define TURNED_COST 200.0  /* turned text is harder to read */
 #define CROSSING_COST 6.0  /* per design point of wall between a label and its point */
 #define OPTIONAL_MOST 0.35 /* mean weight under an optional label; above it the label is left out */
+#define ROOM_MOST 0.02     /* the same for the name of a room: it lies on the bare floor */
+#define ROOM_AIR 6.0       /* design points, left free around the name of a room */
+#define BAR_AIR 6.0        /* around the scale bar */
+#define NAME_AREA 30000.0  /* square design points of the plan for each name in it */
 
 enum {
-    RINGS = 9,       /* of candidate places: out to about 100 design points */
+    RINGS = 3,       /* of candidate places: out to about 33 design points */
     DIRECTIONS = 16, /* per ring */
     RASTER = 12,     /* candidate places per side inside an outline */
 };
@@ -73,6 +76,38 @@ static bool outline_holds_box(const Vec2 *outline, size_t count, Box box) {
     return true;
 }
 
+/* What is placed already. */
+typedef struct Places {
+    Mask mask;
+    Layout *layout;
+    const Layout *under; /* the layer below, whose labels are claimed, too; or NULL */
+    size_t names;        /* of rooms and furniture, that still may be placed */
+} Places;
+
+static bool overlap(Box a, Box b) {
+    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
+static bool overlaps_any(const Layout *layout, Box box) {
+    for (size_t i = 0; i < layout->caption_count; i++)
+        if (overlap(box, caption_box(&layout->captions[i])))
+            return true;
+    for (size_t i = 0; i < layout->sample_count; i++) {
+        const Sample *bar = &layout->samples[i];
+        if (overlap(box, box_expand(box_include(box_include(box_empty(), bar->from), bar->to), BAR_AIR)))
+            return true;
+    }
+    return false;
+}
+
+/* True if a label may lie there: it hides no other label and is not cut. */
+static bool is_free(const Places *places, Box box) {
+    Box frame = places->layout->frame;
+    return box.low.x >= frame.low.x && box.low.y >= frame.low.y && box.high.x <= frame.high.x &&
+           box.high.y <= frame.high.y && !overlaps_any(places->layout, box) &&
+           (!places->under || !overlaps_any(places->under, box));
+}
+
 /* The best place so far. */
 typedef struct Choice {
     Caption caption;
@@ -80,37 +115,39 @@ typedef struct Choice {
 } Choice;
 
 /* Skips the mask if `extra` alone exceeds the best cost. */
-static void consider(Choice *best, const Mask *mask, Caption caption, double extra) {
+static void consider(Choice *best, const Places *places, Caption caption, double extra) {
     if (extra >= best->cost)
         return;
-    double cost = mask_cost(mask, box_expand(caption_box(&caption), AIR)) + extra;
-    if (cost < best->cost)
-        *best = (Choice){caption, cost};
+    Box box = caption_box(&caption);
+    double cost = mask_cost(&places->mask, box_expand(box, AIR)) + extra;
+    if (cost >= best->cost || !is_free(places, box))
+        return;
+    *best = (Choice){caption, cost};
 }
 
 /* Considers places inside the outline, horizontal or turned; among equals the one nearest to `at` wins. */
-static void consider_inside(Choice *best, const Mask *mask, Caption caption, const Vec2 *outline, size_t count, Vec2 at,
-                            double extra) {
+static void consider_inside(Choice *best, const Places *places, Caption caption, const Vec2 *outline, size_t count,
+                            Vec2 at, bool level) {
     Box box = box_empty();
     for (size_t i = 0; i < count; i++)
         box = box_include(box, outline[i]);
-    for (int turned = 0; turned <= 1; turned++)
+    for (int turned = 0; turned <= !level; turned++)
         for (int i = -1; i < RASTER * RASTER; i++) {
             Vec2 part = vec2((i % RASTER + 0.5) / RASTER, (double)(i / RASTER) / RASTER + 0.5 / RASTER);
             caption.turned = turned;
             caption.centre =
                 i < 0 ? at : vec2(box.low.x + part.x * box_width(box), box.low.y + part.y * box_height(box));
-            double away = extra + turned * TURNED_COST + DISTANCE_COST * vec2_distance(caption.centre, at);
+            double away = turned * TURNED_COST + DISTANCE_COST * vec2_distance(caption.centre, at);
             if (away < best->cost && outline_holds_box(outline, count, box_expand(caption_box(&caption), AIR)))
-                consider(best, mask, caption, away);
+                consider(best, places, caption, away);
         }
 }
 
 /* Considers the point itself and the places on the rings around it. */
-static void consider_around(Choice *best, const Mask *mask, Caption caption, Vec2 at, bool on_it, int rings) {
+static void consider_around(Choice *best, const Places *places, Caption caption, Vec2 at, bool on_it, int rings) {
     caption.centre = at;
     if (on_it)
-        consider(best, mask, caption, 0);
+        consider(best, places, caption, 0);
     for (int ring = 0; ring < rings; ring++)
         for (int i = 0; i < DIRECTIONS; i++) {
             Vec2 way = vec2_heading(2 * M_PI * i / DIRECTIONS);
@@ -119,8 +156,8 @@ static void consider_around(Choice *best, const Mask *mask, Caption caption, Vec
                 return;
             Vec2 step = {way.x * (reach + caption.extent.x / 2), way.y * (reach + caption.extent.y / 2)};
             caption.centre = vec2_add(at, step);
-            double crossing = CROSSING_COST * mask_line_cost(mask, at, caption.centre);
-            consider(best, mask, caption, away + crossing);
+            double crossing = CROSSING_COST * mask_line_cost(&places->mask, at, caption.centre);
+            consider(best, places, caption, away + crossing);
         }
 }
 
@@ -140,20 +177,18 @@ static Caption label_caption(Layout *layout, const Primitive *label, Vec2 at, do
     return caption;
 }
 
-/* Chooses the best place: inside the label's outline, as large as possible, otherwise around its point. */
-static Choice choose_place(const Mask *mask, Layout *layout, const Primitive *label) {
+/* Chooses the best place: inside the label's outline, otherwise around its point. */
+static Choice choose_place(const Places *places, const Primitive *label) {
     Choice best = {.cost = HUGE_VAL};
+    Layout *layout = places->layout;
     Vec2 *points = to_page(layout, label);
-    Caption large = label_caption(layout, label, points[0], label->size);
-    Caption small = label_caption(layout, label, points[0], LAYOUT_SMALLEST_TEXT);
-    if (label->count > 1) {
-        consider_inside(&best, mask, large, points + 1, label->count - 1, points[0], 0);
-        consider_inside(&best, mask, small, points + 1, label->count - 1, points[0], SMALLER_COST);
-    }
+    Caption caption = label_caption(layout, label, points[0], label->size);
+    if (label->count > 1)
+        consider_inside(&best, places, caption, points + 1, label->count - 1, points[0], label->level);
     if (best.cost == HUGE_VAL && (label->count == 1 || (!label->optional && !label->close))) {
-        large.leader = label->leader;
-        large.fill = label->shape == LABEL_BARE ? ROLE_PAPER : large.fill;
-        consider_around(&best, mask, large, points[0], label->shape == LABEL_DISC, label->close ? 1 : RINGS);
+        caption.leader = label->leader;
+        caption.fill = label->shape == LABEL_BARE ? ROLE_PAPER : caption.fill;
+        consider_around(&best, places, caption, points[0], label->shape == LABEL_DISC, label->close ? 1 : RINGS);
     }
     memory_free(points);
     return best;
@@ -172,37 +207,70 @@ static void clamp_within(Caption *caption, Box room) {
     caption->centre.y = real_clamp(caption->centre.y, room.low.y + half.y + AIR, room.high.y - half.y - AIR);
 }
 
-static void place_label(Mask *mask, Layout *layout, const Primitive *label) {
-    if (is_away(layout, label))
+/* True if the label is the name of a room or a piece, of which only as many are shown as the plan has room for. */
+static bool is_name(const Primitive *label) {
+    return label->count > 1 && (label->optional || label->close) && label->shape == LABEL_BARE;
+}
+
+static void place_label(Places *places, const Primitive *label) {
+    Layout *layout = places->layout;
+    if (is_away(layout, label) || (is_name(label) && !places->names))
         return;
-    Choice best = choose_place(mask, layout, label);
-    clamp_within(&best.caption, layout->frame);
-    Box box = caption_box(&best.caption);
-    double most = OPTIONAL_MOST * box_width(box) * box_height(box);
-    if (best.cost == HUGE_VAL || (label->optional && mask_cost(mask, box) > most))
+    Choice best = choose_place(places, label);
+    if (best.cost == HUGE_VAL)
         return;
+    Box box = caption_box(&best.caption), around = label->level ? box_expand(box, ROOM_AIR) : box;
+    double most = (label->level ? ROOM_MOST : OPTIONAL_MOST) * box_width(around) * box_height(around);
+    if (label->optional && mask_cost(&places->mask, around) > most)
+        return;
+    places->names -= is_name(label);
     best.caption.leader &= vec2_distance(best.caption.centre, best.caption.pointed) > 1;
     if (best.caption.leader)
-        mask_mark_line(mask, best.caption.centre, best.caption.pointed, 2, 1);
-    mask_mark_box(mask, box, LABEL_WEIGHT);
+        mask_mark_line(&places->mask, best.caption.centre, best.caption.pointed, 2, 1);
+    mask_mark_box(&places->mask, box, LABEL_WEIGHT);
     Caption *caption = caption_add(layout, best.caption.text, best.caption.size, best.caption.bold, (Vec2){0});
     *caption = best.caption;
 }
 
+/* Returns the label next to a point towards another one. */
+static Caption beside(const Places *places, const Primitive *label, const char *text, size_t from, size_t to) {
+    Layout *layout = places->layout;
+    Primitive shown = *label;
+    shown.text = text;
+    Vec2 at = layout_raised(layout, label->points[from], label->base);
+    Caption caption = label_caption(layout, &shown, at, label->size);
+    Vec2 way = vec2_unit(vec2_sub(layout_raised(layout, label->points[to], label->base), at));
+    Vec2 half = vec2_scale(caption.extent, 0.5);
+    caption.centre = vec2_add(at, vec2(way.x * (half.x + GAP), way.y * (half.y + GAP)));
+    return caption;
+}
+
+/* Finds the first free place of a label with several; false: there is none. */
+static bool find_place(const Places *places, const Primitive *label, const char *text, Caption *caption) {
+    for (size_t i = 1; text && i + 1 < label->count; i += 2) {
+        *caption = beside(places, label, text, i, i + 1);
+        if (is_free(places, caption_box(caption)))
+            return true;
+    }
+    return false;
+}
+
 /* Places a label on its point or next to it, within the frame and below the texts above the plan. */
-static void place_fixed(Layout *layout, const Primitive *label) {
+static void place_fixed(Places *places, const Primitive *label) {
+    Layout *layout = places->layout;
     if (is_away(layout, label))
         return;
     Vec2 at = layout_raised(layout, label->points[0], label->base);
-    Caption *caption = caption_add(layout, label->text, label->size, label->bold, at);
-    *caption = label_caption(layout, label, at, label->size);
-    Vec2 half = vec2_scale(caption->extent, 0.5);
-    if (label->count > 1) {
-        Vec2 way = vec2_unit(vec2_sub(layout_raised(layout, label->points[1], label->base), at));
-        caption->centre = vec2_add(at, vec2(way.x * (half.x + GAP), way.y * (half.y + GAP)));
-    }
+    Caption caption =
+        label->count == 2 ? beside(places, label, label->text, 0, 1) : label_caption(layout, label, at, label->size);
     Box room = {{layout->frame.low.x, layout->plan.low.y - AIR}, layout->frame.high};
-    clamp_within(caption, room);
+    if (label->count > 2 && !find_place(places, label, label->text, &caption) &&
+        !find_place(places, label, label->brief, &caption))
+        caption = beside(places, label, label->brief, 1, 2);
+    clamp_within(&caption, room);
+    if (label->optional && !is_free(places, caption_box(&caption)))
+        return;
+    *caption_add(layout, caption.text, caption.size, caption.bold, at) = caption;
 }
 
 static bool has_free_labels(const Scene *scene) {
@@ -212,22 +280,23 @@ static bool has_free_labels(const Scene *scene) {
     return false;
 }
 
-void labels_place(Layout *layout, const Scene *scene) {
+void labels_place(Layout *layout, const Layout *under, const Scene *scene) {
+    Places places = {.layout = layout, .under = under};
     size_t fixed = layout->caption_count;
     for (size_t i = 0; i < scene->count; i++)
         if (scene->primitives[i].kind == PRIMITIVE_LABEL && scene->primitives[i].fixed)
-            place_fixed(layout, &scene->primitives[i]);
+            place_fixed(&places, &scene->primitives[i]);
     if (!has_free_labels(scene))
         return;
-    Mask mask;
-    mask_init(&mask, layout->plan);
+    mask_init(&places.mask, layout->plan);
+    places.names = (size_t)(box_width(layout->plan) * box_height(layout->plan) / NAME_AREA);
     for (size_t i = fixed; i < layout->caption_count; i++)
-        mask_mark_box(&mask, caption_box(&layout->captions[i]), LABEL_WEIGHT);
+        mask_mark_box(&places.mask, caption_box(&layout->captions[i]), LABEL_WEIGHT);
     for (size_t i = 0; i < scene->count; i++)
         if (scene->primitives[i].keep_clear > 0)
-            mark_primitive(&mask, layout, &scene->primitives[i]);
+            mark_primitive(&places.mask, layout, &scene->primitives[i]);
     for (size_t i = 0; i < scene->count; i++)
         if (scene->primitives[i].kind == PRIMITIVE_LABEL && !scene->primitives[i].fixed)
-            place_label(&mask, layout, &scene->primitives[i]);
-    mask_clear(&mask);
+            place_label(&places, &scene->primitives[i]);
+    mask_clear(&places.mask);
 }

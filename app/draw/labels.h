@@ -5,5 +5,6 @@
 
 #include "draw/layout.h"
 
-/* Adds a caption for every label of the scene that finds a place; the place of the plan on the page must be set. */
-void labels_place(Layout *layout, const Scene *scene);
+/* Adds a caption for every label of the scene that finds a place where it overlaps no other; the place of the plan on
+ * the page must be set. `under`: the layer below, whose labels stay free, too, or NULL. */
+void labels_place(Layout *layout, const Layout *under, const Scene *scene);

@@ -10,9 +10,9 @@
 /* Design points. The text sizes are legible from six picture heights away, that of the answer from eight. */
 #define MARGIN 16.0
 #define TITLE_TEXT 40.0
-#define DETAIL_TEXT 22.0
-#define NAME_TEXT 17.0
-#define CLOCK_TEXT 26.0
+#define DETAIL_TEXT 20.0
+#define NAME_TEXT 16.0
+#define CLOCK_TEXT 24.0
 #define BAND_HEIGHT 64.0
 #define DETAIL_HEIGHT 32.0 /* of the detail's line when it stands below the answer */
 #define NOTE_HEIGHT 32.0
@@ -22,9 +22,9 @@
 #define PANEL_HEIGHT 230.0 /* of panels below the plan */
 #define PANEL_GAP 8.0
 #define BARE_MARGIN 12.0
-#define HEADING_TEXT 19.0
+#define HEADING_TEXT 18.0
 #define HEADING_HEIGHT 40.0
-#define ROW_TEXT 17.0
+#define ROW_TEXT 16.0
 #define ROW_HEIGHT 30.0
 #define CELL_GAP 14.0
 #define DISC_WIDTH 40.0   /* kept for a disc before a row's text */
@@ -410,7 +410,7 @@ void layout_make(Layout *layout, const Scene *scene, Vec2 page) {
         place_list_below(layout, scene);
     else if (scene->row_count && !scene->bare)
         place_list_beside(layout, scene);
-    labels_place(layout, scene);
+    labels_place(layout, NULL, scene);
 }
 
 void layout_make_over(Layout *layout, const Layout *under, const Scene *scene) {
@@ -422,7 +422,7 @@ void layout_make_over(Layout *layout, const Layout *under, const Scene *scene) {
     layout->caption_count = layout->sample_count = 0;
     arena_clear(&layout->arena);
     place_clock(layout, under, scene->clock);
-    labels_place(layout, scene);
+    labels_place(layout, under, scene);
 }
 
 void layout_clear(Layout *layout) {

@@ -66,8 +66,8 @@ typedef struct Layer {
 /* Returns the pixels of a design point on a page of this size: texts and widths grow with its smaller side. */
 double layout_unit(int width, int height);
 
-/* The smallest text on a picture: its capitals are 11 pixels high at 1280 x 720. */
-#define LAYOUT_SMALLEST_TEXT 15
+/* The smallest text on a picture: its capitals are 11.7 pixels high at 1280 x 720. */
+#define LAYOUT_SMALLEST_TEXT 16
 
 /* Lays out a scene, which must outlive the layout, on a page of that size. layout_clear releases it. */
 void layout_make(Layout *layout, const Scene *scene, Vec2 page);

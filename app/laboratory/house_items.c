@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "plan/plan_geometry.h"
+#include "result/names.h"
+#include "result/tight.h"
 #include "visual/house/blockage_scene.h"
 #include "visual/house/silhouette.h"
 
@@ -24,7 +26,7 @@ size_t house_item_count(const House *house, const Observation *observation, int 
     case HOUSE_PERSON:
         return house->person_count;
     case HOUSE_HAZARD:
-        return observation ? observation->hazard_count : 0;
+        return observation ? tight_places(observation, (Tight[TIGHT_MOST]){{0}}) : 0;
     case HOUSE_DOOR:
         return house->plan.door_count;
     case HOUSE_FURNITURE:
@@ -60,25 +62,58 @@ Item house_item_find(const House *house, int kind, const char *id) {
     return (Item){0, 0};
 }
 
-void house_item_name(const House *house, const Observation *observation, Item item, char *name, size_t size) {
-    *name = 0;
+const Hazard *house_item_hazard(const Observation *observation, size_t place) {
+    Tight tight[TIGHT_MOST];
+    size_t count = tight_places(observation, tight);
+    return place < count ? &observation->hazards[tight[place].hazard] : NULL;
+}
+
+void house_item_key(const House *house, const Observation *observation, Item item, char *key, size_t size) {
+    *key = 0;
     if (item.index >= house_item_count(house, observation, item.kind))
         return;
     const char *id = house_item_id(house, item);
     if (item.kind == HOUSE_HAZARD)
-        snprintf(name, size, "dangerous point %zu: %s", item.index + 1, observation->hazards[item.index].what);
+        snprintf(key, size, "tight place %zu: %s", item.index + 1, house_item_hazard(observation, item.index)->what);
     else if (item.kind == HOUSE_STOP)
-        snprintf(name, size, "%s stops at %s", house->people[item.index].id,
+        snprintf(key, size, "%s stops at %s", house->people[item.index].id,
                  observation->people[item.index].blockage.what);
     else if (item.kind == HOUSE_FURNITURE)
-        outline_name(&house->plan, OWNER_FURNITURE, (int)item.index, name, size);
+        outline_name(&house->plan, OWNER_FURNITURE, (int)item.index, key, size);
     else
-        snprintf(name, size, "%s %s",
+        snprintf(key, size, "%s %s",
                  item.kind == HOUSE_PERSON ? "person"
                  : item.kind == HOUSE_DOOR ? "door"
                  : item.kind == HOUSE_WALL ? "wall"
                                            : "exit",
                  id);
+}
+
+static void name_furniture(const Furniture *piece, char *name, size_t size) {
+    snprintf(name, size, "%s", *piece->name ? piece->name : "furniture");
+}
+
+void house_item_name(const House *house, const Observation *observation, Item item, char *name, size_t size) {
+    *name = 0;
+    if (item.index >= house_item_count(house, observation, item.kind))
+        return;
+    Arena arena = {0};
+    if (item.kind == HOUSE_HAZARD)
+        snprintf(name, size, "tight place %zu: %s", item.index + 1,
+                 names_text(house, house_item_hazard(observation, item.index)->what, &arena));
+    else if (item.kind == HOUSE_STOP)
+        snprintf(name, size, "%s stops at %s", names_person(house, item.index, &arena),
+                 names_text(house, observation->people[item.index].blockage.what, &arena));
+    else if (item.kind == HOUSE_FURNITURE)
+        name_furniture(&house->plan.furniture[item.index], name, size);
+    else if (item.kind == HOUSE_DOOR)
+        snprintf(name, size, "%s", names_door(&house->plan, item.index, &arena));
+    else if (item.kind == HOUSE_PERSON)
+        snprintf(name, size, "%s, %s", names_person(house, item.index, &arena),
+                 names_profile(house->people[item.index].profile->name));
+    else
+        snprintf(name, size, "%s %s", item.kind == HOUSE_WALL ? "wall" : "exit", house_item_id(house, item));
+    arena_clear(&arena);
 }
 
 /* Outlines -------------------------------------------------------------------------------------------------------- */
@@ -144,7 +179,7 @@ size_t house_item_outline(const HouseScenery *scenery, Item item, double time, V
     case HOUSE_PERSON:
         return outline_person(scenery, item.index, time, points);
     case HOUSE_HAZARD:
-        return outline_circle(scenery->observation->hazards[item.index].at, HAZARD_SHOWN, points);
+        return outline_circle(house_item_hazard(scenery->observation, item.index)->at, HAZARD_SHOWN, points);
     case HOUSE_STOP:
         if (!blockage_scene_has(&scenery->observation->people[item.index]))
             return 0;

@@ -60,7 +60,7 @@ typedef struct TimelineMark {
 } TimelineMark;
 
 typedef struct Result {
-    const char *title; /* "Out in 18.4 s", "Chaotic"; "Driving ..." before the result is known; never NULL */
+    const char *title; /* "Out in 18.4 s", "Chaotic"; "Finding ways" before the result is known; never NULL */
     Role role;         /* ROLE_TEXT, or ROLE_ERROR if the answer is negative */
     const char *detail;
     bool stale;        /* the answer is older than the last change: shown grey, nobody moves, and no other number of
@@ -238,7 +238,8 @@ typedef struct Laboratory {
     Item (*next)(const void *session, Item item, int step); /* cycles through the items in a fixed order */
     void (*select)(void *session, Item item);
     Item (*selected)(void *session);
-    const char *(*item_name)(void *session, Item item); /* "door d2" */
+    const char *(*item_name)(void *session, Item item); /* "bedroom door" */
+    const char *(*item_key)(void *session, Item item);  /* "door d2", as in files; NULL: the same as the name */
 
     /* Writes the outline of an item at a time (m); returns the number of points, at most LABORATORY_OUTLINE_MOST; 0:
      * the item has no place at that time. */

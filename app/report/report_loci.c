@@ -119,7 +119,7 @@ static Scene paths_scene(const Reported *run) {
         if (people[i].took_part)
             add_name(&scene, house, i, house->people[i].at);
         if (blockage_scene_has(&people[i]))
-            blockage_scene_label(&scene, &people[i].blockage);
+            blockage_scene_label(&scene, house, &people[i].blockage);
     }
     trail_free_list(trails);
     return scene;

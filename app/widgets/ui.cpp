@@ -41,8 +41,8 @@ struct TextStyle {
     bool bold;
 };
 
-constexpr TextStyle TEXT_SIZE[UI_TEXT_STYLES] = {{17, false}, {15, false}, {17, true}, {19, true},
-                                                 {26, true},  {22, false}, {40, true}};
+constexpr TextStyle TEXT_SIZE[UI_TEXT_STYLES] = {{16, false}, {16, false}, {16, true}, {18, true},
+                                                 {24, true},  {20, false}, {40, true}};
 
 std::vector<unsigned char> file_bytes(const char *path) {
     std::vector<unsigned char> bytes;

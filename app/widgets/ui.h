@@ -23,12 +23,12 @@ extern "C" {
 typedef struct Ui Ui;
 
 typedef enum UiTextStyle {
-    UI_BODY,    /* 17 */
-    UI_SMALL,   /* 15: nothing is smaller */
-    UI_BOLD,    /* 17 bold */
-    UI_HEADING, /* 19 bold */
-    UI_CLOCK,   /* 26 bold */
-    UI_DETAIL,  /* 22 */
+    UI_BODY,    /* 16 */
+    UI_SMALL,   /* 16: nothing is smaller */
+    UI_BOLD,    /* 16 bold */
+    UI_HEADING, /* 18 bold */
+    UI_CLOCK,   /* 24 bold */
+    UI_DETAIL,  /* 20 */
     UI_ANSWER,  /* 40 bold */
     UI_TEXT_STYLES,
 } UiTextStyle;

@@ -155,12 +155,17 @@ static json_t *gesture_state(const GestureView *gesture) {
     return state;
 }
 
+static const char *key_of(const Tab *tab, Item item) {
+    return tab->laboratory->item_key ? tab->laboratory->item_key(tab->session, item)
+                                     : tab->laboratory->item_name(tab->session, item);
+}
+
 static json_t *selection_state(const Tab *tab, Editor *editor) {
     json_t *state = json_array();
     size_t count;
     const Item *items = editor_selection(editor, &count);
     for (size_t i = 0; i < count; i++)
-        json_array_append_new(state, json_string(tab->laboratory->item_name(tab->session, items[i])));
+        json_array_append_new(state, json_string(key_of(tab, items[i])));
     return state;
 }
 
@@ -230,7 +235,7 @@ static void add_tab(json_t *state, Window *window) {
     json_object_set_new(state, "layers", json_integer(tab_layers(tab)));
     json_object_set_new(state, "clock", json_string(tab->laboratory->clock(tab->session, player->time)));
     json_object_set_new(state, "selected",
-                        item.kind ? json_string(tab->laboratory->item_name(tab->session, item)) : json_null());
+                        item.kind ? json_string(key_of(tab, item)) : json_null());
     json_object_set_new(state, "floor", floor_state(window, tab));
     json_object_set_new(state, "answer", answer_state(tab));
     json_object_set_new(state, "runs", runs_state(tab));

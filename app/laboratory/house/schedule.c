@@ -8,8 +8,9 @@
 #include "laboratory/house/picture.h"
 #include "visual/house/people_scene.h"
 
-#define GRACE 0.3    /* s: a run may take this long before its first part is displayed or it is stopped */
-#define EARLY 0.15   /* s: the plan is drawn before the answer, and the old run disappears, if the answer takes longer \
+#define GRACE 0.3 /* s: a run may take this long before its first part is displayed or it is stopped */
+#define EARLY                                                                                                          \
+    0.15             /* s: the plan is drawn before the answer, and the old run disappears, if the answer takes longer \
                       */
 #define PARTLY 2.0   /* s: after an edit, an incomplete run is displayed only if it takes longer */
 #define TAKE_PART 16 /* new rows are copied once they make up 1/16 of the record, so total copying stays linear */

@@ -333,6 +333,15 @@ static const char *item_name(void *context, Item item) {
     return texts->name;
 }
 
+static const char *item_key(void *context, Item item) {
+    HouseSession *session = context;
+    HouseTexts *texts = &session->texts;
+    *texts->name = 0;
+    if (session->runs[RUN_SHOWN])
+        house_item_key(&session->runs[RUN_SHOWN]->house, session->observation, item, texts->name, sizeof texts->name);
+    return texts->name;
+}
+
 static size_t outline(void *context, Item item, double time, Vec2 *points) {
     HouseSession *session = context;
     if (!session->runs[RUN_SHOWN])
@@ -454,6 +463,7 @@ const Laboratory house_laboratory = {
     .select = select_item,
     .selected = selected,
     .item_name = item_name,
+    .item_key = item_key,
     .outline = outline,
     .command = house_control_command,
     .digest = house_session_digest,

@@ -5,6 +5,7 @@
 #include "visual/house/film.h"
 #include "laboratory/edit/editor.h"
 #include "laboratory/house/missing.h"
+#include "result/tight.h"
 #include "laboratory/house/session.h"
 #include "laboratory/house/fall.h"
 #include "laboratory/house_items.h"
@@ -41,11 +42,11 @@ typedef struct ShownPlots {
 
 /* The texts about the displayed run. */
 typedef struct HouseTexts {
-    Scene run;                   /* holds the texts about the run: its answer, its list */
-    Scene moment;                /* holds the texts about the selection and the comparison */
-    double before[HAZARDS_MOST]; /* s, shortly before a person reaches each dangerous point */
-    PanelRow *rows;              /* (row_count) */
-    TimelineMark *marks;         /* (mark_count) */
+    Scene run;                 /* holds the texts about the run: its answer, its list */
+    Scene moment;              /* holds the texts about the selection and the comparison */
+    double before[TIGHT_MOST]; /* s, shortly before a person reaches each dangerous point */
+    PanelRow *rows;            /* (row_count) */
+    TimelineMark *marks;       /* (mark_count) */
     size_t row_count, row_capacity, mark_count, mark_capacity;
     const char *title, *detail;
     Role role;

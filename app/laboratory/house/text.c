@@ -9,7 +9,9 @@
 #include "laboratory/house/runs.h"
 #include "result/headline.h"
 #include "result/house.h"
+#include "result/names.h"
 #include "result/panel.h"
+#include "result/tight.h"
 #include "visual/house/blockage_scene.h"
 #include "visual/house/people_scene.h"
 
@@ -84,7 +86,8 @@ static void add_door(HouseSession *session, const Door *door) {
 
 static void add_hazard(HouseSession *session, size_t hazard) {
     ResultTable table = {0};
-    result_house_add_hazard(&table, session->observation, hazard);
+    result_house_add_hazard(&table, session->observation,
+                            (size_t)(house_item_hazard(session->observation, hazard) - session->observation->hazards));
     add_record(session, &table, 1); /* the rank is in the heading */
 }
 
@@ -143,16 +146,18 @@ static void compare(HouseSession *session) {
 
 /* Rows of the scene's list: dangerous points and people ----------------------------------------------------------- */
 
-/* Finds the time when a person is nearest to each dangerous point, minus AHEAD; s. */
+/* Finds the time when a person is nearest to each tight place, minus AHEAD; s. */
 static void find_times(HouseSession *session) {
     const Observation *observation = session->observation;
-    double least[HAZARDS_MOST], *before = session->texts.before;
-    for (size_t h = 0; h < observation->hazard_count; h++)
+    Tight tight[TIGHT_MOST];
+    size_t count = tight_places(observation, tight);
+    double least[TIGHT_MOST], *before = session->texts.before;
+    for (size_t h = 0; h < count; h++)
         least[h] = HUGE_VAL;
-    for (size_t r = 0; r < observation->trace.rows && observation->hazard_count; r++) {
+    for (size_t r = 0; r < observation->trace.rows && count; r++) {
         const double *row = trace_row(&observation->trace, r);
-        for (size_t h = 0; h < observation->hazard_count; h++) {
-            double distance = vec2_distance(vec2(row[TRACE_X], row[TRACE_Y]), observation->hazards[h].at);
+        for (size_t h = 0; h < count; h++) {
+            double distance = vec2_distance(vec2(row[TRACE_X], row[TRACE_Y]), observation->hazards[tight[h].hazard].at);
             if (distance >= least[h])
                 continue;
             least[h] = distance;
@@ -245,7 +250,7 @@ static const char *against(HouseSession *session, const Observation *now) {
     const char *word = house_scene_before_name(ghost);
     double before = ghost.observation->time, more = now->time - before;
     if (!ghost.observation->completed)
-        return scene_text(scene, "%s: not all people leave", word);
+        return scene_text(scene, "%s: not everybody gets out", word);
     if (!now->completed || before <= 0)
         return scene_text(scene, "%s %.1f s", word, before);
     if (fabs(more) < ALIKE)
@@ -259,7 +264,7 @@ static void make_answer(HouseSession *session) {
     const HouseRun *shown = session->runs[RUN_SHOWN];
     texts->missing = (Missing){.title = NULL};
     if (!session->whole) {
-        texts->title = session->observation->trace.rows ? "Driving ..." : "Planning ...";
+        texts->title = session->observation->trace.rows ? "On the way" : "Finding ways";
         texts->role = ROLE_TEXT;
         texts->detail = "";
         return;
@@ -363,7 +368,7 @@ Result house_text_answer(HouseSession *session) {
     const HouseTexts *texts = &session->texts;
     if (!session->runs[RUN_SHOWN])
         return answer_nothing(session);
-    return (Result){.title = texts->title ? texts->title : "Planning ...",
+    return (Result){.title = texts->title ? texts->title : "Finding ways",
                     .role = texts->role,
                     .detail = texts->detail ? texts->detail : "",
                     .stale = session->settles,

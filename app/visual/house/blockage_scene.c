@@ -4,13 +4,14 @@
 #include <string.h>
 
 #include "plan/plan_geometry.h"
+#include "result/names.h"
 #include "visual/house/silhouette.h"
 
 /* Design points. */
 #define BODY_EDGE 3.0
 #define CROSS_WIDTH 4.0
 #define DIMENSION_WIDTH 3.0
-#define TEXT_SIZE 17.0
+#define TEXT_SIZE 16.0
 
 #define BODY_OPACITY 0.15
 #define KEEP_BODY 4.0 /* weight against being covered by labels */
@@ -94,9 +95,10 @@ void blockage_scene_add(Scene *scene, const House *house, const Observation *obs
         add_width(scene, &house->plan, door, inhabitant->profile, pose.heading);
 }
 
-void blockage_scene_label(Scene *scene, const Blockage *blockage) {
+void blockage_scene_label(Scene *scene, const House *house, const Blockage *blockage) {
     const char *widths = blockage_scene_widths(scene, blockage);
-    Primitive *tag = scene_add_label(scene, ROLE_TEXT, TEXT_SIZE, blockage->at, *widths ? widths : blockage->what);
+    Primitive *tag = scene_add_label(scene, ROLE_TEXT, TEXT_SIZE, blockage->at,
+                                     *widths ? widths : names_text(house, blockage->what, &scene->arena));
     tag->fill = ROLE_ERROR;
     tag->shape = LABEL_TAG;
     tag->bold = tag->leader = true;

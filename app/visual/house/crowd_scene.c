@@ -13,7 +13,7 @@
 #define DIAMOND_LEAST 2.0  /* half, of many people who are not out, at least */
 #define DIAMOND_SINGLE 6.0 /* half, of few */
 #define DOT_LARGEST 8.0    /* radius */
-#define TEXT_SIZE 17.0
+#define TEXT_SIZE 16.0
 
 #define START_OPACITY 0.28
 #define LOCUS_OPACITY 0.4 /* of a walker's locus among FEW */

@@ -103,7 +103,7 @@ static void add_blockages(Film *film) {
     for (size_t i = 0; i < film->house->person_count && !film->crowd; i++)
         if (blockage_scene_has(&observation->people[i])) {
             blockage_scene_add(&film->still, film->house, observation, i, &film->trails[i]);
-            blockage_scene_label(&film->still, &observation->people[i].blockage);
+            blockage_scene_label(&film->still, film->house, &observation->people[i].blockage);
         }
 }
 
@@ -131,7 +131,7 @@ static void make_still(Film *film) {
     House rest = without_falling(film);
     plan_scene_still(scene, &rest);
     if (film->options.before.observation && !(hidden & FILM_GHOST))
-        people_scene_ghost(scene, film->options.before.observation, house_scene_before_name(film->options.before));
+        people_scene_ghost(scene, film->options.before.observation);
     if (film->options.ahead && !film->crowd && !(hidden & FILM_LOCI))
         people_scene_ahead(scene, house, film->trails);
     route_scene_add(scene, house, film->observation, film->options.shown & FILM_ROUTES,
@@ -146,8 +146,11 @@ static void make_still(Film *film) {
         add_blockages(film);
     if (!(hidden & FILM_DANGER))
         people_scene_hazards(scene, film->observation);
-    if (!(hidden & FILM_NAMES))
-        plan_scene_names(scene, house, !film->crowd && scene->camera.kind == VIEW_PLAN);
+    if (film->options.before.observation && !(hidden & FILM_GHOST))
+        people_scene_ghost_label(scene, film->options.before.observation, film->trails, house->person_count,
+                                 house_scene_before_name(film->options.before));
+    if (!(hidden & FILM_NAMES) && scene->camera.kind == VIEW_PLAN && !film->crowd)
+        plan_scene_names(scene, house);
 }
 
 Film *film_create(const House *house, const Observation *observation, const FilmOptions *options) {

@@ -1,5 +1,6 @@
 #include "visual/house/film_moving.h"
 
+#include "result/names.h"
 #include "visual/house/crowd_scene.h"
 #include "visual/house/density_scene.h"
 #include "visual/house/film_layers.h"
@@ -8,11 +9,10 @@
 
 /* Design points. */
 #define CONTACT_EDGE 1.5
-#define CONTACT_TEXT 17.0
-#define ID_TEXT 15.0
+#define CONTACT_TEXT 16.0
+#define ID_TEXT 16.0
 #define GHOST_EDGE 2.5
 
-#define ID_BESIDE 0.62   /* m, up the plan, from the middle of a body to its name */
 #define ID_HEIGHT 1.45   /* m, in the raised view */
 #define STAY 1.0         /* s, for which people who are out stay visible */
 #define CONTACT_STAY 0.4 /* s, for which a touch stays visible */
@@ -138,19 +138,19 @@ static void add_contact(Film *film, const Standing *standing) {
     scene_bind_label(&film->moving, tag, &beside, 1);
     tag->fill = ROLE_DANGER_MIDDLE;
     tag->shape = LABEL_TAG;
-    tag->fixed = tag->bold = true;
+    tag->fixed = tag->bold = tag->optional = true;
 }
 
 static void add_name(Film *film, const Standing *standing) {
     const Inhabitant *person = &film->house->people[standing->person];
     Vec2 middle = silhouette_middle(person->profile, standing->pose.at, standing->pose.heading);
     bool raised = film->options.camera.kind == VIEW_RAISED;
-    Vec2 at = raised ? middle : vec2_add(middle, vec2(0, ID_BESIDE));
-    Primitive *tag =
-        scene_add_label(&film->moving, ROLE_TEXT, ID_TEXT, at, person->route ? person->route->id : person->id);
+    Vec2 at = middle;
+    Primitive *tag = scene_add_label(&film->moving, ROLE_TEXT, ID_TEXT, at,
+                                     names_person(film->house, standing->person, &film->moving.arena));
     tag->fill = film->options.rests ? ROLE_WALKER : film_layers_look(film, standing->person).role;
     tag->base = ID_HEIGHT;
-    tag->shape = LABEL_TAG;
+    tag->shape = raised ? LABEL_TAG : LABEL_DISC;
     tag->fixed = tag->bold = true;
 }
 

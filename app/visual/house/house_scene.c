@@ -1,5 +1,7 @@
 #include "visual/house/house_scene.h"
 
+#include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -9,6 +11,10 @@
 #include "visual/house/plan_scene.h"
 #include "result/headline.h"
 #include "result/house.h"
+#include "result/names.h"
+#include "result/tight.h"
+
+#define LOST_LEAST 0.05 /* s: less lost time is not told */
 
 /* The word in the note of a plan that was not measured: such a note must be shown wherever the plan is. */
 static const char ASSUMED[] = "assumed";
@@ -29,13 +35,42 @@ bool house_scene_is_assumed(const Plan *plan) {
     return holds_word(plan->note, ASSUMED);
 }
 
+/* Returns a clearance as people read it: "4.4 cm to spare". */
+static const char *to_spare(Scene *scene, double clearance) {
+    if (clearance <= 0)
+        return "touches";
+    if (isinf(clearance))
+        return NULL;
+    return clearance < 1 ? scene_text(scene, "%.1f cm", 100 * clearance) : scene_text(scene, "%.2f m", clearance);
+}
+
+/* Returns what the first tight place costs: the same place and number as its row and its disc. */
+static const char *most_lost(Scene *scene, const House *house, const Observation *observation) {
+    Tight tight[TIGHT_MOST];
+    if (!tight_places(observation, tight))
+        return "no tight place";
+    const char *name = names_text(house, observation->hazards[tight->hazard].what, &scene->arena);
+    if (tight->peak_force > 0)
+        return scene_text(scene, "touches the %s, %.0f N", name, tight->peak_force);
+    if (tight->lost_time >= LOST_LEAST)
+        return scene_text(scene, "most time lost: %s, %.1f s", name, tight->lost_time);
+    const char *gap = to_spare(scene, tight->clearance);
+    return gap ? scene_text(scene, "tightest: %s, %s to spare", name, gap) : "no tight place";
+}
+
 static void format_answer(Scene *scene, const House *house, const Observation *observation, const Census *census) {
     scene->name = arena_text(&scene->arena, *house->plan.name ? house->plan.name : "house");
     scene->note = house_scene_is_assumed(&house->plan) ? arena_text(&scene->arena, house->plan.note) : "";
     scene->clock = observation->time > 0 ? scene_text(scene, "0 to %.1f s", observation->time) : "";
     Headline headline = headline_make(house, observation, census, &scene->arena);
-    scene->title = headline.title;
-    scene->detail = headline.detail;
+    bool few = census->people && census->stuck == SIZE_MAX && census->people <= PEOPLE_SCENE_INDIVIDUALS;
+    bool alone = few && census->people > 1 && house->plan.run.routes == ROUTES_ALONE && house->plan.route_count > 1;
+    scene->title =
+        alone ? scene_text(scene, "All %zu get out", census->people) : names_text(house, headline.title, &scene->arena);
+    scene->detail = !few    ? names_text(house, headline.detail, &scene->arena)
+                    : alone ? scene_text(scene, "each alone, slowest %.1f s \u00b7 %s", observation->time,
+                                         most_lost(scene, house, observation))
+                            : most_lost(scene, house, observation);
     scene->title_role = headline.role;
 }
 
@@ -47,42 +82,44 @@ static const char *value_of(Scene *scene, const ResultTable *table, size_t recor
 
 /* Distances mean nothing in a crowd, and the names need the room. */
 static void list_hazards(Scene *scene, const House *house, const Observation *observation, bool crowd) {
-    if (!observation->hazard_count)
-        return;
-    ResultTable table = result_house_hazards(observation);
-    scene_add_row(scene, ROW_HEADING, "Dangerous points");
-    for (size_t i = 0; i < observation->hazard_count && i < PEOPLE_SCENE_HAZARDS; i++) {
-        const Hazard *hazard = &observation->hazards[i];
-        const char *clearance = headline_clearance(hazard->clearance, &scene->arena);
+    Tight tight[TIGHT_MOST];
+    size_t count = tight_places(observation, tight);
+    if (count)
+        scene_add_row(scene, ROW_HEADING, crowd ? "Jams" : "Tight places");
+    for (size_t i = 0; i < count; i++) {
+        const Hazard *hazard = &observation->hazards[tight[i].hazard];
         const RunSettings *run = &house->plan.run;
-        bool pushed = crowd ? hazard->peak_force * run->loss_warning > hazard->lost_time * run->force_warning
-                            : hazard->peak_force > 0;
-        const char *force = value_of(scene, &table, i, "peak_force"), *lost = value_of(scene, &table, i, "lost_time");
-        const char *cost = pushed ? force : scene_text(scene, "%s lost", lost);
+        bool pushed = crowd ? tight[i].peak_force * run->loss_warning > tight[i].lost_time * run->force_warning
+                            : tight[i].peak_force > 0;
         const char *mark = scene_text(scene, "%zu", i + 1);
-        SceneRow *row = scene_add_row(scene, ROW_DISC, hazard->what);
+        const char *cost =
+            pushed ? scene_text(scene, "%.0f N", tight[i].peak_force) : scene_text(scene, "%.1f s", tight[i].lost_time);
+        const char *gap = to_spare(scene, tight[i].clearance);
+        SceneRow *row = scene_add_row(scene, ROW_DISC, names_text(house, hazard->what, &scene->arena));
         row->role = people_scene_danger(hazard);
         row->mark = mark;
-        row->cells[1] = crowd ? cost : clearance;
-        row->cells[2] = crowd ? NULL : cost;
+        row->cells[1] = crowd || !gap ? cost : gap;
+        row->cells[2] = crowd || !gap ? NULL : cost;
     }
-    result_clear(&table);
 }
 
 static void list_person(Scene *scene, const House *house, const Observation *observation, size_t i) {
     const Inhabitant *person = &house->people[i];
     const PersonObservation *observed = &observation->people[i];
-    const char *who = scene_text(scene, "%s %s", person->id, person->profile->name);
+    const char *room = names_room(&house->plan, person->at);
+    const char *who = room ? scene_text(scene, "%s, %s", names_profile(person->profile->name), room)
+                           : names_profile(person->profile->name);
     ResultTable table = {0};
     result_house_add_person(&table, house, observation, i);
-    const char *result = value_of(scene, &table, 0, observed->completed ? "time" : "completed");
+    const char *result =
+        observed->completed ? scene_text(scene, "%.1f s", observed->time) : value_of(scene, &table, 0, "completed");
     result_clear(&table);
     LocusLook look = people_scene_look(house, i);
     SceneRow *row = scene_add_row(scene, ROW_LINE, who);
     row->role = look.role;
     row->style = look.style;
     row->width = look.width;
-    row->mark = person->route ? arena_text(&scene->arena, person->route->id) : NULL;
+    row->mark = names_person(house, i, &scene->arena);
     row->cells[1] = result;
 }
 
@@ -139,6 +176,12 @@ bool house_scene_add_answer(Scene *scene, const House *house, const Observation 
     return crowd;
 }
 
+static void add_ghost_label(Scene *scene, const Observation *now, const Observation *before) {
+    Trail *trails = trail_list(now);
+    people_scene_ghost_label(scene, before, trails, now->person_count, "before");
+    trail_free_list(trails);
+}
+
 /* Adds the plan and the results on it without texts around it, and the comparison or NULL; with or without the names
  * of rooms, doors and furniture. */
 static void add_house(Scene *scene, const House *house, const Observation *observation, const Census *census,
@@ -146,7 +189,7 @@ static void add_house(Scene *scene, const House *house, const Observation *obser
     bool crowd = is_crowd(census);
     plan_scene_solids(scene, house);
     if (before)
-        people_scene_ghost(scene, before, "before");
+        people_scene_ghost(scene, before);
     if (crowd)
         crowd_scene_ways(scene, house, observation, census);
     else
@@ -156,14 +199,17 @@ static void add_house(Scene *scene, const House *house, const Observation *obser
         crowd_scene_labels(scene, observation, census);
     else
         people_scene_labels(scene, house, observation);
+    if (before)
+        add_ghost_label(scene, observation, before);
     if (names)
-        plan_scene_names(scene, house, !crowd);
+        plan_scene_names(scene, house);
 }
 
 void house_scene_add_before(Scene *scene, Before before) {
     if (!before.observation)
         return;
-    const char *headline = headline_sentence(before.house, before.observation, &scene->arena);
+    const char *sentence = headline_sentence(before.house, before.observation, &scene->arena);
+    const char *headline = names_text(before.house, sentence, &scene->arena);
     scene->detail = scene_text(scene, *scene->detail ? "%s: %s; now: %s" : "%s: %s", house_scene_before_name(before),
                                headline, scene->detail);
 }

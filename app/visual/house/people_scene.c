@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "result/names.h"
+#include "result/tight.h"
 #include "visual/house/blockage_scene.h"
 #include "result/census.h"
 #include "visual/house/silhouette.h"
@@ -17,9 +19,9 @@
 #define GHOST_EDGE 1.5
 #define START_EDGE 2.0
 #define DIMENSION_WIDTH 3.0
-#define TEXT_SIZE 17.0
-#define TICK_TEXT 15.0
-#define DISC_TEXT 17.0
+#define TEXT_SIZE 16.0
+#define TICK_TEXT 16.0
+#define DISC_TEXT 16.0
 
 #define SWEPT_OPACITY 0.10
 #define GHOST_OPACITY 0.10
@@ -33,12 +35,15 @@
 #define KEEP_RING 0.3
 #define KEEP_NARROWEST 6.0
 
+#define GHOST_APART 0.3   /* m, between the loci of two runs where one of them is named */
 #define NUMBER_SECONDS 5  /* ticks from number to number */
 #define GHOST_SECONDS 2.0 /* from body to body */
 #define GHOSTS_MOST 12    /* bodies on one locus */
 #define TICK_APART 0.05   /* m: ticks of a standing person count as one */
 #define SWEPT_STEP 0.05   /* m, from hull to hull; rounded corners hide the rest */
 #define SWEPT_TURN 0.05   /* rad */
+
+enum { ROWS_SKIPPED = 6 /* of a trail, from place to place */ };
 
 /* Scores, see hazard.h: 1 is zero clearance, or the threshold of force or lost time. */
 #define DANGER_MIDDLE 1.0
@@ -155,17 +160,37 @@ static void add_locus(Scene *scene, const Trail *trail, LocusLook look) {
     memory_free(points);
 }
 
-void people_scene_ghost(Scene *scene, const Observation *before, const char *name) {
-    static const LocusLook look = {ROLE_GHOST, LINE_DASHED, LOCUS_WIDTH};
+void people_scene_ghost(Scene *scene, const Observation *before) {
+    static const LocusLook look = {ROLE_GHOST, LINE_DASHED, AHEAD_WIDTH};
     Trail *trails = trail_list(before);
-    for (size_t i = 0; i < before->person_count; i++) {
-        if (trails[i].count < 2)
-            continue;
-        add_locus(scene, &trails[i], look);
-        Pose middle = trail_pose(&trails[i], (trail_begin(&trails[i]) + trail_end(&trails[i])) / 2);
-        scene_add_label(scene, look.role, TEXT_SIZE, middle.at, name)->optional = true;
-    }
+    for (size_t i = 0; i < before->person_count; i++)
+        if (trails[i].count > 1)
+            add_locus(scene, &trails[i], look);
     trail_free_list(trails);
+}
+
+/* Returns the least distance from a place to the rows of the trails (count), m. */
+static double apart(const Trail *trails, size_t count, Vec2 at) {
+    double least = HUGE_VAL;
+    for (size_t i = 0; i < count; i++)
+        for (size_t r = 0; r < trails[i].count; r += ROWS_SKIPPED)
+            least = fmin(least, vec2_distance(at, vec2(trails[i].rows[r][TRACE_X], trails[i].rows[r][TRACE_Y])));
+    return least;
+}
+
+void people_scene_ghost_label(Scene *scene, const Observation *before, const Trail *trails, size_t trail_count,
+                              const char *name) {
+    Trail *ghosts = trail_list(before);
+    for (size_t i = 0; i < before->person_count; i++)
+        for (size_t r = 0; r < ghosts[i].count; r += ROWS_SKIPPED) {
+            Vec2 at = vec2(ghosts[i].rows[r][TRACE_X], ghosts[i].rows[r][TRACE_Y]);
+            if (apart(trails, trail_count, at) < GHOST_APART)
+                continue;
+            scene_add_label(scene, ROLE_GHOST, TEXT_SIZE, at, name)->bold = true;
+            trail_free_list(ghosts);
+            return;
+        }
+    trail_free_list(ghosts);
 }
 
 void people_scene_ahead(Scene *scene, const House *house, const Trail *trails) {
@@ -273,8 +298,10 @@ void people_scene_ways(Scene *scene, const House *house, const Observation *obse
 }
 
 void people_scene_hazards(Scene *scene, const Observation *observation) {
-    for (size_t i = 0; i < observation->hazard_count && i < PEOPLE_SCENE_HAZARDS; i++) {
-        const Hazard *hazard = &observation->hazards[i];
+    Tight tight[TIGHT_MOST];
+    size_t count = tight_places(observation, tight);
+    for (size_t i = 0; i < count; i++) {
+        const Hazard *hazard = &observation->hazards[tight[i].hazard];
         Primitive *disc = scene_add_label(scene, ROLE_TEXT, DISC_TEXT, hazard->at, scene_text(scene, "%zu", i + 1));
         disc->fill = people_scene_danger(hazard);
         disc->shape = LABEL_DISC;
@@ -306,7 +333,8 @@ static void add_person_labels(Scene *scene, const House *house, size_t i) {
     Vec2 rear = vec2_along(middle, -profile->length / 4, vec2_heading(person->heading));
     Vec2 outline[SILHOUETTE_POINTS];
     silhouette_outline(profile, person->at, person->heading, 0, outline);
-    Primitive *name = add_tag(scene, census_walks(profile) ? ROLE_WALKER : ROLE_CHAIR, rear, person->id);
+    Primitive *name =
+        add_tag(scene, census_walks(profile) ? ROLE_WALKER : ROLE_CHAIR, rear, names_person(house, i, &scene->arena));
     scene_bind_label(scene, name, outline, SILHOUETTE_POINTS);
 }
 
@@ -316,7 +344,7 @@ static void add_route_label(Scene *scene, const House *house, const Trail *trail
     double time = trail_begin(trail);
     while (time < trail_end(trail) && vec2_distance(trail_pose(trail, time).at, start) < behind)
         time += PEOPLE_SCENE_TICK / 4;
-    add_tag(scene, people_scene_look(house, i).role, trail_pose(trail, time).at, house->people[i].route->id);
+    add_tag(scene, people_scene_look(house, i).role, trail_pose(trail, time).at, names_person(house, i, &scene->arena));
 }
 
 static void add_tick_numbers(Scene *scene, const Trail *trail, Role role) {
@@ -331,7 +359,7 @@ void people_scene_labels(Scene *scene, const House *house, const Observation *ob
     Trail *trails = trail_list(observation);
     for (size_t i = 0; i < house->person_count; i++)
         if (blockage_scene_has(&observation->people[i]))
-            blockage_scene_label(scene, &observation->people[i].blockage);
+            blockage_scene_label(scene, house, &observation->people[i].blockage);
     add_narrowest_label(scene, house, observation);
     for (size_t i = 0; i < house->person_count; i++)
         if (observation->people[i].took_part)

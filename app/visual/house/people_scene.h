@@ -10,7 +10,6 @@
 enum {
     PEOPLE_SCENE_INDIVIDUALS = CENSUS_FEW, /* more people are a crowd, see crowd_scene.h */
     PEOPLE_SCENE_SEVERAL = 2, /* more people share the corridors: fewer bodies, no personal spaces or ticks */
-    PEOPLE_SCENE_HAZARDS = 5, /* shown, of those that were found */
 };
 
 #define PEOPLE_SCENE_TICK 1.0        /* s, from tick to tick of a locus */
@@ -45,7 +44,11 @@ double people_scene_interval(const Trail *trail, bool several);
 double people_scene_least_interval(bool several);
 
 /* Adds the loci of a comparison: dashed, with a name such as "before". */
-void people_scene_ghost(Scene *scene, const Observation *before, const char *name);
+void people_scene_ghost(Scene *scene, const Observation *before);
+
+/* Names the loci of another run once, at the first place that is APART from all loci of this run (trail_count). */
+void people_scene_ghost_label(Scene *scene, const Observation *before, const Trail *trails, size_t trail_count,
+                              const char *name);
 
 /* Adds the whole future loci (one trail per person), thin. */
 void people_scene_ahead(Scene *scene, const House *house, const Trail *trails);

@@ -3,8 +3,10 @@
 #include "visual/house/house_scene.h"
 #include "visual/house/plan_scene.h"
 
-#define PERSON 0.35        /* m, radius of a person at the start */
-#define TEXT_SIZE 12.0     /* design points */
+#define PERSON 0.35    /* m, radius of a person at the start */
+#define TEXT_SIZE 16.0 /* design points */
+
+enum { PICTURE_PEOPLE = 25 /* more people are not named */ };
 #define CROWD_OPACITY 0.12 /* of each crowd: several may stand in one place */
 
 /* Adds all people where they begin, and the areas of crowds. */
@@ -29,8 +31,8 @@ void plan_picture_make(Scene *scene, const House *house) {
     scene->title_role = ROLE_TEXT;
     scene->title = scene_text(scene, "%s", house->plan.name);
     scene->note = house_scene_is_assumed(&house->plan) ? scene_text(scene, "%s", house->plan.note) : "";
-    for (size_t i = 0; i < house->plan.person_count && i < PLAN_SCENE_NAMES; i++)
+    for (size_t i = 0; i < house->plan.person_count && i < PICTURE_PEOPLE; i++)
         scene_add_label(scene, ROLE_CHAIR, TEXT_SIZE, house->plan.people[i].at, house->plan.people[i].id)->bold = true;
     plan_scene_tags(scene, house, NULL);
-    plan_scene_names(scene, house, true);
+    plan_scene_names(scene, house);
 }

@@ -13,10 +13,9 @@
 #define EXIT_BAND 10.0
 #define EXIT_RIM 14.0
 #define CROSS_EDGE 3.0
-#define TAG_TEXT 17.0
-#define NAME_TEXT 17.0
-#define ROOM_TEXT 18.0
-#define DOOR_TEXT 15.0
+#define TAG_TEXT 16.0
+#define NAME_TEXT 16.0
+#define ROOM_TEXT 16.0
 
 /* Weights against being covered by labels. */
 #define KEEP_WALL 1.0
@@ -30,6 +29,7 @@
 
 enum {
     ARC_PIECES = 16, /* of a quarter circle */
+    ALIKE_MOST = 2,  /* pieces of one name that are named */
     RASTER = 24,     /* points per side that are tried for the middle of a room */
     SLICES = 48,     /* of a leaning piece */
 };
@@ -308,21 +308,26 @@ void plan_scene_tags(Scene *scene, const House *house, const size_t *left) {
         const char *text = exit_name(scene, plan, exit);
         if (left)
             text = scene_text(scene, "%s: %zu", text, left[i]);
-        add_tag(scene, ROLE_EXIT_TAG, vec2_scale(vec2_add(exit->from, exit->to), 0.5), text)->leader = left;
+        plan_scene_sign(scene, house, exit, text);
     }
     add_toppled_tags(scene, plan);
 }
 
-/* Places the sign at the end that is lower on the page: the names of leaving people stand above them. */
+/* Places the sign outside the middle of the exit, otherwise next to one of its ends, otherwise inside. */
 void plan_scene_sign(Scene *scene, const House *house, const Exit *exit, const char *text) {
     Vec2 middle = vec2_scale(vec2_add(house->outline.box.low, house->outline.box.high), 0.5);
-    bool to_is_lower = exit->to.y <= exit->from.y;
-    Vec2 end = to_is_lower ? exit->to : exit->from, along = vec2_sub(end, to_is_lower ? exit->from : exit->to);
-    Vec2 across = vec2_left(along);
-    double outwards = vec2_dot(across, vec2_sub(end, middle)) < 0 ? -1 : 1;
-    Vec2 beside = vec2_add(end, vec2_along(along, outwards, across));
-    Primitive *sign = add_tag(scene, ROLE_EXIT_TAG, end, text);
-    scene_bind_label(scene, sign, &beside, 1);
+    Vec2 at = vec2_scale(vec2_add(exit->from, exit->to), 0.5), along = vec2_sub(exit->to, exit->from);
+    Vec2 out = vec2_left(along);
+    out = vec2_dot(out, vec2_sub(at, middle)) < 0 ? vec2_scale(out, -1) : out;
+    Vec2 low = exit->to.y <= exit->from.y ? exit->to : exit->from,
+         high = exit->to.y <= exit->from.y ? exit->from : exit->to;
+    Vec2 places[] = {at,   vec2_add(at, out),
+                     low,  vec2_add(low, vec2_add(out, vec2_sub(low, high))),
+                     high, vec2_add(high, vec2_add(out, vec2_sub(high, low))),
+                     at,   vec2_sub(at, out)};
+    Primitive *sign = add_tag(scene, ROLE_EXIT_TAG, at, text);
+    scene_bind_label(scene, sign, places, sizeof places / sizeof *places);
+    sign->brief = "EXIT";
     sign->fixed = true;
 }
 
@@ -371,31 +376,32 @@ static Vec2 room_middle(const Points *outline) {
     return best;
 }
 
-static void add_furniture_name(Scene *scene, const Furniture *piece, bool needed) {
-    const char *name = *piece->name ? piece->name : piece->id;
-    Primitive *label = scene_add_label(scene, ROLE_TEXT, NAME_TEXT, piece->centre, name);
+/* Returns the number of pieces with the name of a piece. */
+static size_t count_alike(const Plan *plan, const char *name) {
+    size_t count = 0;
+    for (size_t i = 0; i < plan->furniture_count; i++)
+        count += strcmp(plan->furniture[i].name, name) == 0;
+    return count;
+}
+
+static void add_furniture_name(Scene *scene, const Furniture *piece) {
+    Primitive *label = scene_add_label(scene, ROLE_TEXT, NAME_TEXT, piece->centre, piece->name);
     label->fill = ROLE_FURNITURE;
-    label->leader = true;
-    label->close = !needed;
+    label->close = true;
     Furniture standing = *piece;
     standing.toppled = false;
     bind_to_furniture(scene, label, &standing);
 }
 
-void plan_scene_names(Scene *scene, const House *house, bool needed) {
+void plan_scene_names(Scene *scene, const House *house) {
     const Plan *plan = &house->plan;
-    for (size_t i = 0; i < plan->furniture_count && plan->furniture_count <= PLAN_SCENE_NAMES; i++)
-        add_furniture_name(scene, &plan->furniture[i], needed);
     for (size_t i = 0; i < plan->room_count; i++) {
         const Points *outline = &plan->rooms[i].outline;
         Primitive *label = scene_add_label(scene, ROLE_ROOM, ROOM_TEXT, room_middle(outline), plan->rooms[i].name);
-        label->optional = true;
+        label->optional = label->level = true;
         scene_bind_label(scene, label, outline->at, outline->count);
     }
-    for (size_t i = 0; i < plan->door_count && plan->door_count <= PLAN_SCENE_NAMES; i++) {
-        Opening opening = opening_of(plan, &plan->doors[i]);
-        Vec2 middle = vec2_scale(vec2_add(opening.hinge, opening.latch), 0.5);
-        Primitive *label = scene_add_label(scene, ROLE_DOOR, DOOR_TEXT, middle, plan->doors[i].id);
-        label->close = label->optional = !needed;
-    }
+    for (size_t i = 0; i < plan->furniture_count; i++)
+        if (*plan->furniture[i].name && count_alike(plan, plan->furniture[i].name) <= ALIKE_MOST)
+            add_furniture_name(scene, &plan->furniture[i]);
 }

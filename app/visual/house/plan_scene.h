@@ -23,15 +23,13 @@ void plan_scene_moving(Scene *scene, const House *house, const double *door_open
 void plan_scene_falling(Scene *scene, const FurnitureFall *fall, bool raised);
 void plan_scene_place(Scene *scene, const Furniture *piece);
 
-enum { PLAN_SCENE_NAMES = 25 /* more pieces of furniture, or doors, are not named */ };
-
-/* Adds labels, which choose their places in this order: tags of exits and toppled furniture early, names late. `left`
- * (exit_count) holds how many people left by each exit, or is NULL. Names that are not `needed` are left out where
- * they have no room. */
+/* Adds labels, which claim their places in this order: signs of exits and tags of toppled furniture early, names of
+ * rooms and furniture late; a name without room in its outline is left out. `left` (exit_count) holds how many people
+ * left by each exit, or is NULL. */
 void plan_scene_tags(Scene *scene, const House *house, const size_t *left);
 
-/* Does the same for moving pictures: signs stand fixed at the ends of the exits, next to the loci of leaving people.
- * The second function adds one such sign with its own text. */
+/* Adds the signs of all exits and the tags; adds one sign with its own text, outside the middle of the exit or where
+ * there is room next to it. */
 void plan_scene_signs(Scene *scene, const House *house);
 void plan_scene_sign(Scene *scene, const House *house, const Exit *exit, const char *text);
-void plan_scene_names(Scene *scene, const House *house, bool needed);
+void plan_scene_names(Scene *scene, const House *house);

@@ -8,7 +8,7 @@
 /* Design points. */
 #define WAY_WIDTH 2.5
 #define WIDTH_WIDTH 2.0
-#define TEXT_SIZE 15.0
+#define TEXT_SIZE 16.0
 
 static void add_way(Scene *scene, const Track *track) {
     Vec2 *points = memory_zeroed(track->count, sizeof *points);

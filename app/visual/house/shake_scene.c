@@ -10,7 +10,7 @@
 /* Design points. */
 #define PIECE_EDGE 2.0
 #define FALL_EDGE 2.0
-#define TEXT_SIZE 17.0
+#define TEXT_SIZE 16.0
 
 /* Weights against being covered by labels. */
 #define KEEP_PIECE 2.0
@@ -172,5 +172,5 @@ void shake_scene_make(Scene *scene, const ShakeFindings *findings) {
     plan_scene_tags(scene, house, NULL);
     add_piece_tags(scene, findings);
     add_people_tags(scene, findings);
-    plan_scene_names(scene, house, false);
+    plan_scene_names(scene, house);
 }

@@ -133,7 +133,7 @@ TEST(a_row_of_a_dangerous_point_leads_there) {
     CHECK(hazards > 0);
     laboratory->select(session, first);
     CHECK(laboratory->update(session, 0) & LABORATORY_TEXTS);
-    CHECK(strstr(laboratory->rows(session, &count)[0].row.cells[0], "Dangerous point 1"));
+    CHECK(strstr(laboratory->rows(session, &count)[0].row.cells[0], "Tight place 1"));
     laboratory->close(session);
 }
 
@@ -148,7 +148,7 @@ TEST(where_somebody_is_stopped_is_the_place_that_is_shown) {
     CHECK(first < count && rows[first].place.kind == HOUSE_STOP);
     laboratory->select(session, rows[first < count ? first : 0].place);
     CHECK(laboratory->update(session, 0) & LABORATORY_TEXTS);
-    CHECK_TEXT(laboratory->rows(session, &count)[0].row.cells[0], "P1 stops at door d1");
+    CHECK_TEXT(laboratory->rows(session, &count)[0].row.cells[0], "A stops at room door");
     Vec2 outline[LABORATORY_OUTLINE_MOST];
     CHECK(laboratory->outline(session, laboratory->selected(session), 0, outline) > 0);
     laboratory->close(session);
@@ -159,11 +159,10 @@ TEST(what_is_pointed_at_is_found) {
     running_house_finish(session, 0);
     Item none = {0, 0};
     Item door = laboratory->pick(session, vec2(7.86, 4.095), 0, none);
-    CHECK_TEXT(laboratory->item_name(session, door), "door d5");
-    CHECK_TEXT(laboratory->item_name(session, laboratory->pick(session, vec2(2.6, 4.7775), 0, none)), "person p-a");
+    CHECK_TEXT(laboratory->item_name(session, door), "bedroom 1 door");
+    CHECK_TEXT(laboratory->item_name(session, laboratory->pick(session, vec2(2.6, 4.7775), 0, none)), "A, wheelchair");
     CHECK_TEXT(laboratory->item_name(session, laboratory->pick(session, vec2(10, 0), 0, none)), "wall w1");
-    CHECK_TEXT(laboratory->item_name(session, laboratory->pick(session, vec2(1.45, 1.85), 0, none)),
-               "dining table (dining-table)");
+    CHECK_TEXT(laboratory->item_name(session, laboratory->pick(session, vec2(1.45, 1.85), 0, none)), "dining table");
     CHECK_TEXT(laboratory->item_name(session, laboratory->pick(session, vec2(11.05, 4.9), 0, none)), "exit porch");
     CHECK(laboratory->pick(session, vec2(50, 50), 0, none).kind == HOUSE_NOTHING);
     Item below = laboratory->pick(session, vec2(7.86, 4.095), 0, door);
@@ -187,7 +186,7 @@ TEST(what_is_pointed_at_is_found) {
     CHECK(laboratory->update(session, 0) & LABORATORY_PARAMETERS);
     size_t count, rows;
     CHECK_TEXT(laboratory->parameters(session, &count)[0].name, "door.d5.width");
-    CHECK_TEXT(laboratory->rows(session, &rows)[0].row.cells[0], "Door d5");
+    CHECK_TEXT(laboratory->rows(session, &rows)[0].row.cells[0], "Bedroom 1 door");
     laboratory->close(session);
 }
 

@@ -1,0 +1,241 @@
+#include "result/names.h"
+
+#include <stdint.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "plan/plan_geometry.h"
+#include "result/census.h"
+
+#define BESIDE 0.25 /* m, from a wall's face to the place that must lie in a room */
+#define OUTSIDE 1.0 /* m, from a door to the exit that it leads to */
+#define LETTERS 26
+
+/* Doors ------------------------------------------------------------------------------------------------------------ */
+
+static bool room_holds(const Room *room, Vec2 p) {
+    bool inside = false;
+    const Points *outline = &room->outline;
+    for (size_t i = 0, j = outline->count - 1; i < outline->count; j = i++) {
+        Vec2 a = outline->at[i], b = outline->at[j];
+        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+            inside = !inside;
+    }
+    return inside;
+}
+
+static double area_of(const Room *room) {
+    double twice = 0;
+    const Points *outline = &room->outline;
+    for (size_t i = 0; i < outline->count; i++)
+        twice += vec2_cross(outline->at[i], outline->at[(i + 1) % outline->count]);
+    return fabs(twice) / 2;
+}
+
+/* True for rooms that lead to others: those do not give doors their names. */
+static bool is_way(const Room *room) {
+    static const char *const words[] = {"corridor", "hall", "passage", "entrance", "genkan", "lobby", "street"};
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (strstr(room->name, words[i]))
+            return true;
+    return false;
+}
+
+static const Room *room_at(const Plan *plan, Vec2 at) {
+    const Room *found = NULL;
+    for (size_t r = 0; r < plan->room_count; r++)
+        if (*plan->rooms[r].name && room_holds(&plan->rooms[r], at) &&
+            (!found || area_of(&plan->rooms[r]) < area_of(found)))
+            found = &plan->rooms[r];
+    return found;
+}
+
+const char *names_room(const Plan *plan, Vec2 at) {
+    const Room *room = room_at(plan, at);
+    return room ? room->name : NULL;
+}
+
+/* A door between two rooms; NULL: outside, or a room without a name. */
+typedef struct Passage {
+    Vec2 middle;
+    Vec2 out; /* from the room that names it through the door */
+    const Room *room, *other;
+} Passage;
+
+static Passage passage_of(const Plan *plan, const Door *door) {
+    Vec2 from, to;
+    plan_geometry_door_ends(plan, door, &from, &to);
+    Passage passage = {.middle = vec2_scale(vec2_add(from, to), 0.5)};
+    Vec2 left = vec2_left(vec2_unit(vec2_sub(to, from)));
+    double reach = plan->walls[door->wall_index].thickness / 2 + BESIDE;
+    const Room *sides[] = {room_at(plan, vec2_along(passage.middle, reach, left)),
+                           room_at(plan, vec2_along(passage.middle, -reach, left))};
+    bool second = sides[1] && (!sides[0] || is_way(sides[0]) > is_way(sides[1]) ||
+                               (is_way(sides[0]) == is_way(sides[1]) && area_of(sides[1]) < area_of(sides[0])));
+    passage.room = sides[second];
+    passage.other = sides[!second];
+    passage.out = vec2_scale(left, second ? 1 : -1);
+    return passage;
+}
+
+/* Returns the exit that lies at a place, or NULL. */
+static const Exit *exit_at(const Plan *plan, Vec2 at) {
+    for (size_t e = 0; e < plan->exit_count; e++)
+        if (vec2_distance(vec2_nearest_on_segment(at, plan->exits[e].from, plan->exits[e].to), at) < OUTSIDE)
+            return &plan->exits[e];
+    return NULL;
+}
+
+/* Returns how a door differs from the others of its room: by the other room, otherwise by the side on which it lies,
+ * seen from inside; NULL: by neither. "": there are no others. */
+static const char *difference(const Plan *plan, size_t door, const Passage *passage, Arena *arena) {
+    size_t others = 0, alike = 0;
+    double side = 0;
+    for (size_t d = 0; d < plan->door_count; d++) {
+        Passage other = passage_of(plan, &plan->doors[d]);
+        if (d == door || other.room != passage->room)
+            continue;
+        others++;
+        if (other.other != passage->other)
+            continue;
+        alike++;
+        side = vec2_cross(passage->out, vec2_sub(passage->middle, other.middle));
+    }
+    if (!others)
+        return "";
+    if (!alike)
+        return passage->other ? text_in_arena(arena, " to %s", passage->other->name) : " outside";
+    return alike > 1 || fabs(side) < BESIDE ? NULL : side > 0 ? ", left" : ", right";
+}
+
+const char *names_door(const Plan *plan, size_t door, Arena *arena) {
+    const char *id = plan->doors[door].id;
+    Passage passage = passage_of(plan, &plan->doors[door]);
+    const Exit *exit = passage.room && passage.other ? NULL : exit_at(plan, passage.middle);
+    if (exit)
+        return plan->exit_count > 1 ? text_in_arena(arena, "%s door", exit->id) : "exit door";
+    const char *more = passage.room ? difference(plan, door, &passage, arena) : NULL;
+    if (!more)
+        return text_in_arena(arena, "door %s", id);
+    return text_in_arena(arena, "%s door%s", passage.room->name, more);
+}
+
+/* People ----------------------------------------------------------------------------------------------------------- */
+
+const char *names_person(const House *house, size_t person, Arena *arena) {
+    const Inhabitant *who = &house->people[person];
+    if (who->route && strlen(who->route->id) <= 2)
+        return who->route->id;
+    if (house->person_count > LETTERS)
+        return text_in_arena(arena, "person %zu", person + 1);
+    return text_in_arena(arena, "%c", (char)('A' + person));
+}
+
+const char *names_profile(const char *profile) {
+    static const char *const words[][2] = {{"manual-chair", "wheelchair"},
+                                           {"electric-chair", "powered wheelchair"},
+                                           {"assisted-chair", "wheelchair with a helper"},
+                                           {"miura-chair", "round chair"},
+                                           {"elderly", "older adult"},
+                                           {"crutches", "with crutches"},
+                                           {"rollator", "with a walking frame"}};
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (strcmp(words[i][0], profile) == 0)
+            return words[i][1];
+    return profile;
+}
+
+/* Texts ------------------------------------------------------------------------------------------------------------ */
+
+static const char ENDS[] = " ,;:()\n"; /* of a word */
+
+typedef struct Word {
+    const char *at;
+    size_t length;
+} Word;
+
+static Word word_at(const char *text) {
+    return (Word){text, strcspn(text, ENDS)};
+}
+
+static bool is_word(Word word, const char *text) {
+    return word.length == strlen(text) && memcmp(word.at, text, word.length) == 0;
+}
+
+/* Returns the word behind a word and one space; empty: there is none. */
+static Word word_behind(Word word) {
+    const char *end = word.at + word.length;
+    return *end == ' ' ? word_at(end + 1) : (Word){end, 0};
+}
+
+static size_t door_called(const Plan *plan, Word word) {
+    size_t d = 0;
+    while (d < plan->door_count && !is_word(word, plan->doors[d].id))
+        d++;
+    return d;
+}
+
+static size_t person_called(const House *house, Word word) {
+    size_t i = 0;
+    while (i < house->person_count && !is_word(word, house->people[i].id))
+        i++;
+    return house->person_count > CENSUS_FEW ? house->person_count : i;
+}
+
+static bool is_wall(const Plan *plan, Word word) {
+    for (size_t w = 0; w < plan->wall_count; w++)
+        if (is_word(word, plan->walls[w].id))
+            return true;
+    return false;
+}
+
+static bool is_piece(const Plan *plan, Word word) {
+    for (size_t f = 0; f < plan->furniture_count; f++)
+        if (is_word(word, plan->furniture[f].id))
+            return true;
+    return false;
+}
+
+/* Adds the name that a word and the one behind it stand for; returns the end of what it stands for. */
+static const char *add_name(Text *text, const House *house, Word word, Arena *arena) {
+    const Plan *plan = &house->plan;
+    Word next = word_behind(word);
+    const char *end = word.at + word.length, *next_end = next.at + next.length;
+    size_t door = is_word(word, "door") ? door_called(plan, next) : plan->door_count;
+    size_t person = person_called(house, is_word(word, "person") ? next : word);
+    if (door < plan->door_count) {
+        text_add(text, names_door(plan, door, arena));
+        return next_end;
+    }
+    if (is_word(word, "wall") && next.length && is_wall(plan, next)) {
+        text_add(text, "wall");
+        return next_end;
+    }
+    if (is_word(word, "furniture") && next.length && is_piece(plan, next)) {
+        text_add(text, "furniture");
+        return next_end;
+    }
+    if (person < house->person_count && (word.length > 1 || is_word(word, "person"))) {
+        text_add(text, names_person(house, person, arena));
+        return is_word(word, "person") ? next_end : end;
+    }
+    text_format(text, "%.*s", (int)word.length, word.at);
+    return end;
+}
+
+const char *names_text(const House *house, const char *text, Arena *arena) {
+    Text named = {0};
+    for (const char *at = text; *at;) {
+        Word id = *at == ' ' && at[1] == '(' ? word_at(at + 2) : (Word){at, 0};
+        if (id.length && id.at[id.length] == ')' && is_piece(&house->plan, id)) {
+            at = id.at + id.length + 1; /* "chest (f12)" */
+        } else if (strchr(ENDS, *at)) {
+            text_format(&named, "%c", *at++);
+        } else {
+            at = add_name(&named, house, word_at(at), arena);
+        }
+    }
+    const char *kept = text_in_arena(arena, "%s", named.text ? named.text : "");
+    memory_free(named.text);
+    return kept;
+}

@@ -1,0 +1,22 @@
+/* The names of doors, people and wheelchairs as people say them: "bedroom door" instead of "door d3", "A" instead of
+ * "p-a". Pictures and the window use them; files, the terminal and JSON have the ids. */
+#pragma once
+
+#include "base/memory.h"
+#include "house/house.h"
+
+/* Returns the name of a door by its rooms: "bedroom door", or "bedroom door to closet", "bedroom door, left" if the
+ * room has two; "door d8" if no room is named. */
+const char *names_door(const Plan *plan, size_t door, Arena *arena);
+
+/* Returns the name of the room that holds a place; NULL: none does. */
+const char *names_room(const Plan *plan, Vec2 at);
+
+/* Returns the letter of a person: that of the route, otherwise by order. */
+const char *names_person(const House *house, size_t person, Arena *arena);
+
+/* Returns the word for a profile, "wheelchair" for "manual-chair", or its own name if there is none. */
+const char *names_profile(const char *profile);
+
+/* Returns a text with the names in place of the ids of doors, walls, furniture, people and profiles. */
+const char *names_text(const House *house, const char *text, Arena *arena);
