@@ -33,6 +33,15 @@ static void ask_for_context(void) {
 }
 
 /* Opens the window step by step; the first step that fails adds a fault. */
+/* Keeps a new window within the screen. */
+static void fit_screen(int *width, int *height) {
+    SDL_Rect screen;
+    if (!sdl_window_is_seen(NULL) || SDL_GetDisplayUsableBounds(0, &screen) != 0)
+        return;
+    *width = *width < screen.w ? *width : screen.w;
+    *height = *height < screen.h ? *height : screen.h;
+}
+
 static bool open_window(SdlWindow *sdl_window, int width, int height, Fault *fault) {
     SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
     SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
@@ -42,6 +51,7 @@ static bool open_window(SdlWindow *sdl_window, int width, int height, Fault *fau
                   SDL_GetError());
         return false;
     }
+    fit_screen(&width, &height);
     ask_for_context();
     unsigned flags = SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
     sdl_window->window =

@@ -108,6 +108,7 @@ typedef struct UiPane {
     Box box;
     Role ground; /* ROLE_PANEL, ROLE_PAPER; ROLE_COUNT: none, transparent */
     bool scrolls, modal, stop;
+    bool clear; /* a modal pane that does not dim the others: a menu */
 } UiPane;
 
 void ui_pane_begin(Ui *ui, const UiPane *pane);
@@ -134,6 +135,10 @@ void ui_gap(Ui *ui, double height);
 /* Add text. In a flow it is wrapped at the pane's width (ui_text) or shortened by an ellipsis (ui_line). */
 void ui_text(Ui *ui, UiTextStyle style, Role role, const char *text);
 void ui_line(Ui *ui, UiTextStyle style, Role role, const char *text);
+
+/* Adds the heading of a fold with a line above it; true if it was pressed, and *open has changed. `summary`: a few
+ * words at the right, or NULL. */
+bool ui_fold(Ui *ui, const char *title, const char *summary, bool *open);
 
 /* Adds a heading with a line above it, wrapped in a narrow pane. */
 void ui_heading(Ui *ui, const char *text);

@@ -51,3 +51,30 @@ bool ui_card(Ui *ui, const UiCard *card) {
     ui_painter_unclip(ui->painter);
     return used;
 }
+
+#define FOLD_HEIGHT 38.0
+#define SIGN 5.0 /* design points, half the width of the sign before a fold's title */
+
+bool ui_fold(Ui *ui, const char *title, const char *summary, bool *open) {
+    UiId id = ui_state_id(ui, title);
+    Box box = ui_pane_next(ui, FOLD_HEIGHT - UI_GAP), pane = ui->place->box;
+    if (box.low.y > ui->first_y)
+        ui_painter_box(ui->painter, (Box){{pane.low.x, box.low.y - 2}, {pane.high.x, box.low.y - 1}},
+                       ui_state_ink(ui, ROLE_ROOM, 0.35));
+    UiTouch touch = ui_state_touch(ui, id, box, false);
+    bool focused = ui_stop_make(ui, id, UI_IS_ROW, box), used = ui_stop_used(ui, id) || touch.clicked;
+    if (touch.hovered)
+        ui_painter_box(ui->painter, box, ui_state_ink(ui, ROLE_SHADE, 0.6));
+    double y = (box.low.y + box.high.y) / 2, x = box.low.x + SIGN;
+    Vec2 down[] = {{x - SIGN, y - 3}, {x + SIGN, y - 3}, {x, y + 4}},
+         aside[] = {{x - 3, y - SIGN}, {x + 4, y}, {x - 3, y + SIGN}};
+    ui_painter_convex(ui->painter, *open ? down : aside, 3, ui_state_ink(ui, ROLE_DIM_TEXT, 1));
+    Box inside = {{box.low.x + 4 * SIGN, box.low.y}, box.high};
+    double width = summary ? ui_extent(ui, UI_BODY, summary).x : 0, named = ui_extent(ui, UI_HEADING, title).x;
+    if (summary && named + width + 2 * SIGN < box_width(inside))
+        ui_draw_text(ui, UI_BODY, ROLE_DIM_TEXT, (Vec2){inside.high.x, y}, 1, summary);
+    ui_text_in(ui, UI_HEADING, ui_state_ink(ui, ROLE_TEXT, 1), inside, 0, title);
+    ui_tip_offer(ui, id, box, NULL, touch.hovered, focused);
+    *open ^= used;
+    return used;
+}

@@ -106,7 +106,7 @@ static void begin_flow(Ui *ui, UiPlace *place) {
 
 static void draw_ground(Ui *ui, const UiPane *pane) {
     ui_painter_layer(ui->painter, pane->modal ? UI_LAYER_MODAL : UI_LAYER_PANES);
-    if (pane->modal)
+    if (pane->modal && !pane->clear)
         ui_painter_box(ui->painter, ui->window, (UiInk)lrint(255 * DIM) << 24);
     if (pane->ground != ROLE_COUNT)
         ui_painter_ground(ui->painter, pane->box, palette_colour(ui->theme, pane->ground));

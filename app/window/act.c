@@ -17,6 +17,7 @@
 
 #define TEXT_STEP 0.25
 #define TEXT_MOST 3.0
+#define TEXT_LEAST 0.75
 
 /* Dialogs ---------------------------------------------------------------------------------------------------------- */
 
@@ -50,8 +51,8 @@ static void explain(Window *window) {
 /* Appearance ------------------------------------------------------------------------------------------------------- */
 
 static void set_text(Window *window, double size) {
-    window->text = fmin(fmax(size, 1), TEXT_MOST);
-    window->settings.preferences.text = (int)lround(window->text);
+    window->text = fmin(fmax(size, TEXT_LEAST), TEXT_MOST);
+    window->settings.preferences.text = (int)fmax(1, lround(window->text));
     notice_post(window, "Text size: %.0f %%", 100 * window->text);
 }
 
@@ -69,6 +70,15 @@ static void toggle_panel(Window *window) {
         window->drawer = !window->drawer;
     else
         window->panel = !window->panel;
+}
+
+/* Opens the toolbar, or closes it and puts the tool down. */
+static void edit_plan(Window *window) {
+    Editor *editor = tab_editor(window_tab(window));
+    window->editing = editor && !window->editing;
+    if (editor && !window->editing)
+        editor_set_tool(editor, TOOL_SELECT);
+    ui_focus(window->ui, "view");
 }
 
 static void set_fullscreen(Window *window) {
@@ -191,7 +201,10 @@ static bool do_window(Window *window, Action action) {
         toggle_panel(window);
         return true;
     case ACTION_PLOTS:
-        window->plots = !window->plots;
+        window->plots = window->plots_shown ? PLOTS_CLOSED : PLOTS_OPEN;
+        return true;
+    case ACTION_EDIT_PLAN:
+        edit_plan(window);
         return true;
     case ACTION_PRESENT:
         window->present = !window->present;
@@ -244,7 +257,7 @@ static bool do_tab(Window *window, Tab *tab, Action action) {
                         : "Nothing to save yet: the run is still being computed");
         return true;
     case ACTION_GHOST:
-        next_word(window, tab, "Ghost");
+        next_word(window, tab, "Compare with");
         return true;
     case ACTION_SWEEP:
         next_word(window, tab, "Sweep");

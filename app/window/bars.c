@@ -1,11 +1,12 @@
 #include "window/bars.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/stop.h"
 #include "base/stopwatch.h"
 #include "window/act.h"
-#include "window/dialog_pane.h"
+#include "window/menu.h"
 #include "window/plan_input.h"
 
 /* Design points. */
@@ -45,34 +46,6 @@ static void show_text(Window *window, UiTextStyle size, Role role, double left, 
 
 /* The menu --------------------------------------------------------------------------------------------------------- */
 
-static void open_menu(Window *window, KeyMenu menu) {
-    window->menu = menu;
-    dialog_pane_show(window, DIALOG_MENU);
-}
-
-static double show_menus(Window *window, Box bar) {
-    double left = 2;
-    bool pressed;
-    if (window->frame.compact) {
-        UiButton button = {.label = "Menu", .help = keys_help(&window->arena, ACTION_MENU), .plain = true};
-        left = add_button(window, left, bar, &button, &pressed);
-        if (pressed)
-            open_menu(window, MENU_FILE);
-        return left;
-    }
-    for (KeyMenu menu = MENU_FILE; menu < MENUS; menu++) {
-        if (menu == MENU_TOOLS && !tab_editor(window_tab(window)))
-            continue;
-        UiButton button = {
-            .label = keys_menus[menu], .plain = true, .chosen = window->dialog == DIALOG_MENU && window->menu == menu};
-        left = add_button(window, left, bar, &button, &pressed);
-        if (pressed)
-            open_menu(window, menu);
-    }
-    return left;
-}
-
-/* Shows the laboratories' buttons at the right end, and returns their left edge. */
 static double show_laboratories(Window *window, Box bar) {
     const char **labels = arena_allocate(&window->arena, laboratories_count * sizeof *labels);
     double width = 4;
@@ -98,16 +71,21 @@ static double show_laboratories(Window *window, Box bar) {
 
 void bars_show_menu(Window *window) {
     Box bar = window->frame.menu;
+    window->noted_in_title = false;
     if (box_height(bar) <= 0)
         return;
     ui_pane_begin(window->ui, &(UiPane){.name = "menu", .box = bar, .ground = ROLE_SHADE});
-    double left = show_menus(window, bar), right = show_laboratories(window, bar);
+    double left = menu_show_bar(window, bar), right = show_laboratories(window, bar);
     const Tab *tab = window_tab(window);
     if (tab->session) {
-        const char *title = tab_title(tab, &window->arena);
-        double width = ui_extent(window->ui, UI_BOLD, title).x;
-        double begin = fmax(left + GAP, middle_of(bar).x - width / 2);
+        const char *title = tab_title(tab, &window->arena), *note = tab->laboratory->note(tab->session);
+        double width = ui_extent(window->ui, UI_BOLD, title).x + 2, more = ui_extent(window->ui, UI_BODY, note).x + 2;
+        window->noted_in_title = left + width + more + 4 * GAP < right;
+        double all = window->noted_in_title && *note ? width + GAP + more : width;
+        double begin = fmin(fmax(left + GAP, middle_of(bar).x - all / 2), fmax(left + GAP, right - GAP - all));
         show_text(window, UI_BOLD, ROLE_TEXT, begin, right - GAP, middle_of(bar).y, title);
+        if (window->noted_in_title && *note)
+            show_text(window, UI_BODY, ROLE_DIM_TEXT, begin + width + GAP, right, middle_of(bar).y, note);
     }
     ui_pane_end(window->ui);
 }
@@ -174,14 +152,35 @@ static void show_work(Window *window, Tab *tab, const Result *answer, double lef
               answer->doing ? answer->doing : "working it out");
 }
 
+/* Shows the clauses of a detail, which " \u00b7 " divides, each in a line of its own: as many as fit, whole ones from
+ * the first on. False: one of the first two is too long. */
+static bool show_clauses(Window *window, const char *detail, Role role, double left, double right, double y) {
+    static const char between[] = " \u00b7 ";
+    enum { LINES = 2 };
+    const char *lines[LINES], *second = strstr(detail, between);
+    double height = ui_extent(window->ui, UI_DETAIL, detail).y;
+    if (!second || LINES * height > box_height(window->frame.answer))
+        return false;
+    lines[0] = text_in_arena(&window->arena, "%.*s", (int)(second - detail), detail);
+    second += strlen(between);
+    const char *end = strstr(second, between);
+    lines[1] = end ? text_in_arena(&window->arena, "%.*s", (int)(end - second), second) : second;
+    for (int i = 0; i < LINES; i++)
+        if (left + ui_extent(window->ui, UI_DETAIL, lines[i]).x > right)
+            return false;
+    for (int i = 0; i < LINES; i++)
+        show_text(window, UI_DETAIL, role, left, right, y + (i - 0.5) * height, lines[i]);
+    return true;
+}
+
 /* Shows the result's numbers in one line, or small in two. The background work is named behind them, so that nothing
  * moves when it ends. */
 static void show_detail(Window *window, const Result *answer, double left, double right, double y) {
     const char *detail = answer->detail ? answer->detail : "";
     Role role = answer->stale ? ROLE_DIM_TEXT : ROLE_TEXT;
     UiTextStyle size = left + ui_extent(window->ui, UI_DETAIL, detail).x > right ? UI_BODY : UI_DETAIL;
-    if (ui_extent(window->ui, size, detail).x > TWO_LINES * (right - left))
-        size = UI_SMALL;
+    if (size == UI_BODY && show_clauses(window, detail, role, left, right, y))
+        return;
     Vec2 extent = ui_extent(window->ui, size, detail);
     if (left + extent.x > right && extent.x < TWO_LINES * (right - left)) {
         ui_at(window->ui, (Box){{left, y - extent.y}, {right, y + extent.y}});
@@ -259,19 +258,20 @@ static bool show_gesture(Window *window, Box box) {
 void bars_show_message(Window *window) {
     const Message *last = messages_last(&window->messages);
     bool pending = last && last->number > window->dismissed;
-    Box box = {{window->frame.view.low.x, window->frame.timeline.low.y - MESSAGE_HEIGHT},
-               {window->frame.drawer ? window->frame.page.x : window->frame.page.x - box_width(window->frame.panel),
-                window->frame.timeline.low.y}};
+    Box box = window->frame.strip; /* without a strip: above the timeline */
+    if (box_height(box) <= 0)
+        box = (Box){{window->frame.view.low.x, window->frame.timeline.low.y - MESSAGE_HEIGHT},
+                    {window->frame.page.x, window->frame.timeline.low.y}};
     if (show_gesture(window, box) || (!pending && !window->export))
         return;
     ui_pane_begin(window->ui, &(UiPane){.name = "message", .box = box, .ground = ROLE_PANEL});
-    ui_draw_frame(window->ui, box, pending && last->kind == MESSAGE_FAULT ? ROLE_ERROR : ROLE_ROOM, 2);
+    ui_draw_frame(window->ui, box, pending && last->kind == MESSAGE_FAULT ? ROLE_ERROR : ROLE_GRID, 2);
     if (pending) {
         bool fault = last->kind == MESSAGE_FAULT;
         const char *text = text_in_arena(&window->arena, "%s%s", fault ? "\u26a0 " : "", last->text);
         show_text(window, UI_BODY, fault ? ROLE_ERROR : ROLE_TEXT, box.low.x + MARGIN, box.high.x - 40,
                   middle_of(box).y, text);
-        ui_at(window->ui, (Box){{box.high.x - 34, box.low.y + 3}, {box.high.x - 6, box.high.y - 3}});
+        ui_at(window->ui, (Box){{box.high.x - 34, box.low.y + 2}, {box.high.x - 6, box.high.y - 2}});
         if (ui_button(window->ui, &(UiButton){.id = "dismiss",
                                               .label = "\u00d7",
                                               .help = "Dismiss (Escape): Hide this message; F7 shows all messages"}))

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "window/act.h"
 #include "window/act_plot.h"
 #include "window/plan_input.h"
 #include "window/plan_overlay.h"
@@ -12,6 +13,7 @@
 /* Design points. */
 #define MARGIN 12.0
 #define LEAST_SIDE 24.0
+#define EDIT_HEIGHT 32.0
 #define SCALE_WIDTH 150.0 /* of the view's scale bar, at the right */
 
 enum { NOTE_LINES = 4 };
@@ -58,7 +60,34 @@ static size_t plot_of(const Tab *tab, const PlotPane *pane) {
 
 /* The view --------------------------------------------------------------------------------------------------------- */
 
-/* Shows a note line by line, at the foot of the view next to the scale bar, or at its top if the text is large. */
+static const char *edit_label(const Window *window) {
+    return window->editing ? "\u2713 Done editing" : "\u270e Edit plan";
+}
+
+/* True if the view has the button that shows the tools. */
+static bool has_edit_button(Window *window) {
+    return tab_editor(window_tab(window)) && !window->present && !window->frame.compact;
+}
+
+/* Shows the button that shows the tools or puts them away. */
+static void show_edit_button(Window *window) {
+    Box view = window->frame.view;
+    const char *label = edit_label(window);
+    Vec2 low = vec2_add(view.low, vec2(MARGIN, 8));
+    ui_at(window->ui,
+          (Box){low, vec2_add(low, vec2(ui_extent(window->ui, UI_BODY, label).x + 2 * MARGIN, EDIT_HEIGHT))});
+    if (ui_button(window->ui,
+                  &(UiButton){.id = "edit plan", .label = label, .help = keys_help(&window->arena, ACTION_EDIT_PLAN)}))
+        act_do(window, ACTION_EDIT_PLAN, 0, 0);
+}
+
+/* Returns the left edge of the note: next to the button. */
+static double note_left(Window *window) {
+    double left = window->frame.view.low.x + MARGIN;
+    return has_edit_button(window) ? left + ui_extent(window->ui, UI_BODY, edit_label(window)).x + 4 * MARGIN : left;
+}
+
+/* Shows a note line by line at the top of the view, where the title bar has no room for it. */
 static void show_note(Window *window, const char *note) {
     Box view = window->frame.view;
     double height = ui_extent(window->ui, UI_BODY, "x").y, most = fmax(box_width(view) - SCALE_WIDTH, SCALE_WIDTH);
@@ -71,12 +100,10 @@ static void show_note(Window *window, const char *note) {
         at = fits ? "" : end + 2;
     }
     for (int i = 0; i < count; i++) {
-        double y = window->frame.compact ? view.low.y + height * (i + 1)
-                                         : view.high.y - MARGIN - height * (count - i) + height / 2;
-        double right = view.low.x + MARGIN + ui_extent(window->ui, UI_BODY, lines[i]).x;
-        ui_draw_box(window->ui, (Box){{view.low.x + MARGIN - 4, y - height / 2}, {right + 4, y + height / 2}},
-                    ROLE_PAPER, 0.8);
-        ui_draw_text(window->ui, UI_BODY, ROLE_DIM_TEXT, vec2(view.low.x + MARGIN, y), 0, lines[i]);
+        double y = view.low.y + MARGIN / 2 + height * (i + 0.5);
+        double left = note_left(window), right = left + ui_extent(window->ui, UI_BODY, lines[i]).x;
+        ui_draw_box(window->ui, (Box){{left - 4, y - height / 2}, {right + 4, y + height / 2}}, ROLE_PAPER, 0.8);
+        ui_draw_text(window->ui, UI_BODY, ROLE_DIM_TEXT, vec2(left, y), 0, lines[i]);
     }
 }
 
@@ -94,7 +121,8 @@ static void show_animation(Window *window, const char *text) {
 
 static void show_view_text(Window *window, const Tab *tab) {
     Box view = window->frame.view;
-    show_note(window, tab->laboratory->note(tab->session));
+    if (!window->noted_in_title)
+        show_note(window, tab->laboratory->note(tab->session));
     show_animation(window, plan_input_animation(tab));
     if (tab->player.playing || (window->plan_input.holds && window->plan_input.plays_on))
         return;
@@ -143,6 +171,8 @@ static void show_view(Window *window, Tab *tab) {
     if (tab->session) {
         trace_image_show(window);
         use_mouse(window, tab);
+        if (has_edit_button(window))
+            show_edit_button(window);
         show_view_text(window, tab);
         plan_overlay_show(window);
     }

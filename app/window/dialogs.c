@@ -9,109 +9,12 @@
 #include "window/dialog_gallery.h"
 #include "window/dialog_leave.h"
 #include "window/dialog_pane.h"
-#include "window/files.h"
-#include "window/plan_input.h"
+#include "window/menu.h"
 
 /* Design points. */
-#define MENU_WIDTH 376.0
-#define MENU_ROW 30.0
 #define EDGE 24.0
 #define SMALL_WIDTH 620.0
 #define SMALL_HEIGHT 230.0
-
-/* The menus -------------------------------------------------------------------------------------------------------- */
-
-static double menu_left(Window *window) {
-    double left = 2;
-    for (KeyMenu menu = MENU_FILE; menu < window->menu && !window->frame.compact; menu++)
-        if (menu != MENU_TOOLS || tab_editor(window_tab(window)))
-            left += ui_extent(window->ui, UI_BODY, keys_menus[menu]).x + 20;
-    return left;
-}
-
-/* True if the row belongs to the menu; rows for plans only where a plan can be edited. */
-static bool is_there(Window *window, const KeyRow *row, KeyMenu menu) {
-    return row->menu == menu && row->name && (row->place != KEY_PLAN || tab_editor(window_tab(window)));
-}
-
-/* True if the row's key has this meaning while the view has the focus. */
-static bool is_meant(Window *window, const KeyRow *row) {
-    int32_t key;
-    int mods;
-    keys_read(row->key, &key, &mods);
-    if (row->place != KEY_CANVAS)
-        return true;
-    return keys_find(key, mods, tab_editor(window_tab(window)) ? KEY_PLAN : KEY_VIEW, true) == row->action;
-}
-
-/* Shows a row of a menu; true if it was chosen, which closes the menu. */
-static bool show_menu_row(Window *window, const KeyRow *row) {
-    Tab *tab = window_tab(window);
-    Editor *editor = tab_editor(tab);
-    bool undoes = row->action == ACTION_UNDO, steps = undoes || row->action == ACTION_REDO;
-    bool can = !steps || (editor && (undoes ? editor_undo_name(editor) : editor_redo_name(editor)));
-    UiRow shown = {.id = row->name,
-                   .shape = ROW_PLAIN,
-                   .cells = {steps ? plan_input_step_label(window, row->action) : row->name,
-                             is_meant(window, row) ? row->key : NULL},
-                   .usable = can};
-    if (!ui_list_row(window->ui, &shown))
-        return false;
-    dialog_pane_close(window);
-    act_do(window, row->action, 0, 0);
-    return true;
-}
-
-static bool show_recent(Window *window) {
-    const char *paths[SETTINGS_RECENT_MOST];
-    size_t count = settings_recent(&window->settings, paths);
-    if (window->menu != MENU_FILE || !count)
-        return false;
-    ui_heading(window->ui, "Recent");
-    for (size_t i = 0; i < count; i++) {
-        const char *name = strrchr(paths[i], '/');
-        UiRow shown = {.id = paths[i],
-                       .shape = ROW_PLAIN,
-                       .cells = {name ? name + 1 : paths[i]},
-                       .help = paths[i],
-                       .usable = true};
-        if (ui_list_row(window->ui, &shown)) {
-            dialog_pane_close(window);
-            files_leave(window, LEAVE_OPEN, paths[i]);
-            return true;
-        }
-    }
-    return false;
-}
-
-static void show_menu(Window *window) {
-    size_t rows = 0;
-    const char *paths[SETTINGS_RECENT_MOST];
-    for (size_t i = 0; i < keys_count(); i++) {
-        KeyRow row = keys_at(i);
-        rows += is_there(window, &row, window->menu);
-    }
-    rows += window->menu == MENU_FILE ? settings_recent(&window->settings, paths) + 2 : 0;
-    double left = menu_left(window), top = window->frame.menu.high.y;
-    double height = fmin((double)(rows + 1) * MENU_ROW + 34, window->frame.page.y - top);
-    Box box = {{left, top}, {fmin(left + MENU_WIDTH, window->frame.page.x), top + height}};
-    dialog_pane_begin(window, box);
-    bool edits = tab_editor(window_tab(window));
-    ui_row(window->ui, MENUS - MENU_FILE - !edits);
-    for (KeyMenu menu = MENU_FILE; menu < MENUS; menu++)
-        if ((menu != MENU_TOOLS || edits) &&
-            ui_button(window->ui,
-                      &(UiButton){.label = keys_menus[menu], .plain = true, .chosen = menu == window->menu}))
-            window->menu = menu;
-    bool done = false;
-    for (size_t i = 0; i < keys_count() && !done; i++) {
-        KeyRow row = keys_at(i);
-        done = is_there(window, &row, window->menu) && show_menu_row(window, &row);
-    }
-    if (!done)
-        show_recent(window);
-    ui_pane_end(window->ui);
-}
 
 /* The card of keys ------------------------------------------------------------------------------------------------- */
 
@@ -229,7 +132,7 @@ static void show_about(Window *window) {
 
 void dialogs_show(Window *window) {
     static void (*const shows[DIALOGS])(Window *) = {
-        [DIALOG_MENU] = show_menu,
+        [DIALOG_MENU] = menu_show,
         [DIALOG_KEYS] = show_keys,
         [DIALOG_GALLERY] = dialog_gallery_show,
         [DIALOG_OPEN] = dialog_gallery_show_open,

@@ -4,10 +4,15 @@
 
 /* Design points. */
 #define MENU_HEIGHT 30.0
-#define ANSWER_HEIGHT 60.0
-#define TIMELINE_HEIGHT 62.0
-#define STRIP_HEIGHT 34.0
-#define PANEL_WIDTH 344.0
+#define ANSWER_HEIGHT 64.0
+#define PRESENT_ANSWER 77.0
+#define TIMELINE_HEIGHT 52.0
+#define STRIP_HEIGHT 30.0
+#define PANEL_WIDTH 304.0
+#define PANEL_WIDE 324.0   /* on pages of at least WIDE_PAGE, */
+#define PANEL_WIDEST 340.0 /* of at least WIDEST_PAGE */
+#define WIDEST_PAGE 2100.0
+#define WIDE_PAGE 1500.0 /* Full HD at its own unit: plots have a place of their own */
 #define GAP 6.0
 
 /* The toolbar. */
@@ -20,7 +25,7 @@
 /* Smaller pages are laid out compactly. */
 #define COMPACT_WIDTH 900.0
 #define COMPACT_HEIGHT 470.0
-#define DRAWER_WIDTH 1020.0
+#define DRAWER_WIDTH 1100.0
 #define COMPACT_ANSWER 48.0
 #define COMPACT_TIMELINE 44.0
 
@@ -30,11 +35,17 @@
 #define PLOT_ASPECT 1.6
 #define FIRST_ROW 1.4     /* times the height of the other rows */
 #define BESIDE_WIDTH 0.38 /* of the place, for plots to the right of the view */
-#define BESIDE_MOST 440.0
+#define BESIDE_MOST 352.0
 #define BELOW_HEIGHT 0.36
-#define WIDE_VIEW 3.0 /* aspect above which a view gets only the height it needs, and the plots the rest */
+#define BELOW_MOST 144.0 /* of a drawer of plots, on pages that are not wide */
+#define SAME_SCALE 0.95  /* plots open beside the view if its scale falls by less */
+#define WIDE_VIEW 3.0    /* aspect above which a view gets only the height it needs, and the plots the rest */
 #define WIDE_LEAST 150.0
 #define WIDE_MOST 0.36 /* of the place */
+
+bool frame_is_wide(Vec2 page) {
+    return page.x >= WIDE_PAGE;
+}
 
 static bool is_there(Box box) {
     return box_width(box) > 0 && box_height(box) > 0;
@@ -97,14 +108,17 @@ static void divide(Frame *frame, Box place, const FrameWish *wish) {
         return;
     Box beside = place, below = place;
     beside.low.x = place.high.x - fmin(BESIDE_WIDTH * box_width(place), BESIDE_MOST);
-    below.low.y = place.high.y - BELOW_HEIGHT * box_height(place);
+    bool wide = frame_is_wide(frame->page);
+    double height = BELOW_HEIGHT * box_height(place);
+    below.low.y = place.high.y - (wide ? height : fmin(height, BELOW_MOST));
     if (wish->aspect > WIDE_VIEW)
         below.low.y =
             place.low.y + fmin(fmax(box_width(place) / wish->aspect, WIDE_LEAST), WIDE_MOST * box_height(place));
     Box left = place, upper = place;
     left.high.x = beside.low.x;
     upper.high.y = below.low.y;
-    bool is_below = wish->aspect > WIDE_VIEW || scale_of(upper, wish->aspect) > scale_of(left, wish->aspect);
+    double whole = scale_of(place, wish->aspect), beside_scale = scale_of(left, wish->aspect);
+    bool is_below = wish->aspect > WIDE_VIEW || (!wide && beside_scale < SAME_SCALE * whole);
     place_panes(frame, is_below ? below : beside, count);
     if (!frame->pane_count) {
         is_below = !is_below;
@@ -131,10 +145,12 @@ Frame frame_make(Vec2 page, const FrameWish *wish) {
     Frame frame = {.page = page};
     frame.compact = page.x < COMPACT_WIDTH || page.y < COMPACT_HEIGHT;
     frame.drawer = page.x < DRAWER_WIDTH;
-    double menu = wish->present ? 0 : MENU_HEIGHT, answer = frame.compact ? COMPACT_ANSWER : ANSWER_HEIGHT;
+    double menu = wish->present ? 0 : MENU_HEIGHT;
+    double answer = wish->present ? PRESENT_ANSWER : frame.compact ? COMPACT_ANSWER : ANSWER_HEIGHT;
     double timeline = frame.compact ? COMPACT_TIMELINE : TIMELINE_HEIGHT;
     double strip = wish->present || frame.compact ? 0 : STRIP_HEIGHT;
-    double panel = wish->panel && !wish->present ? fmin(PANEL_WIDTH, page.x) : 0;
+    double width = page.x >= WIDEST_PAGE ? PANEL_WIDEST : frame_is_wide(page) ? PANEL_WIDE : PANEL_WIDTH;
+    double panel = wish->panel && !wish->present ? fmin(width, page.x) : 0;
     frame.menu = (Box){{0, 0}, {page.x, menu}};
     frame.answer = (Box){{0, menu}, {page.x, menu + answer}};
     frame.strip = (Box){{0, page.y - strip}, {page.x, page.y}};

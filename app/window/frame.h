@@ -41,3 +41,6 @@ typedef struct Frame {
 } Frame;
 
 Frame frame_make(Vec2 page, const FrameWish *wish);
+
+/* True if a page has room for plots next to the view without being asked. */
+bool frame_is_wide(Vec2 page);

@@ -26,6 +26,8 @@ static const KeyRow table[] = {
      "Copy the command line that reproduces this run", NULL},
     {ACTION_QUIT, KEY_ANYWHERE, "Ctrl+Q", MENU_FILE, "Quit", "Close the window", NULL},
 
+    {ACTION_EDIT_PLAN, KEY_ANYWHERE, "Ctrl+Shift+E", MENU_EDIT, "Edit plan",
+     "Show the tools that draw walls, doors and rooms, or put them away", NULL},
     {ACTION_UNDO, KEY_ANYWHERE, "Ctrl+Z", MENU_EDIT, "Undo", "Undo the last edit", NULL},
     {ACTION_REDO, KEY_ANYWHERE, "Ctrl+Shift+Z", MENU_EDIT, "Redo", "Redo the last undone edit", NULL},
     {ACTION_REDO, KEY_ANYWHERE, "Ctrl+Y", MENU_NONE, NULL, NULL, NULL},
@@ -46,8 +48,8 @@ static const KeyRow table[] = {
     {ACTION_PREVIOUS_THING, KEY_VIEW, "Shift+Tab", MENU_EDIT, "Previous object", "Select the previous object", NULL},
     {ACTION_KEEP, KEY_CANVAS, "K", MENU_EDIT, "Save for comparison",
      "Save this run and show it behind the following ones", "compare"},
-    {ACTION_GHOST, KEY_CANVAS, "G", MENU_EDIT, "Next ghost", "Compare with the saved run or the other driving model",
-     "ghost"},
+    {ACTION_GHOST, KEY_CANVAS, "G", MENU_EDIT, "Compare with", "Compare with the saved run or the other driving model",
+     "before"},
     {ACTION_CLEAR, KEY_CANVAS, "X", MENU_EDIT, "Clear", "Clear the trace and the points so far", NULL},
 
     {ACTION_TOOL_SELECT, KEY_PLAN, "S", MENU_TOOLS, "Select", "Select and move objects and their handles", NULL},

@@ -4,6 +4,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "base/digest.h"
 #include "window/act.h"
 #include "window/notice.h"
 #include "window/panel_edit.h"
@@ -11,6 +12,25 @@
 
 enum { DIGITS_MOST = 6, PRESETS_IN_ROW = 2 };
 #define STEPS_SHOWN 500.0 /* steps of a slider's range that its digits distinguish */
+
+/* Folds ------------------------------------------------------------------------------------------------------------ */
+
+/* Shows the heading of a fold and returns true if it is open. Folds are kept by their titles. */
+static bool show_fold(Window *window, const char *title, const char *summary, bool open_at_first) {
+    uint64_t key = digest_text(DIGEST_START, title);
+    size_t i = 0;
+    while (i < window->fold_count && window->folds[i] != key)
+        i++;
+    bool other = i < window->fold_count, open = open_at_first != other;
+    if (!ui_fold(window->ui, title, open ? NULL : summary, &open))
+        return open;
+    if (other)
+        window->folds[i] = window->folds[--window->fold_count];
+    else if (window->fold_count < FOLDS_MOST)
+        window->folds[window->fold_count++] = key;
+    window->dirty = true;
+    return open;
+}
 
 /* Results ---------------------------------------------------------------------------------------------------------- */
 
@@ -21,26 +41,23 @@ static bool is_usable(const PanelRow *row) {
 
 static void show_row(Window *window, Tab *tab, const PanelRow *row, size_t index) {
     const SceneRow *scene = &row->row;
-    if (scene->kind == ROW_HEADING) {
-        ui_heading(window->ui, scene->cells[0]);
-        return;
-    }
     bool usable = is_usable(row);
+    bool narrow = scene->kind == ROW_DISC && scene->cells[2] && !frame_is_wide(window->frame.page); /* the cost alone */
     if (scene->kind == ROW_PLAIN && !usable && !scene->cells[1]) {
         ui_text(window->ui, UI_BODY, ROLE_TEXT, scene->cells[0]);
         return;
     }
-    UiRow shown = {.id = text_in_arena(&window->arena, "row %zu", index),
-                   .mark = scene->mark,
-                   .role = scene->role,
-                   .shape = (int)scene->kind,
-                   .style = (int)scene->style,
-                   .cells = {scene->cells[0], scene->cells[1], scene->cells[2]},
-                   .help = usable ? text_in_arena(&window->arena, "%s: Select it and go to its time", scene->cells[0])
-                                  : NULL,
-                   .selected = row->item.kind && item_same(row->item, tab->laboratory->selected(tab->session)),
-                   .dim = tab->laboratory->answer(tab->session).stale,
-                   .usable = usable};
+    UiRow shown = {
+        .id = text_in_arena(&window->arena, "row %zu", index),
+        .mark = scene->mark,
+        .role = scene->role,
+        .shape = (int)scene->kind,
+        .style = (int)scene->style,
+        .cells = {scene->cells[0], narrow ? scene->cells[2] : scene->cells[1], narrow ? NULL : scene->cells[2]},
+        .help = usable ? text_in_arena(&window->arena, "%s: Select it and go to its time", scene->cells[0]) : NULL,
+        .selected = row->item.kind && item_same(row->item, tab->laboratory->selected(tab->session)),
+        .dim = tab->laboratory->answer(tab->session).stale,
+        .usable = usable};
     Item item = row->item;
     double time = row->time;
     if (!ui_list_row(window->ui, &shown))
@@ -62,22 +79,42 @@ static size_t find_lists(const Tab *tab) {
     return begin;
 }
 
+/* Returns the row behind the list that begins with a heading. */
+static size_t list_end(const PanelRow *rows, size_t count, size_t heading) {
+    size_t end = heading + 1;
+    while (end < count && rows[end].row.kind != ROW_HEADING)
+        end++;
+    return end;
+}
+
 static void show_rows(Window *window, Tab *tab, size_t from, size_t to) {
     size_t count;
     const PanelRow *rows = tab->laboratory->rows(tab->session, &count);
+    bool open = true, selected = tab->laboratory->selected(tab->session).kind;
     for (size_t i = from; i < count && i < to; i++) {
-        show_row(window, tab, &rows[i], i);
+        if (rows[i].row.kind == ROW_HEADING && selected && !is_usable(&rows[i]) && i == 0) {
+            ui_heading(window->ui, rows[i].row.cells[0]); /* of the selection, whose numbers follow at once */
+        } else if (rows[i].row.kind == ROW_HEADING) {
+            size_t all = list_end(rows, count, i) - i - 1;
+            const char *summary = text_in_arena(&window->arena, "%zu", all);
+            open = show_fold(window, rows[i].row.cells[0], summary, strcmp(rows[i].row.cells[0], "Key") != 0);
+        } else if (open) {
+            show_row(window, tab, &rows[i], i);
+        }
         rows = tab->laboratory->rows(tab->session, &count); /* a choice may have changed the rows */
     }
 }
 
 static void show_choices(Window *window, Tab *tab) {
-    size_t count;
+    size_t count, shown = 0;
+    bool open_at_first = tab->laboratory->numbers_first;
     const PanelChoice *choices = tab->laboratory->choices(tab->session, &count);
     for (size_t i = 0; i < count; i++) {
         size_t chosen = choices[i].chosen;
         if (choices[i].count < 2)
             continue;
+        if (!shown++ && !show_fold(window, "Compare and run", choices[i].options[choices[i].chosen], open_at_first))
+            return;
         const char *help = text_in_arena(&window->arena, "%s: %s", choices[i].name, choices[i].meaning);
         if (ui_choice(window->ui, choices[i].name, choices[i].name, help, choices[i].options, choices[i].count,
                       &chosen)) {
@@ -93,7 +130,8 @@ static void show_presets(Window *window, Tab *tab) {
     const Preset *presets = tab->laboratory->presets(tab->session, &count);
     if (!count)
         return;
-    ui_heading(window->ui, "Presets");
+    if (!show_fold(window, "Good starts", NULL, true))
+        return;
     for (size_t i = 0; i < count; i++) {
         if (i % PRESETS_IN_ROW == 0)
             ui_row(window->ui, PRESETS_IN_ROW);
@@ -189,39 +227,48 @@ static void show_parameter(Window *window, const PanelParameter *parameter) {
     }
 }
 
-/* Shows the most used parameters, or all others. */
+/* Shows the most used parameters, or all others, in folds; those of the selection stay open. */
 static void show_parameters(Window *window, Tab *tab, bool first) {
     size_t count;
     const PanelParameter *parameters = tab->laboratory->parameters(tab->session, &count);
     const char *group = "";
+    bool selected = tab->laboratory->selected(tab->session).kind, open = true, any = false;
     for (size_t i = 0; i < count; i++) {
-        if (parameters[i].first != first)
+        bool of_item = strncmp(parameters[i].name, "profile.", 8) != 0 && !tab->laboratory->numbers_first;
+        if (parameters[i].first != first || (first && !selected && of_item))
             continue;
-        if (strcmp(group, parameters[i].group) != 0)
-            ui_heading(window->ui, parameters[i].group);
-        group = text_in_arena(&window->arena, "%s", parameters[i].group);
-        show_parameter(window, &parameters[i]);
+        if (strcmp(group, parameters[i].group) != 0) {
+            bool heads = first && selected && !any;
+            group = text_in_arena(&window->arena, "%s", parameters[i].group);
+            open = true;
+            if (heads)
+                ui_heading(window->ui, group);
+            else
+                open = show_fold(window, group, NULL, first && (selected || tab->laboratory->numbers_first));
+            any = true;
+            parameters = tab->laboratory->parameters(tab->session, &count);
+        }
+        if (open)
+            show_parameter(window, &parameters[i]);
         parameters = tab->laboratory->parameters(tab->session, &count); /* a change may have rebuilt the parameters */
     }
 }
 
 static void show_more(Window *window, Tab *tab) {
-    ui_gap(window->ui, 6);
-    ui_row(window->ui, 2);
+    window->more = show_fold(window, "All numbers", NULL, false);
+    if (!window->more)
+        return;
     if (ui_button(window->ui, &(UiButton){.label = "Reset all", .help = keys_help(&window->arena, ACTION_UNDO_ALL)}))
         act_do(window, ACTION_UNDO_ALL, 0, 0);
-    if (ui_button(window->ui, &(UiButton){.label = window->more ? "Fewer numbers" : "All numbers",
-                                          .help = "All numbers: Show or hide the less used numbers",
-                                          .chosen = window->more}))
-        window->more = !window->more;
-    if (window->more)
-        show_parameters(window, tab, false);
+    show_parameters(window, tab, false);
 }
 
 /* Layers and plots ------------------------------------------------------------------------------------------------- */
 
 static void show_layers(Window *window, Tab *tab) {
-    ui_heading(window->ui, "Layers");
+    if (!show_fold(window, "Show", text_in_arena(&window->arena, "layers 1 to %zu", tab->laboratory->layer_count),
+                   false))
+        return;
     for (size_t i = 0; i < tab->laboratory->layer_count; i++) {
         bool shown = tab_layers(tab) >> i & 1;
         const char *label = text_in_arena(&window->arena, "%zu  %s", i + 1, tab->laboratory->layers[i]);
@@ -248,7 +295,8 @@ static const char *toggled(Window *window, const char *names, const char *name, 
 }
 
 static void show_plots(Window *window, Tab *tab) {
-    ui_heading(window->ui, "Plots");
+    if (!show_fold(window, "Plots", keys_row(ACTION_PLOTS).key, false))
+        return;
     size_t count = tab->laboratory->plot_count(tab->session);
     for (size_t i = 0; i < count; i++) {
         LaboratoryPlot plot = tab->laboratory->plot(tab->session, i);
@@ -273,10 +321,14 @@ void panel_show(Window *window) {
         bool selected = tab->laboratory->selected(tab->session).kind;
         size_t lists = tab->laboratory->numbers_first ? 0 : selected ? find_lists(tab) : SIZE_MAX;
         panel_edit_show(window);
+        if (!selected)
+            panel_edit_show_way_out(window);
         show_rows(window, tab, 0, lists);
         show_parameters(window, tab,
                         true); /* parameters of the selection: Enter focuses the first one that can be changed */
         panel_edit_show_texts(window);
+        if (selected) /* the first stop of the focus is a number of the selection */
+            panel_edit_show_way_out(window);
         show_presets(window, tab);
         show_rows(window, tab, lists, SIZE_MAX);
         show_choices(window, tab);

@@ -185,6 +185,7 @@ static void show_proposals(Window *window, Editor *editor) {
                            .help = "Apply: Change the house; Undo reverts it"};
         if (ui_button(window->ui, &button)) {
             editor_accept(editor, i, &fault);
+            ui_focus(window->ui, "view"); /* the button is gone: Space must play */
             notice_fault(window, &fault, NAN);
             return;
         }
@@ -227,7 +228,13 @@ void panel_edit_show(Window *window) {
         show_image(window, editor);
     if (editor_tool(editor) == TOOL_MEASURE)
         show_scale(window, editor);
-    show_way_out(window, tab, editor);
+}
+
+void panel_edit_show_way_out(Window *window) {
+    Tab *tab = window_tab(window);
+    Editor *editor = tab_editor(tab);
+    if (editor)
+        show_way_out(window, tab, editor);
 }
 
 void panel_edit_show_texts(Window *window) {

@@ -6,6 +6,9 @@
 
 void panel_edit_show(Window *window);
 
+/* Shows why a person cannot leave, and offers the smallest change. */
+void panel_edit_show_way_out(Window *window);
+
 /* Show the names and ids of the selection; the house's own name and note. */
 void panel_edit_show_texts(Window *window);
 void panel_edit_show_house(Window *window);

@@ -352,6 +352,7 @@ bool plan_input_do(Window *window, Action action, int mods) {
         return false;
     if (action >= ACTION_TOOL_SELECT && action <= ACTION_TOOL_IMAGE) {
         editor_set_tool(editor, (EditTool)(action - ACTION_TOOL_SELECT));
+        window->editing |= action != ACTION_TOOL_SELECT;
         bool asks = action == ACTION_TOOL_IMAGE && !editor_image(editor).path;
         window->panel |= asks;
         window->drawer |= asks;

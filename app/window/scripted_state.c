@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "draw/caption.h"
 #include "window/plan_input.h"
 
 static json_t *json_box(const Window *window, Box box) {
@@ -208,6 +209,32 @@ static json_t *floor_state(const Window *window, const Tab *tab) {
     return state;
 }
 
+static void add_captions(json_t *labels, const Window *window, const Layout *layout) {
+    static const char *const shapes[] = {[LABEL_BARE] = "name", [LABEL_TAG] = "tag", [LABEL_DISC] = "disc"};
+    for (size_t i = 0; i < layout->caption_count; i++) {
+        const Caption *caption = &layout->captions[i];
+        Box box = caption_box(caption);
+        box.low = vec2_add(box.low, window->frame.view.low);
+        box.high = vec2_add(box.high, window->frame.view.low);
+        Vec2 pointed = vec2_add(caption->leader ? caption->pointed : caption->centre, window->frame.view.low);
+        json_t *one = json_pack("{s:s,s:f,s:s}", "string", caption->text, "size", caption->size * window->unit, "kind",
+                                shapes[caption->shape]);
+        json_object_set_new(one, "box", json_box(window, box));
+        json_object_set_new(one, "pointed", json_pack("[f,f]", pointed.x * window->unit, pointed.y * window->unit));
+        json_array_append_new(labels, one);
+    }
+}
+
+/* Returns the texts in the view. */
+static json_t *text_state(const Window *window, const Tab *tab) {
+    json_t *labels = json_array();
+    if (tab->view_layers.painted) {
+        add_captions(labels, window, &tab->view_layers.still);
+        add_captions(labels, window, &tab->view_layers.moving);
+    }
+    return labels;
+}
+
 static void add_tab(json_t *state, Window *window) {
     const Tab *tab = window_tab(window);
     const Player *player = &tab->player;
@@ -234,11 +261,11 @@ static void add_tab(json_t *state, Window *window) {
     json_object_set_new(state, "azimuth", number_or_null(tab->camera.azimuth));
     json_object_set_new(state, "layers", json_integer(tab_layers(tab)));
     json_object_set_new(state, "clock", json_string(tab->laboratory->clock(tab->session, player->time)));
-    json_object_set_new(state, "selected",
-                        item.kind ? json_string(key_of(tab, item)) : json_null());
+    json_object_set_new(state, "selected", item.kind ? json_string(key_of(tab, item)) : json_null());
     json_object_set_new(state, "floor", floor_state(window, tab));
     json_object_set_new(state, "answer", answer_state(tab));
     json_object_set_new(state, "runs", runs_state(tab));
+    json_object_set_new(state, "text_in_view", text_state(window, tab));
     json_object_set_new(state, "rows", rows_state(tab));
     json_object_set_new(state, "parameters", parameters_state(tab));
     json_object_set_new(state, "choices", choices_state(tab));
@@ -258,8 +285,12 @@ json_t *scripted_state_of(Window *window) {
     json_object_set_new(state, "text", number_or_null(window->text));
     json_object_set_new(state, "theme", json_string(window->theme == THEME_BOARD ? "board" : "paper"));
     json_object_set_new(state, "sheet", json_string(dialogs[window->dialog]));
+    if (window->dialog == DIALOG_MENU)
+        json_object_set_new(state, "menu", json_string(keys_menus[window->menu]));
     json_object_set_new(state, "panel", json_boolean(window->panel));
-    json_object_set_new(state, "plots", json_boolean(window->plots));
+    json_object_set_new(state, "plots", json_boolean(window->plots_shown));
+    json_object_set_new(state, "editing", json_boolean(window->editing));
+    json_object_set_new(state, "unit", json_real(window->unit));
     json_object_set_new(state, "present", json_boolean(window->present));
     json_object_set_new(state, "fullscreen", json_boolean(window->fullscreen));
     json_object_set_new(state, "sound", json_boolean(window->sound != NULL));

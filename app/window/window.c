@@ -14,6 +14,7 @@
 #include "window/dialogs.h"
 #include "window/edit_benchmark.h"
 #include "window/files.h"
+#include "window/menu.h"
 #include "window/notice.h"
 #include "window/opening.h"
 #include "window/panel.h"
@@ -27,10 +28,10 @@
 
 enum { WIDTH = 1280, HEIGHT = 720 /* pixels of a new window */ };
 
-#define PRESENT_TEXT 1.5   /* times the text size, in presentation mode */
+#define PRESENT_TEXT 1.45 /* times the size of the text, in presentation mode */
+#define PRESENT_LEAST 0.7
 #define NOTE_STAY 6.0      /* s, that a note stays visible; the log (F7) keeps it */
 #define IDLE_WAIT 0.05     /* s, for an event, while nothing moves */
-#define LEAST_UNIT 0.75    /* pixels per design point, so that the text is legible in the smallest window */
 #define SOUND_MOST 4096    /* samples a frame */
 #define BENCHMARK_WARM 3.0 /* s, before frames are counted */
 
@@ -118,8 +119,24 @@ static void do_key(Window *window, const SdlWindowEvent *event) {
         give_to_widgets(window, event);
 }
 
+/* Walks through the open menu; false: the key means something else. */
+static bool walk_menu(Window *window, const SdlWindowEvent *event) {
+    static const struct {
+        const char *key;
+        int across, down;
+    } ways[] = {{"Left", -1, 0}, {"Right", 1, 0}, {"Up", 0, -1}, {"Down", 0, 1}};
+    for (size_t i = 0; i < sizeof ways / sizeof *ways && window->dialog == DIALOG_MENU; i++)
+        if (event->key == sdl_window_key(ways[i].key)) {
+            menu_walk(window, ways[i].across, ways[i].down);
+            return true;
+        }
+    return false;
+}
+
 /* Handles a key; a gesture comes first. */
 static void handle_key(Window *window, const SdlWindowEvent *event) {
+    if (walk_menu(window, event))
+        return;
     if (place_of(window) == KEY_PLAN && (plan_input_key(window, event) || plan_input_store_key(window, event)))
         return;
     window->plan_input.done = true;
@@ -206,22 +223,30 @@ static Box snapped(const Window *window, Box box) {
                  {round(box.high.x * unit) / unit, round(box.high.y * unit) / unit}};
 }
 
+/* Returns the pixels per design point: larger screens give half of their gain to letters and half to content. Only
+ * presentation mode grows in full. */
+static double window_unit(int width, int height, double density, bool present) {
+    double gain = fmax(layout_unit(width, height) / density, present ? PRESENT_LEAST : 1);
+    return density * (present ? PRESENT_TEXT * gain : sqrt(gain));
+}
+
 static void make_frame(Window *window) {
     const Tab *tab = window_tab(window);
     sdl_window_size(window->sdl_window, &window->width, &window->height);
-    double text_size = window->text * (window->present ? PRESENT_TEXT : 1);
-    window->unit =
-        fmax(layout_unit(window->width, window->height), LEAST_UNIT * sdl_window_density(window->sdl_window)) *
-        text_size;
+    window->unit = window_unit(window->width, window->height, sdl_window_density(window->sdl_window), window->present) *
+                   window->text;
+    Vec2 page = {window->width / window->unit, window->height / window->unit};
+    bool plots = window->plots == PLOTS_AUTO ? tab->laboratory->numbers_first || frame_is_wide(page)
+                                             : window->plots == PLOTS_OPEN;
+    window->plots_shown = plots;
     FrameWish wish = {.panel = window->panel,
-                      .plots = window->plots,
+                      .plots = plots && (!window->present || window->plots == PLOTS_OPEN),
                       .present = window->present,
                       .plot_count = tab->plot_panes_stale && tab->session && !tab->panes.count
                                         ? tab->laboratory->plot_count(tab->session)
                                         : tab->panes.count,
-                      .tool_count = tab_editor(tab) ? EDIT_TOOLS : 0,
+                      .tool_count = tab_editor(tab) && window->editing ? EDIT_TOOLS : 0,
                       .aspect = tab->aspect};
-    Vec2 page = {window->width / window->unit, window->height / window->unit};
     window->frame = frame_make(page, &wish);
     if (window->frame.drawer && !window->drawer) {
         wish.panel = false;
@@ -271,6 +296,8 @@ static void draw(Window *window, double seconds) {
     show_panes(window);
     plan_input_hold_clock(window); /* after the sliders, which still move in the frame of their release */
     ui_end(window->ui);
+    window->menu_press.down = window->input.down[SDL_WINDOW_EVENT_LEFT];
+    window->menu_press.opened &= window->menu_press.down;
     window->input.wheel = 0;
     window->input.twice = false;
 }
@@ -404,7 +431,8 @@ static void apply_preferences(Window *window) {
     window->theme = (Theme)(options->theme >= 0 ? options->theme : preferences->theme);
     window->text = options->text > 0 ? options->text : preferences->text;
     window->reduced = options->reduced_motion || preferences->reduced_motion;
-    window->panel = window->plots = true;
+    window->panel = true;
+    window->plots = PLOTS_AUTO;
     window->tabs = memory_zeroed(laboratories_count, sizeof *window->tabs);
     for (size_t i = 0; i < laboratories_count; i++) {
         window->tabs[i] = tab_make(laboratories[i].laboratory);

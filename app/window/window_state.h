@@ -73,7 +73,7 @@ typedef struct EditBenchmark {
     size_t count, capacity, missed;
 } EditBenchmark;
 
-enum { WINDOW_PATH = 4096, WINDOW_TITLE = 256, GALLERY_MOST = 64 };
+enum { FOLDS_MOST = 64, WINDOW_PATH = 4096, WINDOW_TITLE = 256, GALLERY_MOST = 64 };
 
 typedef struct Window {
     const WindowOptions *options;
@@ -94,9 +94,15 @@ typedef struct Window {
 
     Theme theme;
     double text; /* text size, 1 to 3 */
-    bool present, panel, plots, fullscreen, more;
-    bool drawer;  /* the panel is open as a drawer over the view */
-    bool reduced; /* nothing moves but what is simulated */
+    bool present, panel, fullscreen, more;
+    enum { PLOTS_AUTO, PLOTS_OPEN, PLOTS_CLOSED } plots; /* as chosen; otherwise by the room there is */
+    bool plots_shown;
+    bool editing;               /* the toolbar is shown */
+    uint64_t folds[FOLDS_MOST]; /* (fold_count) folds of the panel that are not in their first state */
+    size_t fold_count;
+    bool noted_in_title; /* the note of the laboratory stands in the title bar */
+    bool drawer;         /* the panel is open as a drawer over the view */
+    bool reduced;        /* nothing moves but what is simulated */
 
     int width, height; /* pixels */
     double unit;       /* pixels a design point */
@@ -107,6 +113,9 @@ typedef struct Window {
 
     Dialog dialog;
     KeyMenu menu; /* the open menu */
+    struct {
+        bool down, opened; /* the left button was down in the last frame; that press opened the menu */
+    } menu_press;
     Folder folder;
     char field[WINDOW_PATH]; /* text typed into a dialog */
     char hold[WINDOW_PATH];  /* text of DIALOG_EXPLAIN */

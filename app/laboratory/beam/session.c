@@ -423,7 +423,7 @@ static bool save(void *context, const char *path, Fault *fault) {
 const Laboratory beam_laboratory = {
     .name = "Beam",
     .word = "beam",
-    .plots_at_first = "phase,orbit,force,poincare,spectrum",
+    .plots_at_first = "phase,orbit",
     .numbers_first = true,
     .layers = layer_names,
     .meanings = layer_meanings,

@@ -118,7 +118,7 @@ void house_control_reset(void *context) {
 
 /* Choices ---------------------------------------------------------------------------------------------------------- */
 
-#define GHOST "Ghost"
+#define GHOST "Compare with"
 #define ROUTE "Route"
 #define DRIVING "Driving"
 #define EDITS "Edits"

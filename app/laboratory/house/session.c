@@ -396,7 +396,7 @@ static void stop(void *context) {
 }
 
 static const char *const layer_names[LAYERS] = {
-    [LAYER_RINGS] = "rings",   [LAYER_LOCI] = "ways",     [LAYER_GHOST] = "ghost",
+    [LAYER_RINGS] = "rings",   [LAYER_LOCI] = "paths",    [LAYER_GHOST] = "before",
     [LAYER_DANGER] = "danger", [LAYER_WIDTHS] = "widths", [LAYER_GRID] = "grid",
     [LAYER_NAMES] = "names",   [LAYER_FORCES] = "forces", [LAYER_CIRCLES] = "circles",
 };
@@ -410,7 +410,7 @@ static const char *const layer_meanings[LAYERS] = {
     [LAYER_DANGER] = "Dangerous points, as discs with their rank.",
     [LAYER_WIDTHS] = "The planned routes, and the widths W1 and W2 before and after each corner.",
     [LAYER_GRID] = "Lines a metre apart.",
-    [LAYER_NAMES] = "Names of people, rooms, doors and furniture.",
+    [LAYER_NAMES] = "Names of rooms and furniture, where they have room.",
     [LAYER_FORCES] = "Stars of contacts, with their forces.",
     [LAYER_CIRCLES] = "Discs that cover the chairs, as simpler methods have them.",
 };

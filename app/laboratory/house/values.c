@@ -6,6 +6,7 @@
 #include "base/choice.h"
 #include "base/parameters_number.h"
 #include "laboratory/house_items.h"
+#include "result/names.h"
 
 /* A parameter of the plan that is offered, with the useful part of its range. */
 typedef struct Offer {
@@ -176,7 +177,10 @@ static const char *leaf_words(Arena *arena, const char *name) {
 
 static void add_profile(HouseValues *values, const House *house, const Profile *profile) {
     const ParameterTable *table = profile_table();
-    const char *what = profile->driving == DRIVING_WALKER ? "On foot" : "Wheelchair";
+    const char *word = names_profile(profile->name);
+    char *what = arena_allocate(&values->arena, strlen(word) + 1);
+    strcpy(what, word);
+    *what = (char)toupper((unsigned char)*what);
     for (size_t r = 0; r < table->count; r++) {
         if (!profile_row_matters(r, profile->driving))
             continue;
@@ -189,7 +193,7 @@ static void add_profile(HouseValues *values, const House *house, const Profile *
         if (!parameter)
             continue;
         parameter->label = leaf_words(&values->arena, row);
-        parameter->group = text_in_arena(&values->arena, "%s %s: %s", what, profile->name, part_of_profile(row));
+        parameter->group = text_in_arena(&values->arena, "%s: %s", what, part_of_profile(row));
         parameter->provenance = arena_text(&values->arena, profile->provenance[r]);
     }
 }

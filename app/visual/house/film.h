@@ -28,7 +28,7 @@ enum {
     FILM_GHOST = 4,  /* the comparison */
     FILM_DANGER = 8, /* discs of dangerous points */
     FILM_GRID = 16,
-    FILM_NAMES = 32,  /* of people, furniture, rooms and doors */
+    FILM_NAMES = 32,  /* of furniture and rooms */
     FILM_FORCES = 64, /* stars of contacts */
 };
 

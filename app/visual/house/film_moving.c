@@ -208,7 +208,7 @@ void film_moving_make(Film *film) {
     add_ghosts(film);
     for (size_t i = 0; i < count && !(film->options.hidden & FILM_FORCES); i++)
         add_contact(film, &film->standing[i]);
-    for (size_t i = 0; i < count && !film->crowd && !(film->options.hidden & FILM_NAMES); i++)
+    for (size_t i = 0; i < count && !film->crowd; i++)
         add_name(film, &film->standing[i]);
     if (film->crowd)
         add_exits(film);

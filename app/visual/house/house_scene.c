@@ -107,8 +107,8 @@ static void list_person(Scene *scene, const House *house, const Observation *obs
     const Inhabitant *person = &house->people[i];
     const PersonObservation *observed = &observation->people[i];
     const char *room = names_room(&house->plan, person->at);
-    const char *who = room ? scene_text(scene, "%s, %s", names_profile(person->profile->name), room)
-                           : names_profile(person->profile->name);
+    const char *profile = names_profile(person->profile->name);
+    const char *who = !room ? profile : house->profile_count > 1 ? scene_text(scene, "%s, %s", room, profile) : room;
     ResultTable table = {0};
     result_house_add_person(&table, house, observation, i);
     const char *result =

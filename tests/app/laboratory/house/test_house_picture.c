@@ -94,7 +94,7 @@ TEST(layers_can_be_hidden_and_shown) {
 TEST(ghosts_are_seen_moving) {
     void *session = running_house_open("ube-techno-house", NULL, 0, NULL);
     running_house_finish(session, 0);
-    running_house_choose(session, "Ghost", "miura");
+    running_house_choose(session, "Compare with", "miura");
     running_house_finish(session, 5);
     laboratory->show(session, 5);
     CHECK(count_of(laboratory->still(session), PRIMITIVE_LINE, ROLE_GHOST) == 4 &&

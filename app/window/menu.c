@@ -1,0 +1,255 @@
+#include "window/menu.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "window/act.h"
+#include "window/dialog_pane.h"
+#include "window/files.h"
+#include "window/plan_input.h"
+
+/* Design points. */
+#define WIDTH 376.0
+#define ROW 28.0
+#define MARGIN 6.0
+#define WORD_PAD 20.0
+
+enum { RECENT_SHOWN = 5 };
+
+/* True if the bar has the menu: that of the tools belongs to a toolbar. */
+static bool has_menu(Window *window, KeyMenu menu) {
+    return menu != MENU_TOOLS || (tab_editor(window_tab(window)) && window->editing) || window->frame.compact;
+}
+
+static double word_width(Window *window, KeyMenu menu) {
+    return ui_extent(window->ui, UI_BODY, keys_menus[menu]).x + WORD_PAD;
+}
+
+static Box word_box(Window *window, KeyMenu wanted) {
+    Box bar = window->frame.menu;
+    double left = bar.low.x + 2;
+    for (KeyMenu menu = MENU_FILE; menu < wanted && !window->frame.compact; menu++)
+        left += has_menu(window, menu) ? word_width(window, menu) : 0;
+    return (Box){{left, bar.low.y}, {left + word_width(window, wanted), bar.high.y}};
+}
+
+static void open_menu(Window *window, KeyMenu menu) {
+    window->menu = menu;
+    dialog_pane_show(window, DIALOG_MENU);
+}
+
+static Vec2 pointer_of(const Window *window) {
+    return vec2_scale(window->mouse, 1 / window->unit);
+}
+
+/* The bar ---------------------------------------------------------------------------------------------------------- */
+
+/* Returns the menu whose word the pointer is on; MENUS: none. */
+static KeyMenu pointed_menu(Window *window) {
+    for (KeyMenu menu = MENU_FILE; menu < MENUS && !window->frame.compact; menu++)
+        if (has_menu(window, menu) && box_holds(word_box(window, menu), pointer_of(window)))
+            return menu;
+    return MENUS;
+}
+
+double menu_show_bar(Window *window, Box bar) {
+    double right = bar.low.x + 2;
+    if (window->frame.compact) {
+        UiButton button = {.label = "Menu", .help = keys_help(&window->arena, ACTION_MENU), .plain = true};
+        right += ui_extent(window->ui, UI_BODY, button.label).x + WORD_PAD;
+        ui_at(window->ui, (Box){{bar.low.x + 2, bar.low.y + 2}, {right, bar.high.y - 2}});
+        if (ui_button(window->ui, &button))
+            open_menu(window, MENU_FILE);
+        return right;
+    }
+    for (KeyMenu menu = MENU_FILE; menu < MENUS; menu++) {
+        if (!has_menu(window, menu))
+            continue;
+        Box box = word_box(window, menu);
+        UiButton button = {
+            .label = keys_menus[menu], .plain = true, .chosen = window->dialog == DIALOG_MENU && window->menu == menu};
+        ui_at(window->ui, (Box){{box.low.x, box.low.y + 1}, {box.high.x, box.high.y - 1}});
+        if (ui_button(window->ui, &button))
+            open_menu(window, menu);
+        right = box.high.x;
+    }
+    bool pressed = window->input.down[SDL_WINDOW_EVENT_LEFT] && !window->menu_press.down;
+    if (pressed && window->dialog == DIALOG_NONE && pointed_menu(window) < MENUS) {
+        open_menu(window, pointed_menu(window));
+        window->menu_press.opened = true;
+    }
+    return right;
+}
+
+/* Rows ------------------------------------------------------------------------------------------------------------- */
+
+/* True if the row belongs to the menu; rows for plans only where a plan can be edited. */
+static bool is_there(Window *window, const KeyRow *row, KeyMenu menu) {
+    return row->menu == menu && row->name && (row->place != KEY_PLAN || tab_editor(window_tab(window)));
+}
+
+/* True if the row's key has this meaning while the view has the focus. */
+static bool is_meant(Window *window, const KeyRow *row) {
+    int32_t key;
+    int mods;
+    keys_read(row->key, &key, &mods);
+    if (row->place != KEY_CANVAS)
+        return true;
+    return keys_find(key, mods, tab_editor(window_tab(window)) ? KEY_PLAN : KEY_VIEW, true) == row->action;
+}
+
+/* True if the action is a state that is on. */
+static bool is_on(Window *window, Action action) {
+    const Tab *tab = window_tab(window);
+    switch (action) {
+    case ACTION_PANEL:
+        return box_width(window->frame.panel) > 0;
+    case ACTION_PLOTS:
+        return window->plots_shown;
+    case ACTION_EDIT_PLAN:
+        return window->editing;
+    case ACTION_PRESENT:
+        return window->present;
+    case ACTION_FULLSCREEN:
+        return window->fullscreen;
+    case ACTION_SNAP:
+        return !window->plan_input.free;
+    case ACTION_LOOP:
+        return tab->player.loops;
+    case ACTION_FOLLOW:
+        return tab->follows;
+    case ACTION_RAISED:
+        return tab->camera.kind == VIEW_RAISED;
+    case ACTION_SOUND:
+        return window->sound != NULL;
+    default:
+        return false;
+    }
+}
+
+/* Returns the place of the n-th row. */
+static Box row_box(Box pane, size_t row) {
+    double top = pane.low.y + MARGIN + ROW * (double)row;
+    return (Box){{pane.low.x + 2 * MARGIN, top}, {pane.high.x - 2 * MARGIN, top + ROW}};
+}
+
+/* Shows a row; true if it was chosen: by a click, a key, or where a press that opened the menu ends. */
+static bool show_row(Window *window, Box box, const UiRow *row) {
+    ui_at(window->ui, box);
+    bool chosen = ui_list_row(window->ui, row);
+    bool ends = window->menu_press.down && !window->input.down[SDL_WINDOW_EVENT_LEFT] && window->menu_press.opened;
+    return row->usable && (chosen || (ends && box_holds(box, pointer_of(window))));
+}
+
+static bool show_action(Window *window, Box box, const KeyRow *row) {
+    Tab *tab = window_tab(window);
+    Editor *editor = tab_editor(tab);
+    bool undoes = row->action == ACTION_UNDO, steps = undoes || row->action == ACTION_REDO;
+    bool can = !steps || (editor && (undoes ? editor_undo_name(editor) : editor_redo_name(editor)));
+    const char *name = steps ? plan_input_step_label(window, row->action) : row->name;
+    UiRow shown = {
+        .id = row->name,
+        .shape = ROW_PLAIN,
+        .cells = {text_in_arena(&window->arena, "%s%s", is_on(window, row->action) ? "\u2713 " : "    ", name),
+                  is_meant(window, row) ? row->key : NULL},
+        .dim = !can,
+        .usable = can};
+    if (!show_row(window, box, &shown))
+        return false;
+    dialog_pane_close(window);
+    act_do(window, row->action, 0, 0);
+    return true;
+}
+
+static bool show_recent(Window *window, Box pane, size_t row, const char *path) {
+    const char *name = strrchr(path, '/');
+    UiRow shown = {.id = path,
+                   .shape = ROW_PLAIN,
+                   .cells = {text_in_arena(&window->arena, "    %s", name ? name + 1 : path)},
+                   .help = path,
+                   .usable = true};
+    if (!show_row(window, row_box(pane, row), &shown))
+        return false;
+    dialog_pane_close(window);
+    files_leave(window, LEAVE_OPEN, path);
+    return true;
+}
+
+static size_t recent_files(Window *window, const char **paths) {
+    size_t count = window->menu == MENU_FILE ? settings_recent(&window->settings, paths) : 0;
+    return count < RECENT_SHOWN ? count : RECENT_SHOWN;
+}
+
+/* The open menu ---------------------------------------------------------------------------------------------------- */
+
+static Box pane_box(Window *window) {
+    size_t rows = 0;
+    const char *paths[SETTINGS_RECENT_MOST];
+    for (size_t i = 0; i < keys_count(); i++) {
+        KeyRow row = keys_at(i);
+        rows += is_there(window, &row, window->menu);
+    }
+    rows += recent_files(window, paths) + window->frame.compact;
+    double left = fmin(word_box(window, window->menu).low.x, fmax(0, window->frame.page.x - WIDTH));
+    double top = window->frame.menu.high.y, height = (double)rows * ROW + 2 * MARGIN;
+    return (Box){{left, top}, {fmin(left + WIDTH, window->frame.page.x), fmin(top + height, window->frame.page.y)}};
+}
+
+/* In a small window the other menus are words at the top of the open one. */
+static void show_words(Window *window) {
+    ui_row(window->ui, MENUS - MENU_FILE);
+    for (KeyMenu menu = MENU_FILE; menu < MENUS; menu++)
+        if (ui_button(window->ui,
+                      &(UiButton){.label = keys_menus[menu], .plain = true, .chosen = menu == window->menu}))
+            window->menu = menu;
+}
+
+static bool show_rows(Window *window, Box box) {
+    const char *paths[SETTINGS_RECENT_MOST];
+    size_t shown = window->frame.compact, recent = recent_files(window, paths);
+    for (size_t i = 0; i < keys_count(); i++) {
+        KeyRow row = keys_at(i);
+        if (is_there(window, &row, window->menu) && show_action(window, row_box(box, shown++), &row))
+            return true;
+    }
+    for (size_t i = 0; i < recent; i++)
+        if (show_recent(window, box, shown++, paths[i]))
+            return true;
+    return false;
+}
+
+void menu_show(Window *window) {
+    KeyMenu pointed = pointed_menu(window);
+    if (pointed < MENUS)
+        window->menu = pointed;
+    Box box = pane_box(window);
+    UiPane pane = {.name = text_in_arena(&window->arena, "menu %d", (int)window->menu),
+                   .box = box,
+                   .ground = ROLE_PANEL,
+                   .scrolls = true,
+                   .modal = true,
+                   .clear = true};
+    bool pressed = window->input.down[SDL_WINDOW_EVENT_LEFT] && !window->menu_press.down;
+    bool inside = box_holds(box, pointer_of(window)), on_bar = pointed < MENUS;
+    ui_pane_begin(window->ui, &pane);
+    if (window->frame.compact)
+        show_words(window);
+    bool done = show_rows(window, box);
+    ui_pane_end(window->ui);
+    if (!done && pressed && !inside && !(on_bar && window->menu_press.opened))
+        dialog_pane_close(window);
+}
+
+void menu_walk(Window *window, int across, int down) {
+    if (down)
+        ui_key(window->ui, down > 0 ? UI_KEY_NEXT : UI_KEY_PREVIOUS, false, false);
+    for (KeyMenu menu = window->menu; across;) {
+        menu = menu + across >= MENUS ? MENU_FILE : menu + across < MENU_FILE ? MENUS - 1 : menu + across;
+        if (!has_menu(window, menu))
+            continue;
+        window->menu = menu;
+        break;
+    }
+    window->dirty = true;
+}
