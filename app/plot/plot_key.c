@@ -4,7 +4,7 @@
 #include "draw/text.h"
 
 /* Design points. */
-#define TEXT_SIZE 15.0
+#define TEXT_SIZE 16.0
 #define GAP 12.0 /* from the plot */
 #define PATCH_WIDTH 24.0
 #define PATCH_HEIGHT 17.0

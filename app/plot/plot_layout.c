@@ -7,9 +7,9 @@
 #include "draw/text.h"
 
 /* Design points. */
-#define TITLE_TEXT 19.0
-#define AXIS_TEXT 15.0
-#define NAME_TEXT 15.0
+#define TITLE_TEXT 18.0
+#define AXIS_TEXT 16.0
+#define NAME_TEXT 16.0
 #define MARGIN 6.0
 #define ROW_HEIGHT 23.0 /* of titles and names */
 #define ROW_GAP 7.0     /* below the titles: half of the topmost label */

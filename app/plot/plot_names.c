@@ -6,7 +6,7 @@
 #include "plot/plot_frame.h"
 
 /* Design points. */
-#define TEXT_SIZE 15.0
+#define TEXT_SIZE 16.0
 #define AIR 3.0          /* kept free between a text and its surroundings */
 #define STRIDE 4.0       /* between the points of a series that are marked */
 #define APART 8.0        /* from other series, next to a name */

@@ -204,6 +204,12 @@ static const char *add_name(Text *text, const House *house, Word word, Arena *ar
     size_t door = is_word(word, "door") ? door_called(plan, next) : plan->door_count;
     size_t person = person_called(house, is_word(word, "person") ? next : word);
     if (door < plan->door_count) {
+        static const char *const before[] = {" pass ", " at "};
+        for (size_t i = 0; i < sizeof before / sizeof *before; i++) {
+            size_t length = strlen(before[i]);
+            if (text->used >= length && strcmp(text->text + text->used - length, before[i]) == 0)
+                text_add(text, "the ");
+        }
         text_add(text, names_door(plan, door, arena));
         return next_end;
     }

@@ -53,12 +53,15 @@ static void add_moment(HouseSession *session, size_t person, double time) {
 /* Adds a row for each fact of a record that has a value, from row `first` on. */
 static void add_record(HouseSession *session, ResultTable *table, size_t first) {
     Arena *arena = &session->texts.moment.arena;
+    const House *house = &session->runs[RUN_SHOWN]->house;
+    bool brief = session->runs[RUN_SHOWN]->wish.brief;
     for (size_t r = first; r < table->row_count; r++) {
         SceneRow line;
         const ResultRow *row = result_at(table, 0, r);
-        if (!result_panel_row(&line, row, arena))
+        if (!result_panel_row(&line, row, arena) ||
+            (brief && line.cells[0] && strcmp(line.cells[0], "width needed") == 0)) /* not final yet */
             continue;
-        line.cells[1] = arena_text(arena, line.cells[1]);
+        line.cells[1] = line.cells[1] ? names_text(house, names_profile(line.cells[1]), arena) : NULL;
         add_row(session, line.kind, NULL)->row = line;
     }
     result_clear(table);

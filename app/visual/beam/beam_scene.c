@@ -53,7 +53,7 @@
 /* Design points. */
 #define PANELS_HEIGHT 290.0
 #define NAME_TEXT 17.0
-#define SMALL_TEXT 15.0
+#define SMALL_TEXT 16.0
 #define EDGE 1.5
 #define THIN 1.5
 #define ROD_WIDTH 4.0

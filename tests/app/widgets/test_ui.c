@@ -503,7 +503,7 @@ static int pango_height(double size, bool bold) {
 }
 
 TEST(letters_are_as_high_as_those_of_pictures) {
-    static const double sizes[UI_TEXT_STYLES] = {17, 15, 17, 19, 26, 22, 40};
+    static const double sizes[UI_TEXT_STYLES] = {16, 16, 16, 18, 24, 20, 40};
     for (double text = 1; text <= 3; text += 0.5) {
         Pane pane = pane_begin(WIDTH, HEIGHT, text, THEME_PAPER);
         for (UiTextStyle letters = UI_BODY; letters < UI_TEXT_STYLES; letters++) {
