@@ -1,0 +1,138 @@
+#!/usr/bin/env python3
+"""Tests the calm window by what is seen: space, labels, one run at a time, menus, messages and words, at 1280x720 and
+1920x1080. The numbers are those of the window's acceptance checks."""
+
+import itertools
+import re
+
+import stage
+from stage import act, check, differing
+
+HOUSES = ["ube-techno-house", "flat-0.910-module", "flat-0.910-widened", "corner-0.90-0.90", "bedroom-toppled",
+          "closed-door"]
+
+
+def width(box):
+    return box[2] - box[0]
+
+
+def overlap(a, b):
+    return a[0] < b[2] - 0.5 and b[0] < a[2] - 0.5 and a[1] < b[3] - 0.5 and b[1] < a[3] - 0.5
+
+
+# 1, 2: the view is large, and a larger screen shows more
+small, edits = act("space", "until complete", "wait 3", "state STATE", "key F8", "wait 3", "state STATE",
+                   arguments=["--size", "1280x720"])
+large = act("large", "until complete", "wait 3", "state STATE", arguments=["--size", "1920x1080"])[0]
+check(width(small["frame"]["view"]) >= 0.70 * 1280, "1: the view has 70 % of the width", small["frame"])
+check(width(edits["frame"]["view"]) >= 0.65 * 1280 and edits["editing"], "1: while editing 65 %", edits["frame"])
+check(width(large["frame"]["view"]) >= 0.50 * 1920 and large["frame"]["plots"], "2: Full HD has plots beside it",
+      large["frame"])
+check(abs(large["unit"] - 1.22) < 0.01, "2: a point of Full HD is 1.22 pixels", large["unit"])
+check(len(large["text_in_view"]) > len(small["text_in_view"]), "2: Full HD shows more names",
+      (len(large["text_in_view"]), len(small["text_in_view"])))
+
+# 3, 4, 12, 28: labels of every house
+for name in HOUSES:
+    if not (stage.source / "houses" / f"{name}.json").exists():
+        continue
+    found = act(f"labels-{name}", "until answered", "pause", "seek 2", "wait 4", "state STATE", "seek 6", "wait 4",
+                "state STATE", "key V", "wait 4", "state STATE",
+                arguments=[stage.house(name), "--size", "1280x720"])
+    for moment, state in zip(("2 s", "6 s", "raised"), found):
+        texts, view = state["text_in_view"], state["frame"]["view"]
+        discs = [t for t in texts if t["kind"] != "disc" or not t["string"].isalpha()]
+        pairs = [(a["string"], b["string"]) for a, b in itertools.combinations(discs, 2) if overlap(a["box"], b["box"])]
+        if moment != "raised":
+            check(not pairs, f"3: {name}, {moment}: no two texts overlap", pairs)
+        out = [t["string"] for t in texts if not (view[0] <= t["box"][0] and t["box"][2] <= view[2]
+                                                  and view[1] <= t["box"][1] and t["box"][3] <= view[3])]
+        check(not out, f"3: {name}, {moment}: none leaves the view", out)
+        names = [t for t in texts if t["kind"] == "name" and not t["string"].endswith(" m")]
+        area = width(view) * (view[3] - view[1])
+        check(len(names) <= area / 30000, f"3: {name}, {moment}: not too many names", len(names))
+        far = [t["string"] for t in texts if max(t["box"][0] - t["pointed"][0], t["pointed"][0] - t["box"][2],
+                                                 t["box"][1] - t["pointed"][1], t["pointed"][1] - t["box"][3]) > 80]
+        check(not far, f"4: {name}, {moment}: no label is far from its thing", far)
+    state = found[0]
+    cells = [row[0] for row in state["rows"]]
+    check(len(set(cells)) == len(cells) or "wall" in cells or len(cells) > 12, f"12: {name}: nothing stands twice", cells)
+    words = [t["string"] for t in state["text_in_view"]] + [c for row in state["rows"] for c in row]
+    words += [state["answer"]["title"], state["answer"]["detail"] or ""]
+    wrong = [w for w in words if re.search(r"-chair|p-[a-d]|\bd[0-9]+\b|xref|ghost|locus", w)]
+    check(not wrong, f"28: {name}: no internal word", wrong)
+    detail = re.search(r"most time lost: (.*), [0-9.]+ s", state["answer"]["detail"] or "")
+    if detail:
+        first = next(row for row in state["rows"][1:] if row[2])
+        check(first[0] == detail.group(1) and first[2] in state["answer"]["detail"],
+              f"12: {name}: the headline's place is the first row", (first, state["answer"]["detail"]))
+
+# 9, 10, 11: a change during a run
+lines = []
+for step in range(40):
+    lines += ["state STATE", "wait 1"]
+found = act("change", "until complete", "seek 5", "play", "wait 5", "state STATE", "set door.d7.width 0.7", *lines,
+            "until complete", "wait 5", "state STATE", arguments=["--size", "1280x720"])
+before, after = found[0], found[-1]
+times = [s["time"] for s in found[1:-1] if s["runs"]["working"]]
+for state in found:
+    runs = state["runs"]
+    check(runs["answer"] == runs["picture"] == runs["rows"] == runs["plots"],
+          "9: headline, picture, rows and plots are of one run", runs)
+    check(not state["answer"]["grey"] or (runs["working"] and "working it out" in state["answer"]["doing"]),
+          "10: a grey headline says what is being done", state["answer"])
+    check(not state["answer"]["grey"] or state["time"] == 0, "9: nobody moves while it is worked out", state["time"])
+check(len(set(times)) <= 2, "9: the clock stands or begins anew while it is worked out", times)
+check(after["runs"]["answer"] != before["runs"]["answer"], "9: then another run is shown")
+found = act("end", "until complete", "seek 1000", "wait 3", "key R", "wait 5", "state STATE")
+check(found[0]["playing"] and found[0]["time"] < 5, "7: R after the end runs it again", (found[0]["playing"], found[0]["time"]))
+
+# 13: menus by a real mouse
+screen = stage.Screen("menus")
+state = screen.until(lambda s: s.get("complete") and s["time"] > 0.3)
+screen.keys("space")
+frame = state["frame"]
+closed = screen.shot("closed")
+screen.click(74, 15)
+opened = screen.state()
+check(opened["sheet"] == "menu" and opened["menu"] == "Edit", "13: a click opens the menu below the word", opened["sheet"])
+beside = [700, 100, 1270, 620]
+check(differing(closed, screen.shot("opened"), beside) == 0, "13: nothing else is dimmed or changed")
+screen.point_to(126, 15)
+check(screen.state()["menu"] == "View", "13: the pointer on another word opens its menu", screen.state().get("menu"))
+screen.keys("Right")
+screen.point_to(640, 400)
+screen.keys("Left")
+check(screen.state()["sheet"] == "menu", "13: Left and Right change menu")
+selected = screen.state()["selected"]
+screen.click(300, 600)
+now = screen.state()
+check(now["sheet"] == "none" and now["selected"] == selected, "13: a click outside only closes it", now["selected"])
+screen.point_to(126, 15)
+screen.press()
+check(screen.state()["sheet"] == "menu", "13: a press opens it")
+screen.point_to(200, 30 + 6 + 28 * 8 + 14)
+screen.release()
+now = screen.until(lambda s: s["sheet"] == "none")
+check(now["sheet"] == "none" and width(now["frame"]["panel"]) == 0, "13: press, drag, release chooses a row",
+      (now["sheet"], now["frame"]["panel"]))
+screen.keys("h")
+
+# 16: messages stand in the strip
+view = [0, 94, 970, 636]
+screen.point_to(1270, 700)
+quiet = screen.shot("quiet")
+screen.keys("n")
+said = screen.until(lambda s: s["message"] and "napping" in s["message"])
+check(differing(quiet, screen.shot("said"), view) == 0, "16: a message lies over nothing", said["message"])
+check(differing(quiet, screen.shot("said"), said["frame"]["strip"]) > 50, "16: it stands in the strip")
+screen.end()
+
+# 26: presentation mode
+for name in HOUSES[:3]:
+    for size in ("1280x720", "1024x768"):
+        state = act(f"present-{name}-{size}", "until answered", "key F5", "wait 5", "state STATE",
+                    arguments=[stage.house(name), "--size", size])[0]
+        check(width(state["frame"]["panel"]) == 0 and state["frame"]["menu"][3] == 0, f"26: {name}, {size}: only the picture")
+        check(all(t["size"] >= 16 for t in state["text_in_view"]), f"26: {name}, {size}: letters can be read")
+stage.end()
