@@ -39,12 +39,12 @@ app/draw            -
 app/paint           draw
 app/plot            draw paint
 app/document        draw paint
-app/result          beam crank cycle document draw experiment house inquiry rules study
+app/result          beam crank cycle document draw experiment house inquiry plan rules study
 app/visual/study    exchange plot study
 app/visual/house    draw experiment house plan plot result route rules space study visual/study
 app/visual/crank    crank cycle draw mechanics plot visual/study
 app/visual/beam     beam cycle draw exchange mechanics plot visual/house visual/study
-app/laboratory            beam draw exchange house plan plot visual/beam visual/house
+app/laboratory            beam draw exchange house plan plot result visual/beam visual/house
 app/laboratory/edit       house inquiry laboratory plan result
 app/laboratory/house      draw house laboratory laboratory/edit plan result visual/house
 app/laboratory/beam       beam cycle experiment laboratory mechanics plot result study visual/beam visual/study

@@ -8,8 +8,8 @@ import re
 import stage
 from stage import act, check, differing
 
-HOUSES = ["ube-techno-house", "flat-0.910-module", "flat-0.910-widened", "corner-0.90-0.90", "bedroom-toppled",
-          "closed-door"]
+HOUSES = ["ube-techno-house", "flat-0.910-module", "flat-0.910-widened", "corner-0.90-0.90", "bedroom-after-earthquake",
+          "closed-door", "two-chairs-corridor", "straight-corridor"]
 
 
 def width(box):
