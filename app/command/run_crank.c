@@ -72,8 +72,14 @@ static void print_verdict(const CrankRun *run) {
     case RESPONSE_CHAOTIC:
         printf("Chaotic: ");
         break;
-    case RESPONSE_UNRESOLVED:
-        printf("Unresolved, neither periodic nor chaotic after %zu revolutions: ", response->cycles);
+    case RESPONSE_QUASI_PERIODIC:
+        printf("Quasi-periodic: ");
+        break;
+    case RESPONSE_TRANSIENT:
+        printf("A transient, which settles: ");
+        break;
+    case RESPONSE_UNDETERMINED:
+        printf("Undetermined, neither periodic nor chaotic after %zu revolutions: ", response->cycles);
         break;
     case RESPONSE_CHATTERS:
         printf("Chatter, more than %d switches in one revolution, after %zu revolutions: ", TURN_SWITCHES_MOST,

@@ -24,7 +24,7 @@ typedef enum ExportFormat { EXPORT_WKT, EXPORT_SVG } ExportFormat;
 
 #define EXPORT_WORDS "wkt|svg"
 
-enum { OPTIONS_MOST = 64 /* rows of the table in option.c */ };
+enum { OPTIONS_MOST = 128 /* rows of the table in option.c */ };
 
 /* The values of the options. Texts belong to argv or to the arena. */
 typedef struct Options {

@@ -150,7 +150,7 @@ void rules_scene_make(Scene *scene, const House *house, const Inspection *inspec
     for (size_t d = 0; d < count; d++)
         add_dimension(scene, &dimensions[d], d + 1);
     plan_scene_tags(scene, house, NULL);
-    plan_scene_names(scene, house, false);
+    plan_scene_names(scene, house);
     add_list(scene, inspection, dimensions, count);
     memory_free(dimensions);
 }
