@@ -13,7 +13,6 @@
 #include "window/notice.h"
 #include "window/opening.h"
 #include "window/plan_input.h"
-#include "window/tries.h"
 
 #define TEXT_STEP 0.25
 #define TEXT_MOST 3.0
@@ -175,7 +174,8 @@ static bool do_dialog(Window *window, Action action) {
         explain(window);
         return true;
     case ACTION_TRY:
-        tries_bring_back(window);
+        window->settings.state.tried = 0;
+        window->dirty = true;
         return true;
     case ACTION_ABOUT:
         dialog_pane_show(window, DIALOG_ABOUT);

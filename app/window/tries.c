@@ -127,8 +127,3 @@ void tries_show(Window *window) {
     ui_pane_end(window->ui);
     note_done(window, tab);
 }
-
-void tries_bring_back(Window *window) {
-    window->settings.state.tried = 0;
-    window->dirty = true;
-}

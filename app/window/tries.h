@@ -9,5 +9,3 @@ void tries_take_room(Window *window);
 
 /* Shows the strip and notes what has been done. */
 void tries_show(Window *window);
-
-void tries_bring_back(Window *window);

@@ -4,6 +4,7 @@
 #include "laboratory/edit/action.h"
 #include "laboratory/edit/body.h"
 #include "laboratory/edit/chain.h"
+#include "laboratory/edit/exit.h"
 #include "laboratory/edit/field.h"
 #include "laboratory/edit/gesture.h"
 #include "laboratory/edit/handle.h"
@@ -226,7 +227,7 @@ static const char *strip_text(Editor *edit) {
 }
 
 const GestureView *editor_gesture(Editor *edit) {
-    return edit_marks_make(edit, edit->gesture ? "" : strip_text(edit));
+    return edit_marks_make(edit, edit_preview_make(edit), edit_exit_rings, edit->gesture ? "" : strip_text(edit));
 }
 
 /* Selection -------------------------------------------------------------------------------------------------------- */

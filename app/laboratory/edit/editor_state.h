@@ -115,7 +115,9 @@ struct Editor {
     bool moved;      /* the pointer has moved since the press */
     Vec2 pressed;    /* m, the place of the press */
     EditPending pending;
-    bool seen; /* the pointer has been on the plan */
+    bool seen;   /* the pointer has been on the plan */
+    bool placed; /* an item was placed, and the pointer has not moved away from it since; then nothing is previewed */
+    Vec2 placed_at; /* m */
 
     char **ids; /* (id_count) ids of the selection, in the order of selecting */
     size_t id_count, id_capacity;

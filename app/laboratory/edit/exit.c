@@ -260,7 +260,7 @@ void edit_exit_rings(Editor *edit) {
     enum { MOST = 8 };
     const Plan *plan = draft_plan(edit->draft);
     size_t rings = 0;
-    if (plan->exit_count)
+    if (plan->exit_count || (edit->tool != TOOL_SELECT && edit->tool != TOOL_EXIT))
         return;
     for (size_t d = 0; d < plan->door_count && rings < MOST; d++) {
         Vec2 from, to;

@@ -4,11 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "laboratory/edit/exit.h"
 #include "laboratory/edit/gesture.h"
 #include "laboratory/edit/handle.h"
 #include "laboratory/edit/measure.h"
-#include "laboratory/edit/preview.h"
 #include "plan/plan_geometry.h"
 
 static const double FARTHEST_GAP = 5.0; /* m: larger gaps next to a piece are not shown */
@@ -52,7 +50,7 @@ void edit_marks_ring(Editor *edit, const Vec2 *points, size_t count, const char 
     add_points(edit, MARK_RING, points, count, text);
 }
 
-void edit_marks_copy(Editor *edit, const EditMark *marks, size_t count) {
+static void copy_marks(Editor *edit, const EditMark *marks, size_t count) {
     for (size_t i = 0; i < count; i++)
         *add_mark(edit, marks[i].kind, NULL) = marks[i];
 }
@@ -193,7 +191,8 @@ static void describe(Editor *edit, const char *idle) {
         text_add(&edit->doing, idle);
 }
 
-const GestureView *edit_marks_make(Editor *edit, const char *idle) {
+const GestureView *edit_marks_make(Editor *edit, const EditPreview *preview, void (*rest)(Editor *edit),
+                                   const char *idle) {
     edit->mark_count = 0;
     arena_clear(&edit->mark_texts);
     add_measures(edit);
@@ -203,11 +202,12 @@ const GestureView *edit_marks_make(Editor *edit, const char *idle) {
         add_handles(edit);
     if (edit->gesture)
         add_snap(edit, &edit->snap);
-    const EditPreview *preview = edit->gesture ? NULL : edit_preview_show(edit);
-    if (!edit->gesture && !preview)
+    if (preview)
+        copy_marks(edit, preview->marks, preview->mark_count);
+    else if (!edit->gesture)
         add_hover(edit);
-    if (!edit->gesture && (edit->tool == TOOL_SELECT || edit->tool == TOOL_EXIT))
-        edit_exit_rings(edit);
+    if (!edit->gesture)
+        rest(edit);
     describe(edit, idle);
     edit->shown = (GestureView){.active = edit->gesture,
                                 .doing = edit->doing.text ? edit->doing.text : "",

@@ -11,9 +11,10 @@ void edit_marks_piece(Editor *edit, const Furniture *piece); /* also marks the f
 void edit_marks_door(Editor *edit, const Plan *plan, const Door *door);
 void edit_marks_exit(Editor *edit, Vec2 from, Vec2 to); /* a band */
 void edit_marks_ring(Editor *edit, const Vec2 *points, size_t count, const char *text);
-void edit_marks_snap(Editor *edit); /* the snap of the gesture's target */
-void edit_marks_copy(Editor *edit, const EditMark *marks, size_t count);
+void edit_marks_snap(Editor *edit);    /* the snap of the gesture's target */
 void edit_marks_dragged(Editor *edit); /* the dragged item */
 
-/* Makes all marks; `idle` is the text while there is no gesture. The result is valid until the next call. */
-const GestureView *edit_marks_make(Editor *edit, const char *idle);
+/* Makes all marks, with those of the preview (NULL: none), and those that `rest` adds; `idle` is the text while there
+ * is no gesture. The result is valid until the next call. */
+const GestureView *edit_marks_make(Editor *edit, const EditPreview *preview, void (*rest)(Editor *edit),
+                                   const char *idle);

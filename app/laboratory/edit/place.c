@@ -188,6 +188,8 @@ static bool confirm(Editor *edit, bool keys) {
         return false;
     if (*edit->added_id)
         edit_select_only(edit, edit->added_id);
+    edit->placed = true;
+    edit->placed_at = edit->pointer.at;
     return true;
 }
 

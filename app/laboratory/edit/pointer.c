@@ -43,6 +43,7 @@ void edit_pointer_set_tool(Editor *edit, EditTool tool) {
     edit->pending = PENDING_NOTHING;
     edit->down = false;
     edit->handle = -1;
+    edit->placed = false;
     edit->tool = tool < EDIT_TOOLS ? tool : TOOL_SELECT;
 }
 
@@ -52,6 +53,7 @@ void edit_pointer_set_tool(Editor *edit, EditTool tool) {
 static void store_pointer(Editor *edit, const Pointer *pointer) {
     edit->pointer = *pointer;
     edit->seen = true;
+    edit->placed &= vec2_distance(pointer->at, edit->placed_at) <= pointer->reach;
     if (edit->clicked && vec2_distance(pointer->at, edit->keys_at) > STIR * pointer->reach)
         edit->keys = edit->clicked = false;
 }

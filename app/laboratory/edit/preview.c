@@ -7,7 +7,7 @@
 static bool can_show(const Editor *edit) {
     const Plan *plan = draft_plan(edit->draft);
     bool walls = plan->wall_count, rectangle = edit->chosen_rows[TOOL_FURNITURE] == 0;
-    if (!edit->seen || edit->down || draft_is_open(edit->draft))
+    if (!edit->seen || edit->placed || edit->down || draft_is_open(edit->draft))
         return false;
     return edit->tool == TOOL_PERSON || (edit->tool == TOOL_FURNITURE && !rectangle) ||
            ((edit->tool == TOOL_DOOR || edit->tool == TOOL_EXIT) && walls);
@@ -70,12 +70,11 @@ static void make(Editor *edit) {
     preview->known = true;
 }
 
-const EditPreview *edit_preview_show(Editor *edit) {
-    if (!can_show(edit))
+const EditPreview *edit_preview_make(Editor *edit) {
+    if (edit->gesture || !can_show(edit))
         return NULL;
     if (!is_known(edit))
         make(edit);
-    edit_marks_copy(edit, edit->preview.marks, edit->preview.mark_count);
     return &edit->preview;
 }
 

@@ -4,9 +4,7 @@
 
 #include "laboratory/edit/editor_state.h"
 
-/* Adds the marks of the preview to the displayed ones; NULL: the tool has none. The result is valid until the next
- * call.
- */
-const EditPreview *edit_preview_show(Editor *edit);
+/* Returns what a click would do; NULL: a gesture lasts, or the tool has no preview. Valid until the next call. */
+const EditPreview *edit_preview_make(Editor *edit);
 
 void edit_preview_clear(Editor *edit);
