@@ -178,7 +178,7 @@ static const KeyRow table[] = {
     {ACTION_HELP, KEY_ANYWHERE, "F1", MENU_HELP, "Keys", "Show this card", "keys"},
     {ACTION_EXPLAIN, KEY_ANYWHERE, "Shift+F1", MENU_HELP, "Explain", "Explain the focused control", NULL},
     {ACTION_MESSAGES, KEY_ANYWHERE, "F7", MENU_HELP, "Messages", "Show all messages and errors", NULL},
-    {ACTION_TRY, KEY_ANYWHERE, "Ctrl+Shift+F1", MENU_HELP, "Try this", "Show three first things to try", NULL},
+    {ACTION_TRY, KEY_ANYWHERE, "Ctrl+F1", MENU_HELP, "Try this", "Show three first things to try", NULL},
     {ACTION_ABOUT, KEY_ANYWHERE, "Ctrl+I", MENU_HELP, "About", "Show version and sources of the program", NULL},
     {ACTION_MENU, KEY_ANYWHERE, "F10", MENU_NONE, "Menu", "Open the menus", NULL},
     {ACTION_ESCAPE, KEY_ANYWHERE, "Escape", MENU_NONE, "Back", "Close a dialog or clear the selection; it never quits",
