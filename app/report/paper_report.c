@@ -22,10 +22,12 @@ static void add_basis(Document *document, const Paper *paper, const Making *maki
         "read or were reconstructed, and which of figures 3 to 6 showed what is not known.");
     document_add_paragraph(
         document,
-        document_text(document,
-                      "A motion is called chaotic by what it did in %d cycles or more after a transient of %d: it may "
-                      "still settle later.",
-                      BEAM_CYCLES_LEAST, paper->beam.transient_cycles));
+        document_text(
+            document,
+            "A motion is called chaotic by what it did in %d cycles or more after a transient of %d. The single "
+            "runs are confirmed by %d motions that were started on them and watched for %d cycles each; "
+            "orbit diagrams, map and types are not, and what is chaotic there may still settle later.",
+            BEAM_CYCLES_LEAST, paper->beam.transient_cycles, SURVIVAL_LANES, SURVIVAL_CYCLES));
     if (*paper->beam.note)
         document_add_note(document, paper->beam.note);
     report_basis_add_changes(document, making);
