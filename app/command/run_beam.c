@@ -100,6 +100,11 @@ static void print_answer(const Response *response, const Facts *facts, const Typ
     print_verdict(response, beam, rig);
     printf("\n");
     types_answer_print(&type->types, &type->quick, type->cycles);
+    if (type->types.kind != TYPES_KIND_INTERRUPTED)
+        printf("A motion that none of %d starts has reached has a basin of less than %.0f %% of them (95 %%); to see "
+               "one of "
+               "1 %% takes %.0f starts\n",
+               TYPES_STARTS, 100 * half_life_unseen(TYPES_STARTS), half_life_starts(0.01));
     result_text_list(&text, (const ResultTable *const[]){&facts->motion, &facts->forces}, 2);
     printf("\n%s", text.text);
     memory_free(text.text);
@@ -121,6 +126,7 @@ static json_t *make_answer(const Response *response, const Facts *facts, const T
     result_json_add(answer, &facts->motion, 0);
     json_object_set_new(answer, "type", json_string(types_kind_name(type->types.kind)));
     json_object_set_new(answer, "types", types_answer_json(&type->types, &type->quick, type->cycles));
+    json_object_set_new(answer, "unseen_below", json_real(half_life_unseen(TYPES_STARTS)));
     result_json_add(answer, &facts->forces, 0);
     json_object_set_new(answer, "digest", json_string(digest));
     return answer;

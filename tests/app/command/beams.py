@@ -34,6 +34,7 @@ def check_beams():
     both = json.loads(expect(0, "run", beam, "--set", "drive.frequency=250", "--set", "drive.force=60", "--json").stdout)
     answers = [(a["starts"], round(a["peak_max"])) for a in both["types"]["points"][0]["answers"]]
     check(answers == [(15, 744), (1, 0)] or answers == [(1, 0), (15, 744)], f"a motion without contact beside one: {answers}")
+    check(abs(both["unseen_below"] - 0.1707) < 1e-3, f"basins that none of 16 starts has reached: {both['unseen_below']}")
     expect(2, "run", beam, "--lanes", "-1", says="--lanes takes N from 0 to 1024")
     quiet = json.loads(expect(0, "run", beam, "--set", "joint.clearance=0.001", "--jobs", "1", "--json").stdout)
     check((quiet["type"], quiet["types"]["reason"]) == ("I", "one answer"), f"type of a beam that does not touch: {quiet}")
