@@ -72,6 +72,7 @@
 #include "cycle/extreme.h"
 #include "cycle/survival.h"
 #include "cycle/response.h"
+#include "cycle/follow.h"
 #include "beam/beam.h"
 #include "beam/element.h"
 #include "beam/modes.h"

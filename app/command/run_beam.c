@@ -3,6 +3,8 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "beam/beam_cycle.h"
 #include "command/answer.h"
@@ -12,7 +14,9 @@
 #include "command/output.h"
 #include "command/progress.h"
 #include "command/types_answer.h"
+#include "cycle/follow.h"
 #include "experiment/beam_experiment.h"
+#include "mechanics/trace.h"
 #include "result/beam.h"
 #include "result/beam_survival.h"
 #include "result/json.h"
@@ -212,4 +216,214 @@ int run_beam_file(const Options *options) {
     rig_clear(&rig);
     beam_free(&beam);
     return !written ? EXIT_WRONG_INPUT : resolved && !interrupted ? EXIT_ANSWERED : EXIT_ANSWER_NO;
+}
+
+/* Following an orbit ------------------------------------------------------------------------------------------------
+ */
+
+/* The numbers that an orbit can be followed in: those with which the modes stay the same. */
+typedef enum Followed { BY_FREQUENCY, BY_FORCE, BY_CLEARANCE, FOLLOWED } Followed;
+
+static const char *const names[FOLLOWED] = {"drive.frequency", "drive.force", "joint.clearance"};
+static const char *const units[FOLLOWED] = {"Hz", "N", "m"};
+
+#define STEP 0.02 /* of the range, the largest step along the curve */
+
+typedef struct Follower {
+    const Options *options;
+    Beam beam;
+    Rig rig, own; /* own: of the value that was asked for last */
+    bool shares;
+    Followed by;
+    double from, to;
+} Follower;
+
+/* Reads NAME=FROM:TO. */
+static bool read_range(Follower *follower, Fault *fault) {
+    const char *words = follower->options->follow, *range = strchr(words, '=');
+    char *end = NULL;
+    size_t length = range ? (size_t)(range - words) : 0;
+    for (follower->by = 0; follower->by < FOLLOWED; follower->by++)
+        if (strlen(names[follower->by]) == length && memcmp(names[follower->by], words, length) == 0)
+            break;
+    if (range) {
+        follower->from = strtod(range + 1, &end);
+        follower->to = *end == ':' ? strtod(end + 1, &end) : (double)NAN;
+    }
+    bool good = range && follower->by < FOLLOWED && !*end && follower->from > 0 && follower->to > follower->from &&
+                isfinite(follower->to);
+    if (!good)
+        fault_add(
+            fault,
+            "clearance: --follow takes NAME=FROM:TO with 0 < FROM < TO, where NAME is drive.frequency, drive.force "
+            "or joint.clearance, not \"%s\"",
+            words);
+    return good;
+}
+
+static Cycle at_value(void *context, double value) {
+    Follower *follower = context;
+    const Beam *beam = &follower->beam;
+    if (value <= 0)
+        return (Cycle){0};
+    if (follower->shares)
+        rig_clear_shared(&follower->own);
+    follower->own = rig_share(&follower->rig, follower->by == BY_FREQUENCY ? value : beam->frequency,
+                              follower->by == BY_FORCE ? value : beam->force,
+                              follower->by == BY_CLEARANCE ? value : beam->clearance);
+    follower->shares = true;
+    return beam_cycle_of(&follower->own);
+}
+
+static double value_of_file(const Follower *follower) {
+    const double values[FOLLOWED] = {follower->beam.frequency, follower->beam.force, follower->beam.clearance};
+    return values[follower->by];
+}
+
+/* Words and files ---------------------------------------------------------------------------------------------------
+ */
+
+static const char *end_words(FollowEnd end) {
+    static const char *const words[] = {[FOLLOW_RANGE] = "the end of the range",
+                                        [FOLLOW_LOST] = "where no step leads on",
+                                        [FOLLOW_LONG] = "where it grew too long",
+                                        [FOLLOW_STOPPED] = "where it was interrupted"};
+    return words[end];
+}
+
+static bool is_shown(const FollowBranch *branch, size_t i) {
+    return branch->points[i].kind != FOLLOW_STEP || i == 0 || i == branch->start || i + 1 == branch->count;
+}
+
+static const char *row_name(const FollowBranch *branch, size_t i) {
+    FollowKind kind = branch->points[i].kind;
+    return kind != FOLLOW_STEP ? follow_kind_name(kind) : i == branch->start ? "start" : "end";
+}
+
+static void print_branch(const Follower *follower, const FollowBranch *branch) {
+    printf("The orbit of period %zu, followed in %s from %g to %g %s: %zu points; below it ends at %s, above at %s\n\n",
+           branch->period, names[follower->by], follower->from, follower->to, units[follower->by], branch->count,
+           end_words(branch->below), end_words(branch->above));
+    printf("%-16s %14s %12s %24s  %s\n", "point", units[follower->by], "peak, N", "multiplier", "beside it");
+    for (size_t i = 0; i < branch->count; i++) {
+        const FollowPoint *point = &branch->points[i];
+        if (!is_shown(branch, i))
+            continue;
+        char multiplier[60];
+        if (point->im != 0)
+            snprintf(multiplier, sizeof multiplier, "%.6f +- %.6f i", point->re, fabs(point->im));
+        else
+            snprintf(multiplier, sizeof multiplier, "%.6f", point->re);
+        printf("%-16s %14.8g %12.2f %24s  %s\n", row_name(branch, i), point->value, point->peak, multiplier,
+               point->kind != FOLLOW_STEP ? ""
+               : point->stable            ? "stable"
+                                          : "unstable");
+    }
+}
+
+static json_t *make_branch(const Follower *follower, const FollowBranch *branch) {
+    json_t *points = json_array();
+    for (size_t i = 0; i < branch->count; i++) {
+        const FollowPoint *point = &branch->points[i];
+        if (is_shown(branch, i))
+            json_array_append_new(points, json_pack("{s:s, s:f, s:f, s:f, s:f, s:b}", "point", row_name(branch, i),
+                                                    "value", point->value, "peak", point->peak, "multiplier_re",
+                                                    point->re, "multiplier_im", point->im, "stable", point->stable));
+    }
+    return json_pack("{s:s, s:s, s:s, s:f, s:f, s:i, s:i, s:s, s:s, s:o}", "kind", "follow", "beam",
+                     follower->beam.name, "parameter", names[follower->by], "from", follower->from, "to", follower->to,
+                     "period", (int)branch->period, "steps", (int)branch->count, "below", end_words(branch->below),
+                     "above", end_words(branch->above), "points", points);
+}
+
+static bool write_files(const Follower *follower, const FollowBranch *branch, json_t *answer) {
+    const TraceColumn columns[] = {{names[follower->by], units[follower->by]},
+                                   {"peak", "N"},
+                                   {"stable", "1"},
+                                   {"multiplier_re", "1"},
+                                   {"multiplier_im", "1"},
+                                   {"kind", "1"}};
+    Trace trace;
+    char path[OUTPUT_PATH];
+    trace_init(&trace, columns, sizeof columns / sizeof *columns);
+    for (size_t i = 0; i < branch->count; i++) {
+        const FollowPoint *point = &branch->points[i];
+        trace_add(&trace, (double[]){point->value, point->peak, point->stable, point->re, point->im, point->kind});
+    }
+    snprintf(path, sizeof path, "%s/follow.csv", follower->options->out);
+    int error = trace_write_csv(&trace, path);
+    if (!error) {
+        snprintf(path, sizeof path, "%s/summary.json", follower->options->out);
+        error = answer_write(answer, path);
+    }
+    trace_clear(&trace);
+    if (error)
+        output_failed(path, error);
+    return !error;
+}
+
+/* Following ---------------------------------------------------------------------------------------------------------
+ */
+
+static int tell_branch(const Follower *follower, const FollowBranch *branch) {
+    bool interrupted = stop_requested(&progress_stop);
+    json_t *answer = make_branch(follower, branch);
+    answer_mark_interrupted(answer, interrupted);
+    bool written = !follower->options->out || write_files(follower, branch, answer);
+    if (follower->options->json)
+        answer_print(json_incref(answer));
+    else
+        print_branch(follower, branch);
+    json_decref(answer);
+    return !written ? EXIT_WRONG_INPUT : interrupted ? EXIT_ANSWER_NO : EXIT_ANSWERED;
+}
+
+/* Finds the orbit of the file as `run` does, and follows it. */
+static int follow_orbit(Follower *follower) {
+    Response response;
+    FollowBranch branch;
+    FollowFamily family = {at_value, follower, follower->from, follower->to};
+    double value = value_of_file(follower);
+    if (value < follower->from || value > follower->to) {
+        fprintf(stderr, "clearance: %s is %g in the file, outside the range of --follow; set it with --set\n",
+                names[follower->by], value);
+        return EXIT_WRONG_INPUT;
+    }
+    beam_cycle_respond(&response, &follower->rig, &follower->beam, NULL, &progress_stop);
+    int code = EXIT_ANSWER_NO;
+    if (!response.orbit.period)
+        fprintf(stderr, "clearance: the motion is %s, with no stable orbit to follow; set %s to where there is one\n",
+                response_name(&response), names[follower->by]);
+    else if (!follow_run(&branch, &family, value, response.orbit.point, response.orbit.period, STEP, &progress_stop))
+        fprintf(stderr, "clearance: the orbit cannot be followed\n");
+    else {
+        code = tell_branch(follower, &branch);
+        follow_clear(&branch);
+    }
+    response_clear(&response);
+    return code;
+}
+
+int run_beam_follow(const Options *options) {
+    Follower follower = {.options = options};
+    Fault fault = {0};
+    const char *file = options->files[0];
+    if (!read_range(&follower, &fault))
+        return house_file_report(&fault);
+    if (!beam_is_file(file)) {
+        fault_add(&fault, "clearance: --follow is for beams, %s is none", file);
+        return house_file_report(&fault);
+    }
+    if (!beam_read(&follower.beam, file, options->settings, options->setting_count, &fault))
+        return house_file_report(&fault);
+    if (!rig_build(&follower.rig, &follower.beam, file, &fault)) {
+        beam_free(&follower.beam);
+        return house_file_report(&fault);
+    }
+    int code = follow_orbit(&follower);
+    if (follower.shares)
+        rig_clear_shared(&follower.own);
+    rig_clear(&follower.rig);
+    beam_free(&follower.beam);
+    return code;
 }

@@ -12,6 +12,7 @@
 #include "command/output.h"
 #include "command/paper.h"
 #include "command/progress.h"
+#include "command/run_beam.h"
 #include "command/shake_answer.h"
 #include "command/study_answer.h"
 #include "command/study_laboratory.h"
@@ -374,8 +375,11 @@ static bool is_one_question(const Options *options, Fault *fault) {
                                        "--thorough", "--types", "--route", "--driving", "--seed"};
     enum { IDLE = sizeof idle / sizeof *idle, IDLE_WITH_TYPES = 7 };
     bool ranges = options->study.axis_count || options->study.runs > 1;
-    const char *own = options->paper ? "--paper" : options->types && !ranges ? "--types without --vary" : NULL;
-    for (size_t i = 0; own && i < (options->paper ? IDLE : IDLE_WITH_TYPES); i++)
+    const char *own = options->follow             ? "--follow"
+                      : options->paper            ? "--paper"
+                      : options->types && !ranges ? "--types without --vary"
+                                                  : NULL;
+    for (size_t i = 0; own && i < (options->paper || options->follow ? IDLE : IDLE_WITH_TYPES); i++)
         if (options_given(options, idle[i])) {
             fault_add(fault, "clearance: %s has no effect with %s; leave it out", idle[i], own);
             return false;
@@ -392,6 +396,8 @@ int command_study(const Options *options) {
         return EXIT_WRONG_INPUT;
     if (options->types && !options->study.axis_count && options->study.runs < 2)
         return study_types_answer(options);
+    if (options->follow)
+        return run_beam_follow(options);
     if (options->paper)
         return paper_answer(options);
     if (!open_study(&job, &fault))

@@ -83,6 +83,11 @@ static bool read_shard(Options *options, const char *value) {
     return study_request_shard(&options->study, value);
 }
 
+static bool read_follow(Options *options, const char *value) {
+    options->follow = value;
+    return strchr(value, '=') && strchr(value, ':');
+}
+
 static bool read_unit(Options *options, const char *value) {
     options->unit = import_unit(value);
     return options->unit > 0;
@@ -170,6 +175,10 @@ const Option option_rows[] = {
      "classify as type I, II or III within +-1 % of these parameters, from 16 initial states, and name the nearest "
      "trouble; with --vary, at each point",
      GROUP_STUDY, FOR_STUDY, NULL, NULL},
+    {"--follow", OPTION_NAME, NO_FIELD, NO_RANGE, "NAME=FROM:TO",
+     "beams only: follow the orbit of the file, stable or not, as drive.frequency, drive.force or joint.clearance "
+     "changes, and locate where it folds, flips, becomes a torus or begins to touch",
+     GROUP_STUDY, FOR_STUDY, NULL, read_follow},
     {"--thorough", OPTION_FLAG, FIELD(thorough), NO_RANGE, NULL,
      "beams and cranks: full analysis of every run (Lyapunov exponents, 0-1 test); slower", GROUP_STUDY, FOR_STUDY,
      NULL, NULL},

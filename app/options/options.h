@@ -60,6 +60,7 @@ typedef struct Options {
     bool paper;
     bool thorough;
     int lanes;          /* motions that are watched to tell whether chaos lasts; 0: none */
+    const char *follow; /* NAME=FROM:TO, or NULL */
     const char *types;  /* names of parameters, separated by commas, or NULL */
     int text;           /* size of the window's text, 1 to 3; 0: not given */
     const char *script; /* file for the window to follow, or NULL */

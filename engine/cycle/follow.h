@@ -1,0 +1,67 @@
+/* Periodic orbits followed as a parameter changes, stable or not, through folds.
+ *
+ * An orbit of p cycles solves P^p(x; v) - x = 0. The solutions (x, v) form a curve, which is followed by
+ * pseudo-arclength [Keller 1977]: a step along its tangent, then Newton's iteration back to it at right angles to that,
+ * with the exact derivative in x (the multipliers come with it) and a central difference in v. Where v turns back the
+ * curve goes on.
+ *
+ * Points are located on the way, between the two steps where their test changes its sign:
+ *
+ *     fold      dv along the curve is 0: a multiplier is +1, and two orbits meet
+ *     flip      a multiplier is -1: an orbit of twice the period begins
+ *     Neimark   a pair of multipliers is on the unit circle: a torus begins
+ *     touching  the largest force begins: beyond, the orbit is without contact
+ *
+ * Where an orbit begins to touch, the derivative changes so quickly that no stable step may lead on: then the curve is
+ * lost there, and the point is a touching one, too: the end of the branch without contact. */
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/stop.h"
+#include "cycle/cycle.h"
+
+/* A cycle with a parameter. */
+typedef struct FollowFamily {
+    Cycle (*at)(void *context,
+                double value); /* which is valid until the next call; given NULL: the value is impossible */
+    void *context;
+    double from, to; /* least and greatest value */
+} FollowFamily;
+
+typedef enum FollowKind { FOLLOW_STEP, FOLLOW_FOLD, FOLLOW_FLIP, FOLLOW_NEIMARK, FOLLOW_TOUCH } FollowKind;
+
+/* "fold", "flip", ... ; "" for a step */
+const char *follow_kind_name(FollowKind kind);
+
+typedef struct FollowPoint {
+    FollowKind kind;
+    double value;   /* of the parameter */
+    double peak;    /* N, largest force; 0: without contact */
+    double re, im;  /* of the multiplier of a located point nearest to the circle, or of the largest */
+    double largest; /* |multiplier| */
+    bool stable;
+} FollowPoint;
+
+typedef enum FollowEnd {
+    FOLLOW_RANGE, /* the end of the range */
+    FOLLOW_LOST,  /* no step, however small, leads on */
+    FOLLOW_LONG,  /* FOLLOW_STEPS_MOST steps */
+    FOLLOW_STOPPED,
+} FollowEnd;
+
+enum { FOLLOW_STEPS_MOST = 4000 /* in each direction */ };
+
+typedef struct FollowBranch {
+    FollowPoint *points;           /* (count) along the curve */
+    size_t count, capacity, start; /* start: index of the orbit that was followed */
+    size_t period;
+    FollowEnd below, above; /* how the curve ended in either direction */
+} FollowBranch;
+
+/* Follows an orbit of `period` cycles through `point` (states) at `value`, both ways; `step` is the largest step as a
+ * share of the range. Returns false if it is no orbit; follow_clear releases the branch. */
+bool follow_run(FollowBranch *branch, const FollowFamily *family, double value, const double *point, size_t period,
+                double step, const Stop *stop);
+void follow_clear(FollowBranch *branch);

@@ -1,0 +1,112 @@
+#include <math.h>
+#include <stdio.h>
+
+#include "beam/beam_cycle.h"
+#include "check.h"
+#include "cycle/follow.h"
+#include "cycle/orbit.h"
+#include "oscillator.h"
+#include "planar_map.h"
+
+/* A map whose first number is the parameter. */
+typedef struct Numbered {
+    PlanarMap map;
+    double numbers[2];
+} Numbered;
+
+static Cycle map_at(void *context, double value) {
+    Numbered *numbered = context;
+    numbered->numbers[0] = value;
+    numbered->map.numbers = numbered->numbers;
+    return planar_map_cycle(&numbered->map);
+}
+
+static const FollowPoint *find_point(const FollowBranch *branch, FollowKind kind, size_t which) {
+    for (size_t i = 0; i < branch->count; i++)
+        if (branch->points[i].kind == kind && which-- == 0)
+            return &branch->points[i];
+    return NULL;
+}
+
+static void check_point(const FollowBranch *branch, FollowKind kind, size_t which, double value, double tolerance) {
+    const FollowPoint *point = find_point(branch, kind, which);
+    CHECK(point);
+    if (!point)
+        return;
+    CHECK_NEAR(point->value, value, tolerance);
+    if (kind != FOLLOW_TOUCH)
+        CHECK_NEAR(hypot(point->re, point->im), 1, 1e-6);
+}
+
+/* The fixed point 1 - 1/r of r x (1 - x) flips at r = 3; its orbit of period 2 flips at 1 + sqrt 6. */
+TEST(flips_of_the_logistic_map_are_located) {
+    Numbered numbered = {.map = {planar_map_logistic, NULL, 0}};
+    FollowFamily family = {map_at, &numbered, 2.2, 3.8};
+    FollowBranch branch;
+    CHECK(follow_run(&branch, &family, 2.7, (double[]){1 - 1 / 2.7, 1 - 1 / 2.7}, 1, 0.02, NULL));
+    check_point(&branch, FOLLOW_FLIP, 0, 3, 1e-6);
+    CHECK(branch.below == FOLLOW_RANGE && branch.above == FOLLOW_RANGE && !find_point(&branch, FOLLOW_FOLD, 0));
+    CHECK(branch.points[0].stable && !branch.points[branch.count - 1].stable);
+    follow_clear(&branch);
+    double r = 3.2, x = (r + 1 - sqrt((r - 3) * (r + 1))) / (2 * r), y = (r + 1 + sqrt((r - 3) * (r + 1))) / (2 * r);
+    family.from = 3.1;
+    CHECK(follow_run(&branch, &family, r, (double[]){x, y}, 2, 0.02, NULL));
+    check_point(&branch, FOLLOW_FLIP, 0, 1 + sqrt(6), 1e-6);
+    follow_clear(&branch);
+}
+
+/* Henon's map with b = 0.3: two fixed points meet at a = -(1 - b)^2 / 4, the stable one flips at 3 (1 - b)^2 / 4. */
+TEST(a_fold_is_gone_round_to_the_unstable_orbit) {
+    Numbered numbered = {.map = {planar_map_henon, NULL, 0}, .numbers = {0, 0.3}};
+    FollowFamily family = {map_at, &numbered, -0.5, 0.5};
+    const double b = 0.3, a = 0.2, x = (b - 1 + sqrt((1 - b) * (1 - b) + 4 * a)) / (2 * a);
+    FollowBranch branch;
+    CHECK(follow_run(&branch, &family, a, (double[]){x, b * x}, 1, 0.02, NULL));
+    check_point(&branch, FOLLOW_FOLD, 0, -(1 - b) * (1 - b) / 4, 1e-6);
+    check_point(&branch, FOLLOW_FLIP, 0, 3 * (1 - b) * (1 - b) / 4, 1e-6);
+    follow_clear(&branch);
+}
+
+/* Beams --------------------------------------------------------------------------------------------------------------
+ */
+
+typedef struct Driven {
+    Rig rig, own;
+    bool by_force, shares;
+    double frequency, force, clearance;
+} Driven;
+
+static Cycle beam_at(void *context, double value) {
+    Driven *driven = context;
+    if (driven->shares)
+        rig_clear_shared(&driven->own);
+    driven->own = rig_share(&driven->rig, driven->by_force ? driven->frequency : value,
+                            driven->by_force ? value : driven->force, driven->clearance);
+    driven->shares = true;
+    return beam_cycle_of(&driven->own);
+}
+
+static void end(Driven *driven) {
+    if (driven->shares)
+        rig_clear_shared(&driven->own);
+    rig_clear(&driven->rig);
+}
+
+/* Without contact the motion is the closed form's, and the branch of set B at 250 Hz ends by touching at 63.0773 N. */
+TEST(the_free_branch_of_set_b_ends_by_touching_where_its_amplitude_is_the_clearance) {
+    Driven driven = {.rig = oscillator_beam_rig("ibs", NULL), .by_force = true, .frequency = 250};
+    driven.clearance = driven.rig.clearance;
+    double state[128];
+    beam_at(&driven, 50);
+    regime_state(&driven.own.free, driven.own.steady_free.cosine, state);
+    double edge = 50 * driven.clearance / rig_free_amplitude(&driven.own);
+    FollowFamily family = {beam_at, &driven, 20, 80};
+    FollowBranch branch;
+    CHECK(follow_run(&branch, &family, 50, state, 1, 0.1, NULL));
+    printf("     touches at %.4f N, %zu points\n", edge, branch.count);
+    CHECK_NEAR(edge, 63.0773, 1e-4);
+    check_point(&branch, FOLLOW_TOUCH, 0, edge,
+                3e-6 * (family.to - family.from)); /* the difference by force crosses it */
+    follow_clear(&branch);
+    end(&driven);
+}
