@@ -104,7 +104,7 @@ cp /etc/resolv.conf "$fresh/etc/"
 within useradd -m user
 depends=$(dpkg-deb -f "$work"/one/clearance_*.deb Depends | sed 's/clearance-data[^,]*, //')
 check "what it depends on" within apt-get satisfy -y -q --no-install-recommends \
-    "$depends, libosmesa6, man-db, bash-completion, desktop-file-utils, shared-mime-info, libglib2.0-bin"
+    "$depends, libegl1, libgl1, libgl1-mesa-dri, libosmesa6, man-db, bash-completion, desktop-file-utils, shared-mime-info, libglib2.0-bin"
 list_files >"$work/before"
 
 echo "installing and using it"
@@ -134,6 +134,7 @@ done
 
 echo "removing it"
 check "remove" within apt-get remove -y -q clearance clearance-data
+check "install it again" within sh -c 'dpkg -i /root/*.deb'
 check "purge" within apt-get purge -y -q clearance clearance-data
 list_files >"$work/after"
 check "nothing is left" diff "$work/before" "$work/after"
