@@ -42,11 +42,10 @@ void fit_plots_residuals(Plot *plot, const Fit *fit, Arena *arena) {
     plot->series = arena_allocate(arena, 2 * sizeof *plot->series);
     plot->guides = arena_allocate(arena, 3 * sizeof *plot->guides);
     for (int k = -1; k <= 1; k++)
-        plot->guides[plot->guide_count++] = (PlotGuide){.at = k * LIMIT,
-                                                        .name = k > 0 ? "2 standard deviations" : NULL,
-                                                        .role = ROLE_DIM_TEXT,
-                                                        .style = k ? LINE_DASHED : LINE_SOLID};
+        plot->guides[plot->guide_count++] =
+            (PlotGuide){.at = k * LIMIT, .role = ROLE_DIM_TEXT, .style = k ? LINE_DASHED : LINE_SOLID};
     add_series(plot, fit, false, arena);
     add_series(plot, fit, true, arena);
-    plot->note = text_in_arena(arena, "sum of squares %.1f before, %.1f fitted", fit->sum_before, fit->sum);
+    plot->note = text_in_arena(arena, "dashed: 2 standard deviations; sum of squares %.1f before, %.1f fitted",
+                               fit->sum_before, fit->sum);
 }
