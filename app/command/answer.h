@@ -1,8 +1,9 @@
-/* Answers as JSON (the contract); those about a house. */
+/* Answers as JSON (the contract), those about a house, and the latter in words and tables, for people to read. */
 #pragma once
 
 #include <jansson.h>
 
+#include "base/text.h"
 #include "house/house.h"
 #include "house/observation.h"
 
@@ -18,3 +19,9 @@ void answer_print(json_t *answer);
 
 /* Writes it as summary.json is written, beside and renamed. 0, or errno. */
 int answer_write(const json_t *answer, const char *path);
+
+/* Adds answer, people (of many the sums, and some of those who are not out), routes and dangerous points. */
+void answer_text_add(Text *text, const House *house, const Observation *observation);
+
+/* Prints the same on standard output. */
+void answer_text_print(const House *house, const Observation *observation);

@@ -3,7 +3,6 @@
 
 #include "beam/beam.h"
 #include "command/answer.h"
-#include "command/answer_text.h"
 #include "command/command.h"
 #include "command/frames.h"
 #include "command/house_file.h"

@@ -8,7 +8,6 @@
 #include "case.h"
 #include "pens.h"
 #include "command/answer.h"
-#include "command/answer_text.h"
 #include "house/journey.h"
 #include "report/report_people.h"
 #include "report/report_places.h"
