@@ -207,8 +207,8 @@ void bars_show_answer(Window *window) {
     if (tab->session) {
         Result answer = tab->laboratory->answer(tab->session);
         bool lacks = answer.cure && tab_editor(tab) && !answer.stale;
-        double right = lacks ? show_cure_button(window, tab, bar, &answer)
-                             : show_place_button(window, tab, bar, answer.stale);
+        double right =
+            lacks ? show_cure_button(window, tab, bar, &answer) : show_place_button(window, tab, bar, answer.stale);
         double y = middle_of(bar).y;
         UiTextStyle size = title_size(window, &answer, right);
         double width = ui_extent(window->ui, size, answer.title).x;
