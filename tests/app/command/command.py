@@ -150,7 +150,7 @@ def check_fit():
         mass = answer["parameters"][0]
         check(mass["name"] == "shaker.moving_mass" and mass["low"] < mass["best"] < mass["high"], f"fit finds {mass}")
         check(answer["sum"] < answer["sum_before"] and len(answer["rows"]) == 3, "fit lowers the sum of squares")
-        expect(2, "fit", beam, "--measured", str(table), "--fit", "shaker.mass", says="did you mean")
+        expect(2, "fit", beam, "--measured", str(table), "--fit", "shaker.mass", says='has no parameter "shaker.mass"')
         expect(2, "fit", beam, "--measured", str(table), "--fit", "shaker.damping", says="only what is more than 0")
         expect(2, "fit", beam, "--measured", str(table), "--fit", "shaker.position", "--prior", "shaker.position=1",
                says="--prior takes NAME=VALUE:SPREAD")
