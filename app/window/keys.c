@@ -26,7 +26,7 @@ static const KeyRow table[] = {
      "Copy the command line that reproduces this run", NULL},
     {ACTION_QUIT, KEY_ANYWHERE, "Ctrl+Q", MENU_FILE, "Quit", "Close the window", NULL},
 
-    {ACTION_EDIT_PLAN, KEY_ANYWHERE, "F8", MENU_EDIT, "Edit plan",
+    {ACTION_EDIT_PLAN, KEY_ANYWHERE, "Ctrl+J", MENU_EDIT, "Edit plan",
      "Show the tools that draw walls, doors and rooms, or put them away", NULL},
     {ACTION_UNDO, KEY_ANYWHERE, "Ctrl+Z", MENU_EDIT, "Undo", "Undo the last edit", NULL},
     {ACTION_REDO, KEY_ANYWHERE, "Ctrl+Shift+Z", MENU_EDIT, "Redo", "Redo the last undone edit", NULL},

@@ -21,7 +21,7 @@ def overlap(a, b):
 
 
 # 1, 2: the view is large, and a larger screen shows more
-small, edits = act("space", "until complete", "wait 3", "state STATE", "key F8", "wait 3", "state STATE",
+small, edits = act("space", "until complete", "wait 3", "state STATE", "key Ctrl+J", "wait 3", "state STATE",
                    arguments=["--size", "1280x720"])
 large = act("large", "until complete", "wait 3", "state STATE", arguments=["--size", "1920x1080"])[0]
 check(width(small["frame"]["view"]) >= 0.70 * 1280, "1: the view has 70 % of the width", small["frame"])

@@ -93,17 +93,21 @@ static bool has_before(void *session) {
 
 TEST(a_plan_without_exit_is_not_kept_as_before_and_nobody_who_is_undone) {
     void *session = editing_open(NULL);
+    editor_set_tool(laboratory->editor(session), TOOL_WALL);
+    editing_keys(session, "|0>0|8>0|6>90|800cm>180|6>-90|~");
+    editor_set_tool(laboratory->editor(session), TOOL_DOOR);
+    editing_click(session, 8.02, 3.5);
     editor_set_tool(laboratory->editor(session), TOOL_PERSON);
     choose(session, "", "manual-chair");
     editing_click(session, 2.0, 4.5);
     running_house_finish(session, 0);
     editor_set_tool(laboratory->editor(session), TOOL_EXIT);
-    editing_drag(session, 6.0, 4.0, 6.0, 5.0);
+    editing_click(session, 8.02, 3.5);
     running_house_finish(session, 0);
     CHECK(!has_before(session));
     editor_set_tool(laboratory->editor(session), TOOL_FURNITURE);
     choose(session, "European", "wardrobe");
-    editing_click(session, 1.0, 7.5);
+    editing_click(session, 1.0, 1.0);
     running_house_finish(session, 0);
     CHECK(has_before(session));
     editor_set_tool(laboratory->editor(session), TOOL_PERSON);

@@ -225,7 +225,7 @@ TEST(numbers_of_the_moment_follow_the_time) {
     for (size_t i = 0; i < count; i++)
         if (strcmp(rows[i].row.cells[0], "speed now") == 0)
             CHECK(strcmp(rows[i].row.cells[1], first) != 0);
-    CHECK(laboratory->plot_count(session) == 5);
+    CHECK(laboratory->plot_count(session) == 7);
     LaboratoryPlot speed = laboratory->plot(session, 0);
     CHECK(speed.plot->series_count == 1 && laboratory->points_until(session, 0, 0, 5) < speed.plot->series[0].count);
     laboratory->close(session);

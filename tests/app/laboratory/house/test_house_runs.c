@@ -82,7 +82,7 @@ TEST(what_is_recorded_can_be_seen_while_more_is_computed) {
         running_house_rest();
     }
     CHECK(grew && laboratory->moving(session)->count > 0 && house_session_digest(session) == 0);
-    CHECK(strstr(laboratory->answer(session).doing, "computed") && laboratory->plot_count(session) == 5);
+    CHECK(strstr(laboratory->answer(session).doing, "computed") && laboratory->plot_count(session) == 7);
     running_house_close_at_once(session);
 }
 
