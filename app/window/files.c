@@ -117,14 +117,14 @@ void files_save(Window *window) {
 void files_ask_name(Window *window) {
     Tab *tab = window_tab(window);
     /* a double ending, by which desktops tell a house from other JSON */
-    const char *ending = text_in_arena(&window->arena, ".%s.json", tab->laboratory->word);
+    const char *ending = text_in_arena(&window->arena, "%s.json", tab->laboratory->word);
     const char *const endings[] = {ending, NULL};
     const char *folder = tab->origin ? NULL : save_folder(window);
     if (tab->origin) {
         snprintf(window->field, sizeof window->field, "%s", tab->origin);
     } else if (folder) {
         char *name = export_free_name(folder, tab->laboratory->title(tab->session), endings);
-        snprintf(window->field, sizeof window->field, "%s%s", name, ending);
+        snprintf(window->field, sizeof window->field, "%s.%s", name, ending);
         memory_free(name);
     } else {
         return;
