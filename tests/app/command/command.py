@@ -172,12 +172,12 @@ def check_wrong_use():
     expect(2, "run", "nowhere.json", says="nowhere.json:1:1: cannot be read")
     expect(2, "run", house("straight-corridor"), "--size", "1x1", says="--size takes WxH")
     expect(2, "run", house("straight-corridor"), "--out", "/proc/nowhere", says="cannot be written")
-    expect(2, "schema", "crank", says='names FILE, not "crank"')
+    expect(2, "schema", "clutch", says='names FILE, not "clutch"')
     check(expect(0, "schema", "man").stdout.startswith(".TH CLEARANCE 1 "), "schema man")
     for shell in ("bash", "zsh", "fish"):
         check("print-shards" in expect(0, "schema", "completion", shell).stdout, f"completion for {shell}")
     names = expect(0, "schema", "names", house("flat-0.910-module")).stdout
-    check("\ndoor.d3.width\t" in names and "\nprofile.manual-chair.width\t" in names, "names of a house", names)
+    check("\ndoor.d3.width\t" in names and "\nprofile.manual-chair.body.width\t" in names, "names of a house", names)
     check("\ndrive.frequency\t" in expect(0, "schema", "names", str(source / "assets/beams/ibs.json")).stdout, "of a beam")
     expect(2, "schema", "completion", "tcsh", says="bash, zsh and fish")
     expect(2, "schema", "names", says="needs the FILE")
