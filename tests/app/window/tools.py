@@ -282,7 +282,7 @@ first.click(*middle_of(strip, 0.5))
 state = first.state()
 check("door" in (state["selected"] or "").lower() and state["focus"] == "panel", "21: the second selects a door",
       (state["selected"], state["focus"]))
-for _ in range(6):
+for _ in range(40):
     if (first.state()["focus_help"] or "").startswith("width"):
         break
     first.keys("Tab")
