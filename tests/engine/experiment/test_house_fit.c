@@ -14,6 +14,23 @@ enum { HOUSES = 2, NAMES = 3 };
 static const char *const names[NAMES] = {"profile.manual-chair.free_speed", "profile.manual-chair.steering_time",
                                          "profile.manual-chair.reversing_time"};
 
+TEST(the_prior_of_an_unknown_number_is_that_of_the_profile) {
+    char profiles[4096], path[4096];
+    Experiment experiment;
+    Fault fault = {0};
+    snprintf(profiles, sizeof profiles, "%s", scratch_source("assets/profiles"));
+    snprintf(path, sizeof path, "%s/houses/straight-corridor.json", check_source());
+    const HouseOptions options = {.profiles = profiles,
+                                  .seed = 1,
+                                  .driving = -1,
+                                  .settings = (const char *[]){"profile.manual-chair.free_speed=0.77"},
+                                  .setting_count = 1};
+    CHECK(house_experiment_open(&experiment, path, &options, NULL, &fault));
+    check_say(&fault);
+    CHECK_NEAR(experiment.nominal(experiment.given, names[0]), 0.77, 1e-12);
+    house_experiment_close(&experiment);
+}
+
 LONG_TEST(free_speed_and_steering_time_are_found_again_and_what_is_not_used_is_not_told) {
     static const char *const files[HOUSES] = {"straight-corridor", "corner-1.80-1.80"};
     const double truth[] = {0.8, 0.5};
