@@ -58,12 +58,20 @@ class Hand(Plan):
         self.choose(3, 2)
         self.keys("Return")
         self.until(lambda s: s["focus"] == "panel")
+        self.tab_to("width")
         self.keys("Return")
         self.until(lambda s: s["types"])
         self.keys("ctrl+a")
         self.type(value)
         self.keys("Return")
         self.choose(-0.8, 3.5)  # returns the focus to the plan
+
+    def tab_to(self, name):
+        """Presses Tab until the number or text of this name has the focus."""
+        for _ in range(40):
+            if (self.state()["focus_help"] or "").startswith(name):
+                return
+            self.keys("Tab")
 
     def redo_to(self, name):
         """Redoes steps until this step is the next one to redo."""
@@ -162,7 +170,7 @@ check(narrow["parameters"]["door.d1.width"] == 0.6, "Enter goes to the number of
 plan.saved()
 told = subprocess.run([str(stage.program), "check", str(plan.house)], capture_output=True, text=True, timeout=600).stdout
 words = narrow["answer"]["detail"].split("; ")[-1]
-check(narrow["answer"]["title"].endswith(" cannot pass door d1") and words.startswith("needs at least") and words in told,
+check(narrow["answer"]["title"].endswith(" cannot pass the door d1") and words.startswith("needs at least") and words in told,
       "18: too narrow it says what it needs and has, as the command line does", (narrow["answer"], told))
 place = json.loads(subprocess.run([str(stage.program), "check", "--json", str(plan.house)], capture_output=True,
                                   text=True, timeout=600).stdout)["people"][0]["blocked_at"]
@@ -211,10 +219,7 @@ def word(plan, x, y, value):
     plan.choose(x, y)
     plan.keys("Return")
     plan.until(lambda s: s["focus"] == "panel")
-    for _ in range(40):
-        if plan.state()["focus_help"].startswith("name"):
-            break
-        plan.keys("Tab")
+    plan.tab_to("name")
     plan.keys("Return")
     plan.until(lambda s: s["types"])
     plan.keys("ctrl+a")
