@@ -116,7 +116,7 @@ static void note_chairs(Inspecting *inspecting, int jobs, const Stop *stop) {
     for (size_t i = 0; i < house->person_count; i++)
         part[i] = house->people[i].profile->driving != DRIVING_WALKER &&
                   plan_find_person(&house->plan, house->people[i].id) != SIZE_MAX;
-    Journeys journeys = journey_plan_briefly(house, part, jobs, stop);
+    Journeys journeys = journey_plan_all(house, part, jobs, stop);
     for (size_t i = 0; i < house->person_count; i++) {
         const Route *route = &journeys.of[i].route;
         if (!part[i])
