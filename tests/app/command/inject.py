@@ -195,7 +195,7 @@ def told(part, whole, path=""):
     and what is measured over a time, are smaller when less of it was seen, and stand beside "interrupted". A type or a
     verdict may be "interrupted", a state of its own, and never "unresolved" where the complete one is not."""
     work = {"runs", "thorough", "neighbour_runs", "stopped", "interrupted", "reason", "done", "cycles", "digest", "steps",
-            "time", "suggestions_complete", "advice", "suggestion_notes", "completed"}
+            "time", "quick", "suggestions_complete", "advice", "suggestion_notes", "completed"}
     if part is None or part == "interrupted" or path.rsplit(".", 1)[-1] in work:
         return
     if isinstance(part, dict) and isinstance(whole, dict):
