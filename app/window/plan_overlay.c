@@ -340,7 +340,7 @@ void plan_overlay_show(Window *window) {
     const GestureView *gesture = editor_gesture(editor);
     show_read_out(window, gesture, &labels); /* reserves its place before labels are placed */
     const char *words = preview_words(window, gesture);
-    Vec2 above = vec2_add(vec2_scale(window->mouse, 1 / window->unit), vec2(0, -HAND)); /* never under the hand */
+    Vec2 above = vec2_add(vec2_scale(window->mouse, 1 / window->unit), vec2(0, -HAND)); /* never under the pointer */
     Box box = words ? label_box(window, &labels, above, words) : box_empty();
     show_marks(window, tab, gesture, &labels);
     if (words)

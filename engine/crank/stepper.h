@@ -2,7 +2,7 @@
  * time.
  *
  * Source: Hairer, Norsett, Wanner, "Solving Ordinary Differential Equations I", 2nd edition, section II.5, and the
- * coefficients of their public DOP853. The stepper knows only a right side; whoever calls it decides which steps to
+ * coefficients of their public DOP853. The stepper knows only a right side; its caller decides which steps to
  * keep, so that a step can be repeated to the instant of a switch. Sums are in a fixed order: the same bits on every
  * machine. */
 #pragma once

@@ -16,7 +16,7 @@ typedef struct CorridorWidth {
     Vec2 at;
     Vec2 from, to; /* m, on the two walls */
     double width;  /* m */
-    double s;      /* m, along its way; each way begins anew */
+    double s;      /* m, along its way; each way begins at 0 */
 } CorridorWidth;
 
 typedef struct Corridor {

@@ -361,7 +361,7 @@ typedef struct Descent {
     double *jacobian, *before; /* derivatives at u; (row_count) values before the last step */
     double mu;
     int refused;  /* steps that did not lower the sum, since one did */
-    bool learned; /* True if the derivatives were brought up to date, not computed anew */
+    bool learned; /* True if the derivatives were brought up to date, not computed again */
     bool ended;
     double hoped; /* fall of the sum that the last refused step promised */
 } Descent;

@@ -10,7 +10,7 @@ typedef struct Store Store;
 /* Who may use the file meanwhile. */
 typedef enum StoreUse {
     STORE_ALONE,        /* nobody: the file of a whole study */
-    STORE_WITH_READERS, /* programs that merge it: the file of a shard. Whoever wants to write it is refused. */
+    STORE_WITH_READERS, /* programs that merge it: the file of a shard. A program that wants to write it is refused. */
 } StoreUse;
 
 /* Contents of the file. */
