@@ -6,10 +6,10 @@
  * sign(r) sqrt((n + 1) ln(1 + r^2 / n)), n = 4, which makes the sum that of Student's t.
  *
  * Levenberg-Marquardt (Levenberg 1944, Marquardt 1963): (J^T J + mu I) step = -J^T r, mu divided by 10 after a step
- * that lowers the sum, else multiplied by 10. J is brought up to date by Broyden's rule after a step, and computed again
- * after one that failed. It is of differences to both sides; where the experiment takes another way
- * on one side (FitRow.way), only the other side counts. A way that flips leaves a step in the sum: where no step
- * lowers it, the simplex of Nelder and Mead (1965) goes on from there.
+ * that lowers the sum, else multiplied by 10. J is brought up to date by Broyden's rule after a step, and computed
+ * again after one that failed. It is of differences to both sides; where the experiment takes another way on one side
+ * (FitRow.way), only the other side counts. A way that flips leaves a step in the sum: where no step lowers it, the
+ * simplex of Nelder and Mead (1965) goes on from there.
  *
  * The starts are points of the Kronecker sequence with the root of g^(d+1) = g + 1, as quantiles within +-1.3 spreads.
  *
