@@ -24,10 +24,11 @@
  * FIT_RESOLUTION where the `low` of its cells is enough, or else by its motions from middle to middle: if no point of
  * the body moves farther than D between two placements, all placements in between may grow by m when those two together
  * may grow by 2 m + D; otherwise the motion is halved. Cells that are not confirmed are split in eight with their
- * neighbours, and the search is repeated. A body and its half turn are one placement, so the
- * headings span half a turn, and a goal is reached if either of the two axles can reach it. Few cells are needed where
- * the walls are parallel to them, as they are in the frame of frame.c. Any rigid motion may be undone, so that several
- * goals can be passed in order if each one can be reached from the start. */
+ * neighbours, and the search goes on: what it has settled stays settled, but for what it had reached through a cell
+ * that was split. Since a split only lowers bounds, no other path gets wider by it. A body and its half turn are one
+ * placement, so the headings span half a turn, and a goal is reached if either of the two axles can reach it. Few cells
+ * are needed where the walls are parallel to them, as they are in the frame of frame.c. Any rigid motion may be undone,
+ * so that several goals can be passed in order if each one can be reached from the start. */
 
 #define ROOT_HALF 0.08         /* m, half a side of the largest cells */
 #define ROOT_TURN (M_PI / 24)  /* rad, half of their headings */
@@ -38,6 +39,8 @@
 
 enum { ROOT_TURNS = 12, MOST_LEVEL = 9, MOST_HALVINGS = 6, MOST_CELLS = 1 << 21, KEY_OFFSET = 1 << 20 };
 
+typedef enum Seen { SEEN_NOT, SEEN_OPEN, SEEN_SETTLED } Seen;
+
 typedef struct Cell {
     int x, y, turn;  /* place among the cells of its level */
     int level;       /* 0: largest; a cell of the next level is half as large in each of the three directions */
@@ -45,10 +48,11 @@ typedef struct Cell {
     int root;        /* the largest cell around it */
     Vec2 at;         /* m, its middle */
     float low, high; /* m, bounds of the growth of all placements */
-    unsigned seen;   /* last search that entered the cell */
+    Seen seen;       /* in the search for this goal */
     float widest;    /* m, least bound on its path from the start */
     float length;    /* m, of that path */
     int from;        /* the cell before it, -1: the start */
+    int place;       /* in the order in which cells were settled */
 } Cell;
 
 typedef struct Root {
@@ -63,6 +67,11 @@ typedef struct Frontier {
     int cell;
 } Frontier;
 
+typedef struct Ints {
+    int *at; /* (count) */
+    size_t count, capacity;
+} Ints;
+
 typedef struct Tree {
     const RouteQuery *query;
     const Rectangle *body;
@@ -76,8 +85,9 @@ typedef struct Tree {
     size_t root_count, root_capacity;
     Frontier *heap;
     size_t heap_count, heap_capacity;
-    unsigned search; /* number of the current search */
-    double turned;   /* rad, the body's heading at the start, 0 to half a turn */
+    Ints settled;  /* the cells with a widest path from the start, in the order in which they were found */
+    Ints changed;  /* cells that were split since the last search */
+    double turned; /* rad, the body's heading at the start, 0 to half a turn */
 } Tree;
 
 KEY_TABLE_DEFINE(root, Root)
@@ -143,6 +153,11 @@ static void bound(const Tree *tree, Cell *cell, const Cell *around) {
     }
 }
 
+static void ints_add(Ints *ints, int value) {
+    ints->at = memory_reserve(ints->at, &ints->capacity, ints->count + 1, sizeof *ints->at);
+    ints->at[ints->count++] = value;
+}
+
 static int add_cell(Tree *tree, const Cell *cell) {
     tree->cells = memory_reserve(tree->cells, &tree->capacity, tree->count + 1, sizeof *tree->cells);
     tree->cells[tree->count] = *cell;
@@ -177,6 +192,7 @@ static void split(Tree *tree, int index) {
         first = first ? first : added;
     }
     tree->cells[index].child = first;
+    ints_add(&tree->changed, index);
 }
 
 /* Returns the cell at a place of a level within a root, or the larger one around it that is not split. */
@@ -298,32 +314,36 @@ static bool before(Frontier a, Frontier b) {
 
 HEAP_DEFINE(heap, Frontier, before)
 
-/* Enters a cell for the first time in this search, along a widest path. */
+/* Enters a cell from a settled one (-1: the start), unless it is settled or open along a path that is as good. */
 static void enter(Tree *tree, int index, int from) {
     Cell *cell = &tree->cells[index];
-    if (cell->seen == tree->search || (double)cell->high < tree->floor)
+    if (cell->seen == SEEN_SETTLED || (double)cell->high < tree->floor)
         return;
-    cell->seen = tree->search;
-    cell->from = from;
-    cell->widest = fminf(cell->high, (float)tree->cap);
-    cell->length = 0;
+    float widest = fminf(cell->high, (float)tree->cap), length = 0;
     if (from >= 0) {
         const Cell *last = &tree->cells[from];
         float step = (float)vec2_distance(cell->at, last->at);
         if (cell->turn != last->turn || cell->level != last->level)
             step += (float)((half_turn(cell) + half_turn(last)) * tree->body->half_length);
-        cell->widest = fminf(cell->widest, last->widest);
-        cell->length = last->length + step * ((double)cell->low < tree->cap - FIT_RESOLUTION ? UNDECIDED_LENGTH : 1);
+        widest = fminf(widest, last->widest);
+        length = last->length + step * ((double)cell->low < tree->cap - FIT_RESOLUTION ? UNDECIDED_LENGTH : 1);
     }
+    if (cell->seen == SEEN_OPEN && !(widest > cell->widest || (widest >= cell->widest && length < cell->length)))
+        return;
+    cell->seen = SEEN_OPEN;
+    cell->from = from;
+    cell->widest = widest;
+    cell->length = length;
     heap_put(&tree->heap, &tree->heap_count, &tree->heap_capacity,
-             (Frontier){cell->widest, cell->length + (float)distance_to_go(tree, cell->at), index});
+             (Frontier){widest, length + (float)distance_to_go(tree, cell->at), index});
 }
 
-/* Enters all cells that are not split within a cell, on the side that a step comes from. */
-static void enter_side(Tree *tree, int index, const struct Step *step, int from) {
+/* Calls `visit` with each cell that is not split within a cell, on the side that a step comes from. */
+static void visit_side(Tree *tree, int index, const struct Step *step, int from,
+                       void (*visit)(Tree *tree, int index, int from)) {
     int child = tree->cells[index].child;
     if (!child) {
-        enter(tree, index, from);
+        visit(tree, index, from);
         return;
     }
     if ((double)tree->cells[index].high < tree->floor)
@@ -331,29 +351,105 @@ static void enter_side(Tree *tree, int index, const struct Step *step, int from)
     for (int part = 0; part < 8; part++) {
         int x = part & 1, y = part >> 1 & 1, turn = part >> 2 & 1;
         if (step->x * (2 * x - 1) <= 0 && step->y * (2 * y - 1) <= 0 && step->turn * (2 * turn - 1) <= 0)
-            enter_side(tree, child + part, step, from);
+            visit_side(tree, child + part, step, from, visit);
     }
+}
+
+static void visit_neighbours(Tree *tree, int index, void (*visit)(Tree *tree, int index, int from)) {
+    for (int s = 0; s < 6; s++)
+        visit_side(tree, neighbour(tree, index, &steps[s]), &steps[s], index, visit);
+}
+
+static void enter_from_settled(Tree *tree, int settled, int index) {
+    if (tree->cells[settled].seen == SEEN_SETTLED)
+        enter(tree, index, settled);
+}
+
+/* Enters a cell from those of its neighbours that are settled. */
+static void enter_again(Tree *tree, int index) {
+    if (!tree->cells[index].child && tree->cells[index].seen == SEEN_NOT)
+        visit_neighbours(tree, index, enter_from_settled);
+}
+
+/* Forgets a cell that was reached through a cell that is not settled any more. */
+static void forget_lost(Tree *tree, int index, Ints *lost) {
+    Cell *cell = &tree->cells[index];
+    if (cell->seen == SEEN_NOT || (!cell->child && (cell->from < 0 || tree->cells[cell->from].seen == SEEN_SETTLED)))
+        return;
+    cell->seen = SEEN_NOT;
+    ints_add(lost, index);
+}
+
+/* After cells were split: forgets them and all that was reached through them, and enters what lies beside the rest. */
+static void mend(Tree *tree) {
+    Ints lost = {0};
+    size_t first = tree->settled.count, kept;
+    for (size_t i = 0; i < tree->changed.count; i++) {
+        const Cell *cell = &tree->cells[tree->changed.at[i]];
+        if (cell->seen == SEEN_SETTLED && (size_t)cell->place < first)
+            first = (size_t)cell->place;
+    }
+    kept = first;
+    for (size_t i = first; i < tree->settled.count; i++) {
+        int index = tree->settled.at[i];
+        forget_lost(tree, index, &lost);
+        if (tree->cells[index].seen == SEEN_SETTLED) {
+            tree->cells[index].place = (int)kept;
+            tree->settled.at[kept++] = index;
+        }
+    }
+    tree->settled.count = kept;
+    for (size_t i = 0; i < tree->heap_count; i++)
+        if (tree->cells[tree->heap[i].cell].seen == SEEN_OPEN)
+            forget_lost(tree, tree->heap[i].cell, &lost);
+    for (size_t i = 0; i < lost.count; i++)
+        enter_again(tree, lost.at[i]);
+    for (size_t i = 0; i < tree->changed.count; i++)
+        for (int part = 0; part < 8; part++)
+            enter_again(tree, tree->cells[tree->changed.at[i]].child + part);
+    tree->changed.count = 0;
+    memory_free(lost.at);
+}
+
+/* Takes the next open cell, or -1; what stands in the heap along a path that is not the cell's any more is passed. */
+static int take(Tree *tree) {
+    while (tree->heap_count > 0) {
+        Frontier next = heap_take(tree->heap, &tree->heap_count);
+        const Cell *cell = &tree->cells[next.cell];
+        if (cell->seen == SEEN_OPEN && !cell->child && next.widest <= cell->widest)
+            return next.cell;
+    }
+    return -1;
 }
 
 /* Returns the last cell of the widest path, or -1. */
 static int widest_way(Tree *tree) {
-    tree->search++;
-    tree->heap_count = 0;
-    enter(tree, start_cell(tree), -1);
-    while (tree->heap_count > 0 && tree->count < MOST_CELLS && !stop_requested(tree->query->stop)) {
-        int index = heap_take(tree->heap, &tree->heap_count).cell;
+    mend(tree);
+    int start = start_cell(tree);
+    if (tree->cells[start].seen == SEEN_NOT)
+        enter(tree, start, -1);
+    while (tree->count < MOST_CELLS && !stop_requested(tree->query->stop)) {
+        int index = take(tree);
+        if (index < 0)
+            break;
         Reach reach = reach_goal(tree, &tree->cells[index]);
-        if (reach == REACH_SURELY || (reach == REACH_PERHAPS && tree->cells[index].level == MOST_LEVEL))
+        if (reach == REACH_SURELY || (reach == REACH_PERHAPS && tree->cells[index].level == MOST_LEVEL)) {
+            tree->cells[index].seen = SEEN_NOT;
+            enter(tree, index, tree->cells[index].from); /* it stays open for the next search */
             return index;
+        }
         if (reach == REACH_PERHAPS) {
             split(tree, index);
+            tree->changed.count--; /* it is not settled, and its children are entered here */
             int from = tree->cells[index].from, child = tree->cells[index].child;
             for (int part = 0; part < 8; part++)
                 enter(tree, child + part, from);
             continue;
         }
-        for (int s = 0; s < 6; s++)
-            enter_side(tree, neighbour(tree, index, &steps[s]), &steps[s], index);
+        tree->cells[index].seen = SEEN_SETTLED;
+        tree->cells[index].place = (int)tree->settled.count;
+        ints_add(&tree->settled, index);
+        visit_neighbours(tree, index, enter);
     }
     return -1;
 }
@@ -449,6 +545,9 @@ static void note_tightest(const Tree *tree, int last, FitPlace *place) {
 /* Finds the tightest place on the way to one goal, if it is tighter than the cap. */
 static void fit_goal(Tree *tree, const Goal *goal, FitPlace *tightest) {
     tree->goal = goal;
+    tree->settled.count = tree->changed.count = tree->heap_count = 0;
+    for (size_t i = 0; i < tree->count; i++)
+        tree->cells[i].seen = SEEN_NOT;
     for (;;) {
         int last = widest_way(tree);
         if (stop_requested(tree->query->stop))
@@ -480,6 +579,8 @@ FitAnswer fit_margin(const RouteQuery *query, const Rectangle *body, const Goal 
         tree.cap = tightest->margin;
     }
     memory_free(tree.cells);
+    memory_free(tree.settled.at);
+    memory_free(tree.changed.at);
     memory_free(tree.roots);
     memory_free(tree.heap);
     tightest->margin -= FIT_RESOLUTION;

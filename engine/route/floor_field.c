@@ -466,8 +466,8 @@ static bool push_off(const FloorField *field, Vec2 *at, Vec2 *away, double *dist
 
 /* Returns the direction where a wall or an exit passes through the cell. */
 static Vec2 careful_direction(const FloorField *field, Vec2 at) {
-    Vec2 frame = {0, 0}, away, off = at;
-    double distance;
+    Vec2 frame = {0, 0}, away = {0, 0}, off = at;
+    double distance = 0;
     Spot spot;
     const FloorFieldExit *exit = exit_beside(field, at, &frame);
     bool pushed = push_off(field, &off, &away, &distance);
