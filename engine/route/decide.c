@@ -23,7 +23,7 @@
 #define BARELY 1e-3          /* m, kept where there is no room for the margin */
 #define HAIR 5e-4            /* m */
 
-enum { SWEEPS = 8, SURE = 2, ASK_WHETHER_IT_FITS = 2 };
+enum { SWEEPS = 8, SURE = 2, ASK_WHETHER_IT_FITS = 2, MOST_TO_CONFIRM = 60000 /* nodes, once a way is found */ };
 
 static const SearchGrain coarse = {.cell = 0.10, .turn = M_PI / 18, .step = 0.15, .weight = 1.5, .most_nodes = 8000};
 static const SearchGrain middle = {.cell = 0.05, .turn = M_PI / 36, .step = 0.10, .weight = 1.5, .most_nodes = 24000};
@@ -104,8 +104,11 @@ static double radius_within(const Rectangle *body) {
 
 static SearchAnswer propose(const Decide *decide, const Rung *rung, SearchTrack *track) {
     Rectangle body = relieved(decide->body, rung->relief - decide->margin + SEARCH_CLEARANCE);
-    return search_legs(decide->query, decide->goals, decide->goal_count, &body, radius_within(decide->body),
-                       rung->grain, rung->stage == STAGE_ONWARDS ? 0 : decide->query->most_reversals, track, NULL);
+    SearchGrain grain = *rung->grain;
+    if (decide->confirmed > 0 && grain.most_nodes > MOST_TO_CONFIRM)
+        grain.most_nodes = MOST_TO_CONFIRM;
+    return search_legs(decide->query, decide->goals, decide->goal_count, &body, radius_within(decide->body), &grain,
+                       rung->stage == STAGE_ONWARDS ? 0 : decide->query->most_reversals, track, NULL);
 }
 
 /* Makes a way that keeps a margin quicker, and keeps it if it is the best: one with the whole margin goes before one
@@ -231,6 +234,12 @@ static SearchAnswer search_truly(const Decide *decide, SearchTrack *track, size_
     return answer;
 }
 
+/* True if a rung need not be tried. Without a change of direction, one search that uses up its nodes stands for all:
+ * the others have larger bodies, and the finer ones three times the nodes for eight times the states. */
+static bool is_vain(const Decide *decide, const Rung *rung, bool gave_up) {
+    return (rung->stage == STAGE_ONWARDS && gave_up) || (decide->quickly && rung->grain->cell < coarse.cell);
+}
+
 /* Decides in either manner; the parameters are those of decide_way. */
 static DecideAnswer decide_how(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
                                bool quickly, double depth, SearchTrack *track, size_t *pins, FitPlace *tightest) {
@@ -244,18 +253,20 @@ static DecideAnswer decide_how(const RouteQuery *query, const Rectangle *body, c
                      .time = HUGE_VAL};
     SearchTrack proposal = {0};
     DecideAnswer result = DECIDE_NONE;
-    bool whole = true;
+    bool whole = true, gave_up = false; /* a search of this stage */
     int enough = quickly ? 1 : SURE;
     for (int r = 0; r < RUNGS && whole && result == DECIDE_NONE && decide.confirmed < enough; r++) {
         bool begins = r > 0 && rungs[r].stage != rungs[r - 1].stage;
         if (begins && (decide.confirmed > 0 || query->most_reversals == 0))
             break;
-        if (quickly && rungs[r].grain->cell < coarse.cell)
-            continue;
-        SearchAnswer answer = propose(&decide, &rungs[r], &proposal);
-        for (int t = 0; t < TRUE_RUNGS && answer == SEARCH_NONE && rungs[r].stage != STAGE_ONWARDS; t++)
-            decide.vain[t] |= true_grains[t].cell == rungs[r].grain->cell;
-        whole = answer != SEARCH_INTERRUPTED && (answer != SEARCH_FOUND || realise(&decide, &proposal));
+        gave_up &= !begins;
+        if (!is_vain(&decide, &rungs[r], gave_up)) {
+            SearchAnswer answer = propose(&decide, &rungs[r], &proposal);
+            gave_up |= answer == SEARCH_GAVE_UP;
+            for (int t = 0; t < TRUE_RUNGS && answer == SEARCH_NONE && rungs[r].stage != STAGE_ONWARDS; t++)
+                decide.vain[t] |= true_grains[t].cell == rungs[r].grain->cell;
+            whole = answer != SEARCH_INTERRUPTED && (answer != SEARCH_FOUND || realise(&decide, &proposal));
+        }
         if (whole && r + 1 == ASK_WHETHER_IT_FITS && decide.confirmed == 0) {
             whole = fit_margin(query, body, goals, goal_count, -depth, 0, tightest) == FIT_KNOWN;
             if (whole && tightest->margin < -FIT_RESOLUTION)
