@@ -109,8 +109,8 @@ static void print_faults(const ShakeFindings *findings) {
     size_t faults = 0;
     const char *first = NULL;
     for (size_t t = 0; t < study->trial_count; t++) {
-        faults += study->trials[t].fault != NULL;
-        first = first ? first : study->trials[t].fault;
+        faults += study_nth(study, t)->fault != NULL;
+        first = first ? first : study_nth(study, t)->fault;
     }
     if (faults)
         printf(faults == 1 ? "\n%zu shake could not be simulated: %s\n"

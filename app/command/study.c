@@ -1,4 +1,5 @@
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -129,8 +130,14 @@ static void close_experiment(StudyJob *job) {
 static bool open_study(StudyJob *job, Fault *fault) {
     if (!open_experiment(job, fault))
         return false;
+    bool listed = job->experiment.series;
+    if (job->options->study.no_series)
+        job->experiment.series = NULL;
     make_study(job);
-    if (!job->study.axis_count && job->study.runs < 2 && !job->options->study.shakes)
+    if (job->options->study.no_series && !listed)
+        fault_add(fault,
+                  "clearance: --no-series has no effect, since the runs of this file list nothing; leave it out");
+    else if (!job->study.axis_count && job->study.runs < 2 && !job->options->study.shakes)
         fault_add(fault, "clearance: there is nothing to study; use --vary NAME=FROM:TO:STEPS, --runs N or --shake N");
     else if (study_check(&job->study, fault) && read_measured(job, fault))
         return true;
@@ -203,6 +210,22 @@ static void run_study(StudyJob *job, Store *store) {
                 done_of(job), study_shard_trials(&job->study, job->shard));
 }
 
+/* Creates the trials. Those of a large study lie in a file, in the directory that TMPDIR names, or beside the results.
+ */
+static bool begin_study(StudyJob *job, Fault *fault) {
+    const char *folder = getenv("TMPDIR");
+    if (study_size(&job->study) <= STUDY_IN_MEMORY) {
+        study_begin(&job->study);
+        return true;
+    }
+    if (!job->options->out) {
+        fault_add(fault, "clearance: a study of more than %d runs needs --out DIR, where they are kept",
+                  STUDY_IN_MEMORY);
+        return false;
+    }
+    return study_begin_in(&job->study, folder && *folder ? folder : job->options->out, fault);
+}
+
 /* True if the files have not changed since the study began: each run of a house reads them. */
 static bool is_unchanged(const StudyJob *job) {
     Experiment again;
@@ -247,6 +270,8 @@ static int run_kept(StudyJob *job, Fault *fault) {
     }
     if (!options->study.no_run)
         run_study(job, store);
+    if (job->study.full)
+        store_add_full(&job->study, fault);
     bool same = is_unchanged(job);
     if (!same)
         fault_add(fault, "%s or a profile changed during the study; the runs mix both versions and are not kept",
@@ -254,7 +279,7 @@ static int run_kept(StudyJob *job, Fault *fault) {
     if (store && !same)
         store_forget(store);
     job->kept = !store || store_close(store, fault);
-    return same ? 0 : EXIT_WRONG_INPUT;
+    return same && !job->study.full ? 0 : EXIT_WRONG_INPUT;
 }
 
 /* Answering -------------------------------------------------------------------------------------------------------- */
@@ -371,9 +396,9 @@ static bool is_one_chance(const Options *options, Fault *fault) {
 /* Refuses options that have no effect: the page of the paper has its own ranges, runs and types, and types without
  * --vary are told at one point. */
 static bool is_one_question(const Options *options, Fault *fault) {
-    static const char *const idle[] = {"--vary",     "--runs",  "--shake", "--spread",  "--sweep", "--measured",
-                                       "--thorough", "--types", "--route", "--driving", "--seed"};
-    enum { IDLE = sizeof idle / sizeof *idle, IDLE_WITH_TYPES = 7 };
+    static const char *const idle[] = {"--vary",      "--runs",     "--shake", "--spread", "--sweep",   "--measured",
+                                       "--no-series", "--thorough", "--types", "--route",  "--driving", "--seed"};
+    enum { IDLE = sizeof idle / sizeof *idle, IDLE_WITH_TYPES = 8 };
     bool ranges = options->study.axis_count || options->study.runs > 1;
     const char *own = options->follow             ? "--follow"
                       : options->paper            ? "--paper"
@@ -402,10 +427,11 @@ int command_study(const Options *options) {
         return paper_answer(options);
     if (!open_study(&job, &fault))
         return house_file_report(&fault);
-    study_begin(&job.study);
-    int code;
+    int code = EXIT_WRONG_INPUT;
     if (options->study.print_shards) {
         code = study_shards_print(options, &job.study);
+    } else if (!begin_study(&job, &fault)) {
+        house_file_report(&fault);
     } else {
         code = run_kept(&job, &fault);
         house_file_report(&fault);

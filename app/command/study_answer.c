@@ -36,7 +36,7 @@ static json_t *make_extreme(const Study *study, bool greatest) {
         return json_null();
     json_t *extreme = json_pack("{s:n, s:{}}", "value", "at");
     result_json_take_record(extreme, result_study_extreme(study, greatest));
-    set(extreme, "seed", json_integer((json_int_t)study->trials[index].seed));
+    set(extreme, "seed", json_integer((json_int_t)study_nth(study, index)->seed));
     return extreme;
 }
 

@@ -86,7 +86,7 @@ enum { MISSING_NAMED = 20 /* shards that are named in one line */ };
 static void add_missing(Text *text, const Study *study, size_t shards) {
     size_t *missing = memory_zeroed(shards, sizeof *missing), incomplete = 0, named = 0;
     for (size_t t = 0; t < study->trial_count; t++)
-        if (!study->trials[t].done)
+        if (!study_nth(study, t)->done)
             missing[study_shard_of(study, shards, t) - 1]++;
     for (size_t s = 0; s < shards; s++) {
         incomplete += missing[s] > 0;
@@ -141,6 +141,10 @@ int study_shards_merge(const Options *options, Study *study, Store *store, Fault
             break;
         case STORE_CONFLICT:
             code = EXIT_OUR_FAULT;
+            *fault = why;
+            break;
+        case STORE_FULL:
+            code = EXIT_WRONG_INPUT;
             *fault = why;
             break;
         }
@@ -238,7 +242,7 @@ int study_shards_print(const Options *options, const Study *study) {
         "#SBATCH --cpus-per-task=2 --time=04:00:00 --requeue --open-mode=append --signal=B:TERM@60\n"
         "# %zu runs in %zu shards of at most %zu. Give each shard ten minutes or more; 4 to 20 shards per processor "
         "even out the rest.\n",
-        shards, study->trial_count, shards, (study->trial_count + shards - 1) / shards);
+        shards, study_size(study), shards, (study_size(study) + shards - 1) / shards);
     if (study->runs > 1)
         add_widths(&text, study);
     text_add(&text,

@@ -390,12 +390,12 @@ static void add_extremes(Text *text, const Study *study) {
 
 static void add_faults(Text *text, const Study *study, size_t faults) {
     size_t t = 0;
-    while (t < study->trial_count && !study->trials[t].fault)
+    while (t < study->trial_count && !study_nth(study, t)->fault)
         t++;
     if (t < study->trial_count && faults == 1)
-        text_format(text, "one run could not be made: %s\n", study->trials[t].fault);
+        text_format(text, "one run could not be made: %s\n", study_nth(study, t)->fault);
     else if (t < study->trial_count)
-        text_format(text, "%zu runs could not be made; the first: %s\n", faults, study->trials[t].fault);
+        text_format(text, "%zu runs could not be made; the first: %s\n", faults, study_nth(study, t)->fault);
 }
 
 static void add_share(Text *text, const Study *study) {

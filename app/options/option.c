@@ -186,6 +186,10 @@ const Option option_rows[] = {
      "beams only: compare each claim and figure of Gu and Dubowsky's paper with our results; --out holds the page",
      GROUP_STUDY, FOR_STUDY, NULL, NULL},
 
+    {"--no-series", OPTION_FLAG, FIELD(study.no_series), NO_RANGE, NULL,
+     "beams and cranks: do not keep the peaks of each run, which take most of the room of a large study", GROUP_STUDY,
+     FOR_STUDY, NULL, NULL},
+
     {"--shard", OPTION_MAYBE, NO_FIELD, NO_RANGE, "I/N",
      "run only the I-th of N parts of the study and keep it in --out as study-I-of-N.sqlite; without I/N, the part of "
      "a "

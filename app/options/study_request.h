@@ -19,6 +19,7 @@ typedef struct StudyRequest {
     StudyShard shard;                    /* the part to run; count 0: none */
     char shard_named[STUDY_SHARD_NAMED]; /* the variables that named it, or "" */
     bool merge;                          /* join the files of all shards */
+    bool no_series;                      /* the values that a run lists are not kept */
     bool no_run;                         /* without running what they lack */
     uint64_t print_shards;               /* number of shards to print scripts for; 0: none */
 } StudyRequest;

@@ -12,36 +12,47 @@
 typedef struct Making {
     ShakeFindings *findings;
     const ShakeRecord *record;
-    double *numbers; /* (trials) room */
 } Making;
 
 static bool is_made(const Trial *trial) {
     return trial->done && !trial->fault;
 }
 
-/* Copies an observable of all completed shakes; returns their number. */
-static size_t take(const Making *making, size_t observable) {
-    const Study *study = making->findings->study;
+/* An observable of all shakes. */
+typedef struct Shakes {
+    const Study *study;
+    size_t observable;
+} Shakes;
+
+/* Returns NAN for a shake that is not completed. */
+static double observed_at(const void *of, size_t t) {
+    const Shakes *shakes = of;
+    const Trial *trial = study_nth(shakes->study, t);
+    return is_made(trial) ? trial->observed[shakes->observable] : (double)NAN;
+}
+
+static size_t count_made(const Study *study) {
     size_t count = 0;
     for (size_t t = 0; t < study->trial_count; t++)
-        if (is_made(&study->trials[t]))
-            making->numbers[count++] = study->trials[t].observed[observable];
+        count += is_made(study_nth(study, t));
     return count;
 }
 
 /* Returns how many of them exceed a limit; ignores those that are not numbers. */
 static Share share_above(const Making *making, size_t observable, double limit) {
-    size_t count = take(making, observable), good = 0, all = 0;
-    for (size_t i = 0; i < count; i++) {
-        good += making->numbers[i] > limit;
-        all += !isnan(making->numbers[i]);
+    const Shakes shakes = {making->findings->study, observable};
+    size_t good = 0, all = 0;
+    for (size_t t = 0; t < shakes.study->trial_count; t++) {
+        double value = observed_at(&shakes, t);
+        good += value > limit;
+        all += !isnan(value);
     }
     return montecarlo_share(good, all);
 }
 
 static Distribution distribution(const Making *making, size_t observable) {
-    size_t count = take(making, observable);
-    return montecarlo_distribution(making->numbers, count);
+    const Shakes shakes = {making->findings->study, observable};
+    return montecarlo_of(&(Numbers){observed_at, &shakes, shakes.study->trial_count});
 }
 
 static Vec2 middle_of(const Points *area) {
@@ -93,7 +104,7 @@ static void add_pieces(const Making *making) {
     for (size_t f = 0; f < plan->furniture_count; f++) {
         ShakePiece piece = {.index = f, .stops = share_above(making, making->record->blocks + f, 0)};
         for (size_t t = 0; t < study->trial_count; t++) {
-            const Trial *trial = &study->trials[t];
+            const Trial *trial = study_nth(study, t);
             bool fell = is_made(trial) && trial->observed[making->record->toppled + f] > 0;
             piece.toppled += fell;
             piece.with_loss += fell && !(trial->observed[HOUSE_COMPLETED] > 0);
@@ -123,7 +134,7 @@ static const char *made_by(const Making *making, const Trial *trial, Arena *aren
 static void find_worst(const Making *making) {
     ShakeFindings *findings = making->findings;
     for (size_t t = 0; t < findings->study->trial_count; t++) {
-        const Trial *trial = &findings->study->trials[t];
+        const Trial *trial = study_nth(findings->study, t);
         double least = findings->worst ? findings->worst->observed[HOUSE_NOT_OUT] : 0;
         if (is_made(trial) && trial->observed[HOUSE_NOT_OUT] > least)
             findings->worst = trial;
@@ -134,9 +145,8 @@ static void find_worst(const Making *making) {
 ShakeFindings shake_findings_make(const Study *study) {
     ShakeFindings findings = {
         .study = study, .house = house_experiment_house(study->experiment), .calm_time = (double)NAN};
-    Making making = {&findings, house_experiment_shake(study->experiment),
-                     memory_zeroed(study->trial_count, sizeof(double))};
-    findings.shakes = take(&making, HOUSE_COMPLETED);
+    Making making = {&findings, house_experiment_shake(study->experiment)};
+    findings.shakes = count_made(study);
     findings.all_out = share_above(&making, HOUSE_COMPLETED, 0);
     findings.caught = share_above(&making, making.record->caught, 0);
     findings.elsewhere = share_above(&making, making.record->elsewhere, 0);
@@ -144,7 +154,6 @@ ShakeFindings shake_findings_make(const Study *study) {
     add_parties(&making);
     add_pieces(&making);
     find_worst(&making);
-    memory_free(making.numbers);
     return findings;
 }
 

@@ -38,7 +38,7 @@ bool result_study_is_shown(const Study *study, size_t observable) {
         return false;
     bool any = false;
     for (size_t t = 0; t < study->trial_count && !any; t++)
-        any = !isnan(study->trials[t].observed[observable]);
+        any = !isnan(study_nth(study, t)->observed[observable]);
     return any;
 }
 
@@ -110,8 +110,8 @@ ResultTable result_study_spreads(const Study *study) {
 
 static const char *first_fault(const Study *study) {
     for (size_t t = 0; t < study->trial_count; t++)
-        if (study->trials[t].fault)
-            return study->trials[t].fault;
+        if (study_nth(study, t)->fault)
+            return study_nth(study, t)->fault;
     return NULL;
 }
 
@@ -172,7 +172,7 @@ ResultTable result_study_extreme(const Study *study, bool greatest) {
     size_t index = summary_extreme(study, greatest);
     if (index == SIZE_MAX)
         return table;
-    const Trial *trial = &study->trials[index];
+    const Trial *trial = study_nth(study, index);
     ResultRow value = observed(&table.arena, trial->observed[experiment->measure]);
     value.key = "value";
     value.label = greatest ? "greatest" : "least";

@@ -1,6 +1,7 @@
 /* The distribution of results over the seeds of one point. */
 #pragma once
 
+#include "study/numbers.h"
 #include "study/study.h"
 
 /* Statistics of the finite values; NAN where there are too few. */
@@ -36,6 +37,11 @@ Share montecarlo_share(size_t good, size_t all);
 
 /* Computes the distribution of `count` numbers, some of which may be NAN. */
 Distribution montecarlo_distribution(const double *numbers, size_t count);
+
+/* The same of numbers that are not held. More than MONTECARLO_SORTED of them are not sorted but gone through several
+ * times: then only the last bits of the mean and the deviation depend on their order. */
+Distribution montecarlo_of(const Numbers *numbers);
+enum { MONTECARLO_SORTED = 1 << 20 };
 
 /* Computes the distributions of the completed runs of a point. montecarlo_clear releases the result. */
 MontecarloPoint montecarlo_point(const Study *study, size_t pass, size_t i1, size_t i0);

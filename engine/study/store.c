@@ -136,29 +136,27 @@ static size_t check_row(sqlite3_stmt *row, const Study *study) {
     return (uint64_t)sqlite3_column_int64(row, 4) == digest ? (size_t)index : SIZE_MAX;
 }
 
-/* Reads a sound row into its trial. */
-static void take_row(sqlite3_stmt *row, Trial *trial, size_t observables) {
-    if (observables)
-        memcpy(trial->observed, sqlite3_column_blob(row, 1), observables * sizeof(double));
-    trial->series_count = (size_t)sqlite3_column_bytes(row, 2) / sizeof(double);
-    if (trial->series_count) {
-        trial->series = memory_zeroed(trial->series_count, sizeof(double));
-        memcpy(trial->series, sqlite3_column_blob(row, 2), trial->series_count * sizeof(double));
+/* Reads a sound row into its trial. False: there is no room for it. */
+static bool take_row(sqlite3_stmt *row, Study *study, size_t index, double *observed) {
+    if (study->experiment->observable_count)
+        memcpy(observed, sqlite3_column_blob(row, 1), study->experiment->observable_count * sizeof(double));
+    Trial result = {.observed = observed, .series_count = (size_t)sqlite3_column_bytes(row, 2) / sizeof(double)};
+    if (result.series_count) {
+        result.series = memory_zeroed(result.series_count, sizeof(double));
+        memcpy(result.series, sqlite3_column_blob(row, 2), result.series_count * sizeof(double));
     }
     const char *text = (const char *)sqlite3_column_text(row, 3);
-    trial->fault = text ? text_copy(text) : NULL;
-    trial->done = true;
+    result.fault = text ? text_copy(text) : NULL;
+    return study_take(study, index, &result);
 }
 
-/* Clears the trials after a failed reading. */
-static void forget_trials(Study *study) {
-    for (size_t t = 0; t < study->trial_count; t++) {
-        Trial *trial = &study->trials[t];
-        trial_clear(trial);
-        trial->done = false;
-        for (size_t o = 0; o < study->experiment->observable_count; o++)
-            trial->observed[o] = (double)NAN;
-    }
+static double *observed_room(const Study *study) {
+    return memory_zeroed(study->experiment->observable_count, sizeof(double));
+}
+
+void store_add_full(const Study *study, Fault *fault) {
+    fault_add(fault, "%s has no room for the results of %zu runs; set TMPDIR to a directory with more room",
+              study->folder, study->trial_count);
 }
 
 static bool read_trials(Store *store, Study *study, StoreFound *found, Fault *fault) {
@@ -166,13 +164,15 @@ static bool read_trials(Store *store, Study *study, StoreFound *found, Fault *fa
     int code = sqlite3_prepare_v2(store->database, rows, -1, &select, NULL);
     bool sound = true;
     sqlite3_bind_int64(select, 1, store->study);
-    while (code == SQLITE_OK && sound && sqlite3_step(select) == SQLITE_ROW) {
+    double *observed = observed_room(study);
+    while (code == SQLITE_OK && sound && !study->full && sqlite3_step(select) == SQLITE_ROW) {
         size_t index = check_row(select, study);
-        sound = index < SIZE_MAX && !study->trials[index].done; /* a damaged file can have a row twice */
+        sound = index < SIZE_MAX && !study_nth(study, index)->done; /* a damaged file can have a row twice */
         if (sound)
-            take_row(select, &study->trials[index], study->experiment->observable_count);
+            take_row(select, study, index, observed);
         found->done++;
     }
+    memory_free(observed);
     if (code == SQLITE_OK && !sound)
         fault_add(fault, "%s is damaged (a row was changed); move it or choose another --out", store->path);
     sqlite3_reset(select);
@@ -181,8 +181,11 @@ static bool read_trials(Store *store, Study *study, StoreFound *found, Fault *fa
         sound = false;
     }
     sqlite3_finalize(select);
+    if (sound && study->full)
+        store_add_full(study, fault);
+    sound &= !study->full;
     if (!sound)
-        forget_trials(study);
+        study_forget(study);
     return sound;
 }
 
@@ -282,7 +285,7 @@ static void note_failure(Store *store) {
 }
 
 static bool write_trial(Store *store, const Study *study, size_t index) {
-    const Trial *trial = &study->trials[index];
+    const Trial *trial = study_nth(study, index);
     size_t observables = study->experiment->observable_count;
     sqlite3_stmt *insert = store->insert;
     sqlite3_bind_int64(insert, 1, store->study);
@@ -388,7 +391,7 @@ static void close_other(Store *other) {
 static void tell_conflict(const Store *store, const Study *study, size_t index, sqlite3_stmt *row, const char *path,
                           Fault *fault) {
     const Experiment *experiment = study->experiment;
-    const Trial *trial = &study->trials[index];
+    const Trial *trial = study_nth(study, index);
     size_t origin = store->origins[index];
     Text text = {0};
     text_format(&text, "run %zu (pass %s, seed %llu", index + 1,
@@ -418,14 +421,16 @@ static StoreMerge read_other(Store *store, Study *study, Store *other, bool take
     int code = sqlite3_prepare_v2(other->database, rows, -1, &select, NULL);
     sqlite3_bind_int64(select, 1, other->study);
     bool good = code == SQLITE_OK, sound = true;
-    while (good && sound && sqlite3_step(select) == SQLITE_ROW) {
+    double *observed = observed_room(study);
+    while (good && sound && !study->full && sqlite3_step(select) == SQLITE_ROW) {
         size_t index = check_row(select, study);
         sound = index < SIZE_MAX;
         if (!take || !sound)
             continue;
-        Trial *trial = &study->trials[index];
+        const Trial *trial = study_nth(study, index);
         if (!trial->done) {
-            take_row(select, trial, observables);
+            if (!take_row(select, study, index, observed))
+                break;
             store->origins[index] = (uint32_t)store->merged_count;
             if (!*store->reason && !write_trial(store, study, index))
                 note_failure(store);
@@ -443,7 +448,10 @@ static StoreMerge read_other(Store *store, Study *study, Store *other, bool take
         sound = false;
     }
     sqlite3_finalize(select);
-    return good && sound ? end : STORE_REFUSED;
+    memory_free(observed);
+    if (good && sound && study->full)
+        store_add_full(study, fault);
+    return !good || !sound ? STORE_REFUSED : study->full ? STORE_FULL : end;
 }
 
 StoreMerge store_merge(Store *store, Study *study, const char *path, Fault *fault) {

@@ -27,12 +27,17 @@ typedef enum StoreMerge {
     STORE_MERGED,
     STORE_REFUSED,  /* nothing was taken: a damaged file, or one of another study */
     STORE_CONFLICT, /* a trial has two results */
+    STORE_FULL,     /* there is no room for all results */
 } StoreMerge;
 
 /* Takes the trials that another file, of a shard, has of this study into `study` and the store; what is there already
  * must be the same, bit for bit. A fault says why a file was refused, or which trial has which two results in which
- * files. The other file is only read, and may be written meanwhile. After a conflict the store must be abandoned. */
+ * files. The other file is only read, and may be written meanwhile. After a conflict, or where the study is full, the
+ * store must be abandoned. */
 StoreMerge store_merge(Store *store, Study *study, const char *path, Fault *fault);
+
+/* Adds that the study is full. */
+void store_add_full(const Study *study, Fault *fault);
 
 /* Implements StudyOptions.keep with the store as keeper: writes the trials, and commits them about once per second. */
 void store_write(void *store, const Study *study, const size_t *done, size_t count);

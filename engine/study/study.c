@@ -1,5 +1,6 @@
 #include "study/study.h"
 
+#include <errno.h>
 #include <inttypes.h>
 #include <math.h>
 #include <pthread.h>
@@ -165,7 +166,18 @@ static void draw_run(const Study *study, uint64_t seed, const size_t *places, do
         factors[places[s]] *= 1 + study->spreads[s].share * deviate(seed, study->spreads[s].name);
 }
 
-static void fill_run(Study *study, size_t pass, size_t run, const double *fixed, const double *factors, double *at) {
+/* The trial to write to. */
+static Trial *nth(Study *study, size_t trial) {
+    return (Trial *)study_nth(study, trial);
+}
+
+static void clear_observed(const Study *study, Trial *trial) {
+    for (size_t o = 0; o < study->experiment->observable_count; o++)
+        trial->observed[o] = (double)NAN;
+}
+
+static void fill_run(Study *study, size_t pass, size_t run, const double *fixed, const double *factors) {
+    double *at = study->values, *observed = at + study->trial_count * study->name_count;
     for (size_t i1 = 0; i1 < study_steps(study, 1); i1++) {
         for (size_t i0 = 0; i0 < study_steps(study, 0); i0++) {
             const size_t steps[STUDY_AXES_MOST] = {i0, i1};
@@ -175,50 +187,143 @@ static void fill_run(Study *study, size_t pass, size_t run, const double *fixed,
                 double value = n < study->axis_count ? study_value(&study->axes[n], steps[n]) : fixed[n];
                 own[n] = factors[n] == 1 ? value : value * factors[n];
             }
-            study->trials[index].at = own;
-            study->trials[index].seed = study->seed + run;
+            Trial *trial = nth(study, index);
+            trial->at = own;
+            trial->seed = study->seed + run;
+            trial->observed = observed + index * study->experiment->observable_count;
+            clear_observed(study, trial);
         }
     }
 }
 
-void study_begin(Study *study) {
-    size_t places[STUDY_SPREADS_MOST], observables = study->experiment->observable_count;
+size_t study_size(const Study *study) {
+    return study->pass_count * study->runs * study_steps(study, 1) * study_steps(study, 0);
+}
+
+/* Lists the names, and returns in `places` those of the spreads. */
+static void name_all(Study *study, size_t places[STUDY_SPREADS_MOST]) {
     study->name_count = 0;
     for (size_t a = 0; a < study->axis_count; a++)
         take_name(study, study->axes[a].name);
     for (size_t s = 0; s < study->spread_count; s++)
         places[s] = take_name(study, study->spreads[s].name);
-    study->trial_count = study->pass_count * study->runs * study_steps(study, 1) * study_steps(study, 0);
-    study->trials = memory_zeroed(study->trial_count, sizeof *study->trials);
-    study->values = memory_zeroed(study->trial_count * (study->name_count + observables), sizeof *study->values);
-    double *observed = study->values + study->trial_count * study->name_count;
+    study->trial_count = study_size(study);
+}
+
+static size_t values_of(const Study *study) {
+    return study->trial_count * (study->name_count + study->experiment->observable_count);
+}
+
+static void fill_all(Study *study, const size_t *places) {
     for (size_t run = 0; run < study->runs; run++) {
         double fixed[STUDY_NAMES_MOST], factors[STUDY_NAMES_MOST];
         draw_run(study, study->seed + run, places, fixed, factors);
         for (size_t pass = 0; pass < study->pass_count; pass++)
-            fill_run(study, pass, run, fixed, factors, study->values);
-    }
-    for (size_t t = 0; t < study->trial_count; t++) {
-        study->trials[t].observed = observed + t * observables;
-        for (size_t o = 0; o < observables; o++)
-            study->trials[t].observed[o] = (double)NAN;
+            fill_run(study, pass, run, fixed, factors);
     }
 }
 
+void study_begin(Study *study) {
+    size_t places[STUDY_SPREADS_MOST];
+    name_all(study, places);
+    study->trials = memory_zeroed(study->trial_count, sizeof *study->trials);
+    study->values = memory_zeroed(values_of(study), sizeof *study->values);
+    fill_all(study, places);
+}
+
+static void add_no_room(const Study *study, const char *folder, Fault *fault) {
+    fault_add(fault, "%s cannot hold the results of %zu runs: %s; set TMPDIR to a directory with more room", folder,
+              study->trial_count, strerror(errno));
+}
+
+bool study_begin_in(Study *study, const char *folder, Fault *fault) {
+    size_t places[STUDY_SPREADS_MOST];
+    name_all(study, places);
+    study->folder = folder;
+    study->large = file_memory_create(folder);
+    if (study->large)
+        study->trials = file_memory_take(study->large, study->trial_count * sizeof *study->trials);
+    if (study->trials)
+        study->values = file_memory_take(study->large, values_of(study) * sizeof *study->values);
+    if (!study->values) {
+        add_no_room(study, folder, fault);
+        study_clear(study);
+        return false;
+    }
+    fill_all(study, places);
+    return true;
+}
+
 void study_clear(Study *study) {
-    for (size_t t = 0; t < study->trial_count; t++)
+    for (size_t t = 0; t < study->trial_count && !study->large && study->trials; t++)
         trial_clear(&study->trials[t]);
-    memory_free(study->trials);
-    memory_free(study->values);
+    if (!study->large) {
+        memory_free(study->trials);
+        memory_free(study->values);
+    }
+    file_memory_destroy(study->large);
+    study->large = NULL;
     study->trials = NULL;
     study->values = NULL;
     study->trial_count = 0;
+    study->full = false;
+}
+
+/* Moves the series and the fault of a result to the file. */
+static bool move_to_file(const Study *study, Trial *result) {
+    size_t bytes = result->series_count * sizeof *result->series,
+           letters = result->fault ? strlen(result->fault) + 1 : 0;
+    double *series = bytes ? file_memory_take(study->large, bytes) : NULL;
+    char *fault = letters ? file_memory_take(study->large, letters) : NULL;
+    if ((bytes && !series) || (letters && !fault))
+        return false;
+    if (bytes)
+        memcpy(series, result->series, bytes);
+    if (letters)
+        memcpy(fault, result->fault, letters);
+    size_t count = result->series_count;
+    trial_clear(result);
+    result->series = series;
+    result->series_count = count;
+    result->fault = fault;
+    return true;
+}
+
+bool study_take(Study *study, size_t index, Trial *result) {
+    Trial *trial = nth(study, index);
+    if (study->large && !move_to_file(study, result)) {
+        trial_clear(result);
+        __atomic_store_n(&study->full, true, __ATOMIC_RELAXED);
+        return false;
+    }
+    if (!study->large)
+        trial_clear(trial);
+    if (study->experiment->observable_count)
+        memcpy(trial->observed, result->observed, study->experiment->observable_count * sizeof *trial->observed);
+    trial->series = result->series;
+    trial->series_count = result->series_count;
+    trial->fault = result->fault;
+    trial->done = true;
+    return true;
+}
+
+void study_forget(Study *study) {
+    for (size_t t = 0; t < study->trial_count; t++) {
+        Trial *trial = nth(study, t);
+        if (!study->large)
+            trial_clear(trial);
+        trial->series = NULL;
+        trial->series_count = 0;
+        trial->fault = NULL;
+        trial->done = false;
+        clear_observed(study, trial);
+    }
 }
 
 size_t study_done(const Study *study) {
     size_t done = 0;
     for (size_t t = 0; t < study->trial_count; t++)
-        done += study->trials[t].done;
+        done += study_nth(study, t)->done;
     return done;
 }
 
@@ -241,11 +346,14 @@ size_t study_shard_trials(const Study *study, StudyShard shard) {
 size_t study_shard_done(const Study *study, StudyShard shard) {
     size_t done = 0;
     for (size_t t = 0; t < study->trial_count; t++)
-        done += study->trials[t].done && study_shard_has(study, shard, t);
+        done += study_nth(study, t)->done && study_shard_has(study, shard, t);
     return done;
 }
 
 /* Running -------------------------------------------------------------------------------------------------------- */
+
+/* Trials that are put in order at a time: more than any number of threads needs, and few beside the largest studies. */
+enum { BLOCK = 1 << 20 };
 
 /* The trials of one call of the experiment. */
 typedef struct Piece {
@@ -256,39 +364,61 @@ typedef struct Piece {
 typedef struct Work {
     Study *study;
     const StudyOptions *options;
-    size_t *order; /* (trial_count) indices of trials */
-    Piece *pieces; /* (piece_count) */
-    size_t piece_count, capacity, ordered;
+    size_t *order; /* (ordered) indices of the trials of a block */
+    size_t ordered, order_capacity;
+    Piece *pieces; /* (piece_count) of the block */
+    size_t piece_count, capacity;
     size_t done, all;     /* trials of the shard */
-    pthread_mutex_t lock; /* protects `done`, the progress report and the keeper */
+    pthread_mutex_t lock; /* protects `done`, the results, the progress report and the keeper */
 } Work;
 
-static bool stopped(const StudyOptions *options) {
-    return stop_requested(options->stop);
+static bool stopped(const Work *work) {
+    return __atomic_load_n(&work->study->full, __ATOMIC_RELAXED) || stop_requested(work->options->stop);
 }
 
-static void add_piece(Work *work, size_t first, bool carry) {
-    if (work->ordered == first)
+static void add_trial(Work *work, size_t trial) {
+    work->order = memory_reserve(work->order, &work->order_capacity, work->ordered + 1, sizeof *work->order);
+    work->order[work->ordered++] = trial;
+}
+
+static void add_piece(Work *work, size_t first, size_t count, bool carry) {
+    if (!count)
         return;
     work->pieces = memory_reserve(work->pieces, &work->capacity, work->piece_count + 1, sizeof *work->pieces);
-    work->pieces[work->piece_count++] = (Piece){first, work->ordered - first, carry};
+    work->pieces[work->piece_count++] = (Piece){first, count, carry};
 }
 
-/* Adds the trials of a pass in batches small enough to occupy all threads. */
-static void add_batches(Work *work, size_t pass) {
+static void run_piece(void *context, size_t index);
+
+static void run_block(Work *work) {
+    if (!stopped(work))
+        parallel_for(work->options->jobs, work->piece_count, run_piece, work);
+    work->ordered = work->piece_count = 0;
+}
+
+/* Divides the trials from `begin` on into batches small enough to occupy all threads. */
+static void add_batches(Work *work, size_t begin) {
+    size_t end = work->ordered, jobs = work->options->jobs > 1 ? (size_t)work->options->jobs : 1;
+    size_t batch = work->study->experiment->batch, share = (end - begin + jobs - 1) / jobs;
+    batch = batch < 1 ? 1 : batch > share ? share : batch;
+    for (size_t first = begin; first < end; first += batch)
+        add_piece(work, first, first + batch < end ? batch : end - first, false);
+}
+
+/* Adds the trials of a pass. */
+static void add_reset(Work *work, size_t pass) {
     const Study *study = work->study;
     size_t each = study->trial_count / study->pass_count, begin = work->ordered;
-    for (size_t t = pass * each; t < (pass + 1) * each; t++)
-        if (!study->trials[t].done && study_shard_has(study, work->options->shard, t))
-            work->order[work->ordered++] = t;
-    size_t end = work->ordered, jobs = work->options->jobs > 1 ? (size_t)work->options->jobs : 1;
-    size_t batch = study->experiment->batch, share = (end - begin + jobs - 1) / jobs;
-    batch = batch < 1 ? 1 : batch > share ? share : batch;
-    for (size_t first = begin; first < end; first += batch) {
-        work->ordered = first + batch < end ? first + batch : end;
-        add_piece(work, first, false);
+    for (size_t t = pass * each; t < (pass + 1) * each; t++) {
+        if (study_shard_has(study, work->options->shard, t) && !study_nth(study, t)->done)
+            add_trial(work, t);
+        if (work->ordered < BLOCK)
+            continue;
+        add_batches(work, begin);
+        run_block(work);
+        begin = 0;
     }
-    work->ordered = end;
+    add_batches(work, begin);
 }
 
 /* Adds the trials along axis 0, one after another, if the shard has them and any is missing. */
@@ -302,41 +432,41 @@ static void add_chain(Work *work, size_t pass, size_t run, size_t i1) {
         missing |= !study_trial(study, pass, run, i1, i0)->done;
     for (size_t i = 0; i < steps && missing; i++) {
         size_t i0 = study->passes[pass] == STUDY_DOWN ? steps - 1 - i : i;
-        work->order[work->ordered++] = study_index(study, pass, run, i1, i0);
+        add_trial(work, study_index(study, pass, run, i1, i0));
     }
-    add_piece(work, first, true);
+    add_piece(work, first, work->ordered - first, true);
+    if (work->ordered >= BLOCK)
+        run_block(work);
 }
 
-static void make_pieces(Work *work) {
+static void run_blocks(Work *work) {
     const Study *study = work->study;
     for (size_t pass = 0; pass < study->pass_count; pass++) {
         if (study->passes[pass] == STUDY_RESET) {
-            add_batches(work, pass);
+            add_reset(work, pass);
             continue;
         }
         for (size_t run = 0; run < study->runs; run++)
             for (size_t i1 = 0; i1 < study_steps(study, 1); i1++)
                 add_chain(work, pass, run, i1);
     }
+    run_block(work);
 }
 
-/* Copies the results of a piece from its own trials; `fresh` lists those that were not done before. */
-static size_t take_over(Study *study, const size_t *order, Trial *own, size_t count, size_t *fresh) {
+/* Takes the results of a piece; `fresh` lists the trials that were not done before. */
+static size_t take_results(Study *study, const size_t *order, Trial *own, size_t count, size_t *fresh) {
     size_t fresh_count = 0;
     for (size_t i = 0; i < count; i++) {
-        Trial *trial = &study->trials[order[i]];
-        own[i].done |= own[i].fault != NULL;
-        if (!own[i].done) {
-            trial_clear(&own[i]);
-            continue;
+        if (!study->experiment->series) {
+            memory_free(own[i].series);
+            own[i].series = NULL;
+            own[i].series_count = 0;
         }
-        if (!trial->done)
+        bool before = study_nth(study, order[i])->done;
+        if (!own[i].done && !own[i].fault)
+            trial_clear(&own[i]);
+        else if (study_take(study, order[i], &own[i]) && !before)
             fresh[fresh_count++] = order[i];
-        double *observed = trial->observed;
-        memcpy(observed, own[i].observed, study->experiment->observable_count * sizeof *observed);
-        trial_clear(trial);
-        *trial = own[i];
-        trial->observed = observed;
     }
     return fresh_count;
 }
@@ -348,7 +478,7 @@ static void run_piece(void *context, size_t index) {
     const StudyOptions *options = work->options;
     const Piece *piece = &work->pieces[index];
     const size_t *order = work->order + piece->first;
-    if (stopped(options))
+    if (stopped(work))
         return;
     size_t observables = experiment->observable_count;
     Trial *own = memory_zeroed(piece->count, sizeof *own);
@@ -357,12 +487,12 @@ static void run_piece(void *context, size_t index) {
     for (size_t i = 0; i < piece->count * observables; i++)
         observed[i] = (double)NAN;
     for (size_t i = 0; i < piece->count; i++) {
-        const Trial *trial = &study->trials[order[i]];
+        const Trial *trial = study_nth(study, order[i]);
         own[i] = (Trial){.at = trial->at, .seed = trial->seed, .observed = observed + i * observables};
     }
     experiment->run(experiment->given, study->names, study->name_count, own, piece->count, piece->carry, options->stop);
     pthread_mutex_lock(&work->lock);
-    size_t fresh_count = take_over(study, order, own, piece->count, fresh);
+    size_t fresh_count = take_results(study, order, own, piece->count, fresh);
     work->done += fresh_count;
     if (options->keep && fresh_count)
         options->keep(options->keeper, study, fresh, fresh_count);
@@ -377,12 +507,10 @@ static void run_piece(void *context, size_t index) {
 void study_run(Study *study, const StudyOptions *options) {
     Work work = {.study = study,
                  .options = options,
-                 .order = memory_zeroed(study->trial_count, sizeof *work.order),
                  .done = study_shard_done(study, options->shard),
                  .all = study_shard_trials(study, options->shard),
                  .lock = PTHREAD_MUTEX_INITIALIZER};
-    make_pieces(&work);
-    parallel_for(options->jobs, work.piece_count, run_piece, &work);
+    run_blocks(&work);
     memory_free(work.pieces);
     memory_free(work.order);
 }

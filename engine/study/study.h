@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/fault.h"
+#include "base/file_memory.h"
 #include "base/stop.h"
 #include "study/experiment.h"
 
@@ -12,8 +13,9 @@ enum {
     STUDY_SPREADS_MOST = 8,
     STUDY_NAMES_MOST = STUDY_AXES_MOST + STUDY_SPREADS_MOST,
     STUDY_STEPS_MOST = 100000,
-    STUDY_RUNS_MOST = 100000,
-    STUDY_TRIALS_MOST = 2000000, /* some GB with a hundred peaks each */
+    STUDY_RUNS_MOST = 100000000,
+    STUDY_TRIALS_MOST = 100000000,
+    STUDY_IN_MEMORY = 2000000, /* trials; those of a larger study lie in a file */
 };
 
 typedef struct StudyAxis {
@@ -48,7 +50,10 @@ typedef struct Study {
     size_t name_count;
     Trial *trials; /* (trial_count) */
     size_t trial_count;
-    double *values; /* memory of the trials' `at` and `observed` */
+    double *values;     /* memory of the trials' `at` and `observed` */
+    FileMemory *large;  /* where both lie, with the series and faults, of a large study; NULL: in the heap */
+    const char *folder; /* of the file of a large study */
+    bool full;          /* there was no room for a result, which is lost */
 } Study;
 
 /* The part of a study that one machine runs: the `number`-th of `count` parts. It has every `count`-th trial, and of a
@@ -81,12 +86,26 @@ double study_value(const StudyAxis *axis, size_t i);
 /* True if the study can run; otherwise errors name the invalid axes, spreads, passes or runs. */
 bool study_check(const Study *study, Fault *fault);
 
+/* Returns the number of trials of a checked study. */
+size_t study_size(const Study *study);
+
 /* Creates the trials, none of them done, of a checked study. study_clear releases them. */
 void study_begin(Study *study);
 void study_clear(Study *study);
 
-/* Runs the trials of the shard that are not done; an interruption keeps completed ones. A carried pass restarts at its
- * first point along axis 0: intermediate states are not stored. */
+/* The same with all results in a file without a name, of which a bounded part is in memory at a time. Returns false,
+ * with an error, where `folder` has no room for them. */
+bool study_begin_in(Study *study, const char *folder, Fault *fault);
+
+/* Gives a trial its result, with the series and fault of `result`, which are the study's from then on. Returns false,
+ * and the study is `full`, where there is no room. */
+bool study_take(Study *study, size_t trial, Trial *result);
+
+/* Makes all trials undone. */
+void study_forget(Study *study);
+
+/* Runs the trials of the shard that are not done; an interruption, or a full study, keeps completed ones. A carried
+ * pass restarts at its first point along axis 0: intermediate states are not stored. */
 void study_run(Study *study, const StudyOptions *options);
 
 /* Returns the digest of all inputs; `given` is the digest of the experiment's file, settings and program version. */
@@ -114,8 +133,14 @@ static inline size_t study_index(const Study *study, size_t pass, size_t run, si
     return ((pass * study->runs + run) * study_steps(study, 1) + i1) * study_steps(study, 0) + i0;
 }
 
+static inline const Trial *study_nth(const Study *study, size_t trial) {
+    if (study->large)
+        file_memory_touch(study->large);
+    return &study->trials[trial];
+}
+
 static inline const Trial *study_trial(const Study *study, size_t pass, size_t run, size_t i1, size_t i0) {
-    return &study->trials[study_index(study, pass, run, i1, i0)];
+    return study_nth(study, study_index(study, pass, run, i1, i0));
 }
 
 /* Returns the index into study->passes of a trial. */

@@ -92,7 +92,7 @@ static void add_names_head(Sheet *sheet, const Study *study, size_t count) {
 
 /* Adds the cells that identify a trial. */
 static void add_trial(Sheet *sheet, const Study *study, size_t index) {
-    const Trial *trial = &study->trials[index];
+    const Trial *trial = study_nth(study, index);
     for (size_t n = 0; n < study->name_count; n++)
         add_number(sheet, trial->at[n]);
     add_word(sheet, study_pass_name(study->passes[study_pass_of(study, index)]));
@@ -111,7 +111,7 @@ int study_csv_write_trials(const Study *study, const char *path) {
     add_head(&sheet, "fault", "", "");
     end_row(&sheet);
     for (size_t t = 0; t < study->trial_count; t++) {
-        const Trial *trial = &study->trials[t];
+        const Trial *trial = study_nth(study, t);
         if (!trial->done)
             continue;
         add_trial(&sheet, study, t);
@@ -134,7 +134,7 @@ int study_csv_write_series(const Study *study, const char *path) {
     add_head(&sheet, series->name, "", series->unit);
     end_row(&sheet);
     for (size_t t = 0; t < study->trial_count; t++) {
-        const Trial *trial = &study->trials[t];
+        const Trial *trial = study_nth(study, t);
         for (size_t i = 0; i < trial->series_count && trial->done; i++) {
             add_trial(&sheet, study, t);
             add_count(&sheet, i + 1);

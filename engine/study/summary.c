@@ -28,7 +28,7 @@ static void count_trial(SummaryCount *count, const Study *study, const Trial *tr
 SummaryCount summary_count(const Study *study) {
     SummaryCount count = {0};
     for (size_t t = 0; t < study->trial_count; t++)
-        count_trial(&count, study, &study->trials[t]);
+        count_trial(&count, study, study_nth(study, t));
     return count;
 }
 
@@ -95,11 +95,11 @@ size_t summary_extreme(const Study *study, bool greatest) {
     const Experiment *experiment = study->experiment;
     size_t found = SIZE_MAX;
     for (size_t t = 0; t < study->trial_count; t++) {
-        const Trial *trial = &study->trials[t];
+        const Trial *trial = study_nth(study, t);
         double measure = trial->observed[experiment->measure];
         if (!trial->done || trial->fault || isnan(measure))
             continue;
-        double best = found < SIZE_MAX ? study->trials[found].observed[experiment->measure] : 0;
+        double best = found < SIZE_MAX ? study_nth(study, found)->observed[experiment->measure] : 0;
         if (found == SIZE_MAX || (greatest ? measure > best : measure < best))
             found = t;
     }
@@ -109,7 +109,7 @@ size_t summary_extreme(const Study *study, bool greatest) {
 uint64_t summary_digest(const Study *study) {
     uint64_t digest = DIGEST_START;
     for (size_t t = 0; t < study->trial_count; t++) {
-        const Trial *trial = &study->trials[t];
+        const Trial *trial = study_nth(study, t);
         digest = digest_mix(digest, trial->done);
         digest = digest_bytes(digest, trial->at, study->name_count * sizeof *trial->at);
         digest = digest_bytes(digest, trial->observed, study->experiment->observable_count * sizeof *trial->observed);

@@ -12,7 +12,10 @@
 #define ALL_WIDTH 3.5 /* design points */
 #define ONE_WIDTH 2.0
 
-enum { PEOPLE_MOST = 4 /* parties with a curve of their own */ };
+enum {
+    PEOPLE_MOST = 4,     /* parties with a curve of their own */
+    STEPS_MOST = 100000, /* shakes that are drawn one by one */
+};
 
 /* Returns the end of the time axis, s: a little behind the last evacuation. */
 static double end_of(const ShakeFindings *findings) {
@@ -25,11 +28,45 @@ static double end_of(const ShakeFindings *findings) {
     return last + 0.05 * fmax(last - first, 1);
 }
 
+/* The shares at STEPS_MOST times between the first and the last. */
+static PlotSeries cumulated_at_steps(const ShakeFindings *findings, const Numbers *times, Arena *arena) {
+    double first = HUGE_VAL, last = -HUGE_VAL;
+    for (size_t i = 0; i < times->count; i++) {
+        double time = numbers_at(times, i);
+        first = isfinite(time) ? fmin(first, time) : first;
+        last = isfinite(time) ? fmax(last, time) : last;
+    }
+    double *x = arena_allocate(arena, (STEPS_MOST + 2) * sizeof *x),
+           *y = arena_allocate(arena, (STEPS_MOST + 2) * sizeof *y);
+    double width = (last - first) / STEPS_MOST;
+    for (size_t i = 0; i < times->count; i++) {
+        double time = numbers_at(times, i);
+        if (isfinite(time))
+            y[width > 0 ? (size_t)fmin(ceil((time - first) / width), STEPS_MOST) : 0]++;
+    }
+    for (size_t s = 0; s <= STEPS_MOST; s++) {
+        x[s] = first + width * (double)s;
+        y[s] += s ? y[s - 1] : 0;
+    }
+    x[STEPS_MOST + 1] = end_of(findings);
+    y[STEPS_MOST + 1] = y[STEPS_MOST];
+    for (size_t s = 0; s <= STEPS_MOST + 1; s++)
+        y[s] *= 100 / (double)findings->shakes;
+    return (PlotSeries){.x = x, .y = y, .count = STEPS_MOST + 2};
+}
+
 /* Steps up at each time, and continues to the end. */
 static PlotSeries cumulated(const ShakeFindings *findings, size_t observable, Arena *arena) {
-    const Study *study = findings->study;
-    double *times = arena_allocate(arena, study->trial_count * sizeof *times);
-    size_t count = study_axes_values(study, observable, times);
+    const StudyRuns runs = {findings->study, 0, 0, observable};
+    Numbers all = study_axes_runs(&runs);
+    if (all.count > STEPS_MOST)
+        return cumulated_at_steps(findings, &all, arena);
+    double *times = arena_allocate(arena, all.count * sizeof *times);
+    size_t count = 0;
+    for (size_t i = 0; i < all.count; i++) {
+        times[count] = numbers_at(&all, i);
+        count += isfinite(times[count]);
+    }
     qsort(times, count, sizeof *times, order_rising);
     double *x = arena_allocate(arena, (2 * count + 1) * sizeof *x);
     double *y = arena_allocate(arena, (2 * count + 1) * sizeof *y);

@@ -42,14 +42,13 @@ double study_axes_value(const Trial *trial, size_t observable) {
     return trial->done && !trial->fault ? trial->observed[observable] : NAN;
 }
 
-size_t study_axes_values(const Study *study, size_t observable, double *values) {
-    size_t count = 0;
-    for (size_t t = 0; t < study->trial_count; t++) {
-        double value = study_axes_value(&study->trials[t], observable);
-        if (isfinite(value))
-            values[count++] = value;
-    }
-    return count;
+static double value_at(const void *of, size_t run) {
+    const StudyRuns *runs = of;
+    return study_axes_value(study_trial(runs->study, runs->pass, run, 0, runs->point), runs->observable);
+}
+
+Numbers study_axes_runs(const StudyRuns *runs) {
+    return (Numbers){value_at, runs, runs->study->runs};
 }
 
 size_t study_axes_find(const Study *study, const char *name) {

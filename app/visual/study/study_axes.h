@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plot/plot.h"
+#include "study/numbers.h"
 #include "study/study.h"
 
 /* A quantity on an axis: its values times `factor` are in `axis.unit`. */
@@ -19,8 +20,14 @@ StudyScale study_axes_observable(const Observable *observable);
 /* Returns an observable of a trial; NAN if it is not done, failed, or has none. */
 double study_axes_value(const Trial *trial, size_t observable);
 
-/* Copies those of all trials that are numbers into `values` (trial_count); returns their number. */
-size_t study_axes_values(const Study *study, size_t observable, double *values);
+/* An observable of the runs of a point; of a study without an axis, of all runs. */
+typedef struct StudyRuns {
+    const Study *study;
+    size_t pass, point, observable;
+} StudyRuns;
+
+/* Returns them as numbers, which read `runs`. */
+Numbers study_axes_runs(const StudyRuns *runs);
 
 /* Returns the index of the observable of that name; the count if there is none. */
 size_t study_axes_find(const Study *study, const char *name);

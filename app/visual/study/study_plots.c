@@ -19,7 +19,8 @@
 enum {
     BARS_LEAST = 5,
     BARS_MOST = 40,
-    GUIDES_MOST = 4, /* of a plot, besides a band for every other step */
+    DOTS_MOST = 2000000, /* of a pass of a large study */
+    GUIDES_MOST = 4,     /* of a plot, besides a band for every other step */
     MARKS_MOST = 8 /* measured series of one plot */,
     SIGNS_MOST = 60 /* points of a line */
 };
@@ -65,15 +66,38 @@ static size_t steps_of(const Study *study) {
 
 /* Orbit diagram ---------------------------------------------------------------------------------------------------- */
 
-/* Adds all values that the runs of a pass list, over the parameter. */
+static size_t common_divisor(size_t a, size_t b) {
+    while (b) {
+        size_t rest = a % b;
+        a = b;
+        b = rest;
+    }
+    return a;
+}
+
+/* The n-th trial of a pass. */
+static const Trial *nth_of(const Study *study, size_t pass, size_t n) {
+    return study_trial(study, pass, n / steps_of(study), 0, n % steps_of(study));
+}
+
+/* Adds the values that the runs of a pass list, over the parameter; of a large study so many values as a picture can
+ * show, of every so many-th run. */
 static void add_dots(Sweep *sweep, size_t pass) {
     const Study *study = sweep->study;
-    size_t count = 0, runs = study->runs, passes = study->pass_count;
-    for (size_t i = 0; i < runs * steps_of(study); i++)
-        count += study_trial(study, pass, i / steps_of(study), 0, i % steps_of(study))->series_count;
+    size_t count = 0, runs = study->runs * steps_of(study), passes = study->pass_count, shown = 0;
+    for (size_t i = 0; i < runs; i++)
+        count += nth_of(study, pass, i)->series_count;
+    size_t apart = study->large ? count / DOTS_MOST + 1 : 1;
+    while (apart > 1 && common_divisor(apart, steps_of(study)) > 1)
+        apart++; /* so that some run of every step is shown */
+    count = 0;
+    for (size_t i = 0; i < runs; i += apart, shown++)
+        count += nth_of(study, pass, i)->series_count;
+    if (apart > 1)
+        sweep->plot->note = text_in_arena(sweep->arena, "%zu of %zu runs of each pass", shown, runs);
     double *values = arena_allocate(sweep->arena, 2 * (count + 1) * sizeof *values), *next = values;
-    for (size_t i = 0; i < runs * steps_of(study); i++) {
-        const Trial *trial = study_trial(study, pass, i / steps_of(study), 0, i % steps_of(study));
+    for (size_t i = 0; i < runs; i += apart) {
+        const Trial *trial = nth_of(study, pass, i);
         for (size_t s = 0; s < trial->series_count; s++) {
             *next++ = sweep->scale.factor * trial->at[0];
             *next++ = trial->series[s];
@@ -120,12 +144,6 @@ static void add_orbit_diagram(StudyPlots *plots, Sweep sweep) {
 
 /* One observable --------------------------------------------------------------------------------------------------- */
 
-/* Copies its values of all runs at a point (runs). */
-static void copy_runs(const Study *study, size_t pass, size_t point, size_t observable, double *values) {
-    for (size_t run = 0; run < study->runs; run++)
-        values[run] = study_axes_value(study_trial(study, pass, run, 0, point), observable);
-}
-
 /* Returns an array of a value for each step. */
 static double *steps_array(const Sweep *sweep) {
     return arena_allocate(sweep->arena, steps_of(sweep->study) * sizeof(double));
@@ -149,18 +167,16 @@ static void add_curve(Sweep *sweep, size_t pass, size_t observable, size_t error
     const Study *study = sweep->study;
     size_t known_errors = study->experiment->observable_count;
     double *x = steps_array(sweep), *mean = steps_array(sweep), *low = steps_array(sweep), *high = steps_array(sweep);
-    double *runs = memory_zeroed(study->runs, sizeof *runs);
     for (size_t i = 0; i < steps_of(study); i++) {
         const Trial *trial = study_trial(study, pass, 0, 0, i);
-        copy_runs(study, pass, i, observable, runs);
         x[i] = sweep->scale.factor * trial->at[0];
-        Distribution of = montecarlo_distribution(runs, study->runs);
+        Numbers runs = study_axes_runs(&(StudyRuns){study, pass, i, observable});
+        Distribution of = montecarlo_of(&runs);
         mean[i] = of.mean;
         double apart = error < known_errors ? study_axes_value(trial, error) : 0;
         low[i] = study->runs > 1 ? of.low : mean[i] - apart;
         high[i] = study->runs > 1 ? of.high : mean[i] + apart;
     }
-    memory_free(runs);
     if (study->runs > 1)
         add_area(sweep, pass ? NULL : "5 to 95 %", x, low, high);
     else if (error < known_errors)
@@ -218,7 +234,7 @@ static void add_blocked(Sweep *sweep) {
 static bool is_varied(const Study *study, size_t observable) {
     double first = NAN;
     for (size_t t = 0; t < study->trial_count; t++) {
-        double value = study_axes_value(&study->trials[t], observable);
+        double value = study_axes_value(study_nth(study, t), observable);
         if (isfinite(value) && isfinite(first) && value != first)
             return true;
         first = isfinite(first) ? first : value;
@@ -258,9 +274,9 @@ static void add_observable(StudyPlots *plots, Sweep sweep, size_t observable) {
 /* No axis -----------------------------------------------------------------------------------------------------------
  */
 
-/* Returns how many of the values (count) each bar of equal width holds, as a curve with a step at each end. */
-static void add_bars(Plot *plot, const Distribution *of, const double *values, size_t count, Arena *arena) {
-    size_t bars = (size_t)real_clamp(ceil(sqrt((double)count)), BARS_LEAST, BARS_MOST);
+/* Adds how many of the values each bar of equal width holds, as a curve with a step at each end. */
+static void add_bars(Plot *plot, const Distribution *of, const Numbers *values, Arena *arena) {
+    size_t bars = (size_t)real_clamp(ceil(sqrt((double)of->count)), BARS_LEAST, BARS_MOST);
     double low = of->least, width = (of->greatest - low) / (double)bars;
     double *x = arena_allocate(arena, 2 * bars * sizeof *x), *high = arena_allocate(arena, 2 * bars * sizeof *high);
     double *foot = arena_allocate(arena, 2 * bars * sizeof *foot);
@@ -268,8 +284,11 @@ static void add_bars(Plot *plot, const Distribution *of, const double *values, s
         x[2 * b] = low + width * (double)b;
         x[2 * b + 1] = low + width * (double)(b + 1);
     }
-    for (size_t i = 0; i < count; i++) {
-        size_t b = (size_t)fmin((double)(bars - 1), (values[i] - low) / width);
+    for (size_t i = 0; i < values->count; i++) {
+        double value = numbers_at(values, i);
+        if (!isfinite(value))
+            continue;
+        size_t b = (size_t)fmin((double)(bars - 1), (value - low) / width);
         high[2 * b]++;
         high[2 * b + 1]++;
     }
@@ -282,15 +301,15 @@ static void add_bars(Plot *plot, const Distribution *of, const double *values, s
 static void add_histogram(StudyPlots *plots, const Study *study, size_t observable) {
     const Observable *shown = &study->experiment->observables[observable];
     Arena *arena = &plots->arena;
-    double *values = arena_allocate(arena, study->trial_count * sizeof *values);
-    size_t count = study_axes_values(study, observable, values);
+    const StudyRuns runs = {study, 0, 0, observable};
+    Numbers values = study_axes_runs(&runs);
     Plot *plot = add_plot(plots, study, shown->name, 1);
-    Distribution of = montecarlo_distribution(values, count);
-    plot->title = text_in_arena(arena, "%zu runs", count);
+    Distribution of = montecarlo_of(&values);
+    plot->title = text_in_arena(arena, "%zu runs", of.count);
     plot->note = text_in_arena(arena, "mean %.4g, 5 to 95 %%: %.4g to %.4g %s", of.mean, of.low, of.high, shown->unit);
     plot->x = study_axes_observable(shown).axis;
     plot->y = (PlotAxis){.title = "runs"};
-    add_bars(plot, &of, values, count, arena);
+    add_bars(plot, &of, &values, arena);
     add_guide(plot,
               (PlotGuide){.upright = true, .at = of.mean, .name = "mean", .role = ROLE_WALL, .style = LINE_SOLID});
     add_guide(plot,
