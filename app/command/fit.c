@@ -425,7 +425,7 @@ static bool write_copy(const Job *job, const char *from, const char *name, bool 
 static const char *profile_file(Job *job, const char *name) {
     const char *house = job->options->files[0], *slash = strrchr(house, '/');
     const char *near = text_in_arena(&job->arena, "%.*s%s.json", slash ? (int)(slash - house + 1) : 0, house, name);
-    return access(near, R_OK) == 0 ? near : text_in_arena(&job->arena, "%s/%s.json", shipped_places()->profiles, name);
+    return access(near, R_OK) == 0 ? near : profile_find(shipped_places()->profiles, name, &job->arena);
 }
 
 static bool write_files(Job *job, const json_t *answer) {

@@ -8,11 +8,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { PATH_MOST = 4096 };
+enum { PATH_MOST = 4096, OWN_MOST = 8 };
 
 static char assets[PATH_MOST], looked[4 * PATH_MOST], missing[5 * PATH_MOST];
-static char profiles[PATH_MOST + 32], furniture[PATH_MOST + 32], beams[PATH_MOST + 32], houses[PATH_MOST + 32],
-    help[PATH_MOST + 32], rules[PATH_MOST + 32];
+static char profiles[(OWN_MOST + 1) * (PATH_MOST + 32)], furniture[PATH_MOST + 32], beams[PATH_MOST + 32],
+    houses[PATH_MOST + 32], help[PATH_MOST + 32], rules[PATH_MOST + 32];
+static char own[OWN_MOST][PATH_MOST + 32];
+static size_t own_count;
 static Shipped shipped = {profiles, furniture, beams, houses, help, rules, NULL};
 
 /* Adds a folder to the list of searched folders, once. */
@@ -67,15 +69,15 @@ static bool consider_source(const char *root) {
     return (stat(path, &found) != 0 || found.st_uid == program.st_uid) && consider(path);
 }
 
-/* Uses the first folder with assets of a list that is separated by colons, as in the XDG base directory
- * specification; relative folders are ignored. */
-static bool consider_data_folders(const char *list) {
+/* Calls `use` with the clearance folder of each folder of a list that is separated by colons, as in the XDG base
+ * directory specification, until it returns true; relative folders are ignored. */
+static bool each_data_folder(const char *list, bool (*use)(const char *folder)) {
     while (*list) {
         size_t length = strcspn(list, ":");
         char folder[PATH_MOST + 32];
         if (*list == '/' && length < PATH_MOST) {
             snprintf(folder, sizeof folder, "%.*s/clearance", (int)length, list);
-            if (consider(folder))
+            if (use(folder))
                 return true;
         }
         list += length + (list[length] == ':');
@@ -88,14 +90,29 @@ static const char *variable(const char *name) {
     return value && *value ? value : NULL;
 }
 
-static bool consider_data(void) {
-    char own[PATH_MOST] = "";
+static bool each_data(bool (*use)(const char *folder)) {
+    char personal[PATH_MOST] = "";
     const char *data = variable("XDG_DATA_HOME"), *home = variable("HOME"), *site = variable("XDG_DATA_DIRS");
     if (data)
-        snprintf(own, sizeof own, "%s", data);
+        snprintf(personal, sizeof personal, "%s", data);
     else if (home)
-        snprintf(own, sizeof own, "%s/.local/share", home);
-    return consider_data_folders(own) || consider_data_folders(site ? site : "/usr/local/share:/usr/share");
+        snprintf(personal, sizeof personal, "%s/.local/share", home);
+    return each_data_folder(personal, use) || each_data_folder(site ? site : "/usr/local/share:/usr/share", use);
+}
+
+/* Adds a folder that exists, once; false, to go on. */
+static bool add_own(const char *folder) {
+    char *whole = realpath(folder, NULL);
+    bool known = !whole || strlen(whole) >= PATH_MOST || strcmp(whole, assets) == 0;
+    for (size_t i = 0; i < own_count && !known; i++)
+        known = strcmp(own[i], whole) == 0;
+    if (!known && own_count < OWN_MOST) {
+        snprintf(own[own_count++], sizeof own[0], "%s", whole);
+        size_t length = strlen(profiles);
+        snprintf(profiles + length, sizeof profiles - length, "\n%s/profiles", whole);
+    }
+    free(whole);
+    return false;
 }
 
 static bool find_assets(void) {
@@ -104,7 +121,7 @@ static bool find_assets(void) {
     if (given)
         return consider(given);
     bool rooted = find_root(root);
-    return (rooted && consider_installed(root)) || (rooted && consider_source(root)) || consider_data() ||
+    return (rooted && consider_installed(root)) || (rooted && consider_source(root)) || each_data(consider) ||
            consider(CLEARANCE_INSTALLED_ASSETS);
 }
 
@@ -117,6 +134,8 @@ static void find(void) {
             looked);
         shipped.missing = missing;
     }
+    if (!variable("CLEARANCE_ASSETS"))
+        each_data(add_own);
     snprintf(furniture, sizeof furniture, "%s/furniture", assets);
     snprintf(beams, sizeof beams, "%s/beams", assets);
     snprintf(houses, sizeof houses, "%s/houses", assets);
@@ -128,6 +147,11 @@ static void find(void) {
     if (whole)
         snprintf(houses, sizeof houses, "%s", whole);
     free(whole);
+}
+
+const char *shipped_own(size_t i) {
+    shipped_places();
+    return i < own_count ? own[i] : NULL;
 }
 
 const Shipped *shipped_places(void) {

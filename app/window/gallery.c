@@ -13,6 +13,7 @@
 #include "draw/cairo_memory.h"
 #include "draw/layout.h"
 #include "laboratory/laboratories.h"
+#include "laboratory/shipped.h"
 #include "paint/paint_cairo.h"
 #include "paint/png.h"
 #include "platform/folder.h"
@@ -212,11 +213,11 @@ static void *work(void *context) {
 
 /* The list --------------------------------------------------------------------------------------------------------- */
 
-/* Adds the files that come with the program for a laboratory. */
-static void add_folder(Gallery *gallery, size_t laboratory) {
+/* Adds the files of a laboratory in a folder. */
+static void add_folder(Gallery *gallery, size_t laboratory, const char *from) {
     Folder folder = {.count = 0};
     Fault fault = {0};
-    if (folder_read(&folder, laboratory_folder(laboratory), NULL, &fault)) {
+    if (folder_read(&folder, from, NULL, &fault)) {
         size_t capacity = gallery->count;
         gallery->items =
             memory_reserve(gallery->items, &capacity, gallery->count + folder.count, sizeof *gallery->items);
@@ -232,12 +233,20 @@ static void add_folder(Gallery *gallery, size_t laboratory) {
     folder_clear(&folder);
 }
 
+/* Adds the files that come with the program for a laboratory, then those of the person and the site. */
+static void add_folders(Gallery *gallery, size_t laboratory) {
+    const char *shipped = laboratory_folder(laboratory), *name = strrchr(shipped, '/');
+    add_folder(gallery, laboratory, shipped);
+    for (size_t i = 0; name && shipped_own(i); i++)
+        add_folder(gallery, laboratory, text_in_arena(&gallery->arena, "%s%s", shipped_own(i), name));
+}
+
 Gallery *gallery_create(Theme theme) {
     Gallery *gallery = memory_zeroed(1, sizeof *gallery);
     gallery->theme = theme;
     gallery->cache = settings_cache_folder();
     for (size_t i = 0; i < laboratories_count; i++)
-        add_folder(gallery, i);
+        add_folders(gallery, i);
     gallery->shown = memory_zeroed(gallery->count + 1, sizeof *gallery->shown);
     gallery->found = memory_zeroed(gallery->count + 1, sizeof *gallery->found);
     pthread_mutex_init(&gallery->lock, NULL);

@@ -10,16 +10,14 @@
 /* m: on a coarser grid a chair finds no path through a door. */
 static const double COARSEST_CELL = 0.2;
 
-/* Returns NAME.json in the folder of the house file, otherwise among the shipped profiles. */
-static const char *profile_path(House *house, const char *house_path, const char *shipped, const char *name) {
+/* Returns NAME.json in the folder of the house file, otherwise in the first of the folders that has it. */
+static const char *profile_path(House *house, const char *house_path, const char *folders, const char *name) {
     const char *slash = strrchr(house_path, '/');
     size_t directory = slash ? (size_t)(slash - house_path) + 1 : 0;
-    size_t size = strlen(house_path) + strlen(shipped) + strlen(name) + sizeof "/.json";
+    size_t size = strlen(house_path) + strlen(name) + sizeof ".json";
     char *path = arena_allocate(&house->arena, size);
     snprintf(path, size, "%.*s%s.json", (int)directory, house_path, name);
-    if (access(path, R_OK) != 0)
-        snprintf(path, size, "%s/%s.json", shipped, name);
-    return path;
+    return access(path, R_OK) == 0 ? path : profile_find(folders, name, &house->arena);
 }
 
 static void read_profile(House *house, const char *house_path, const HouseOptions *options, const char *place,
@@ -29,8 +27,8 @@ static void read_profile(House *house, const char *house_path, const HouseOption
             return;
     const char *path = profile_path(house, house_path, options->profiles, name);
     if (access(path, R_OK) != 0) {
-        fault_add(fault, "%s%s has profile \"%s\", but there is no %s.json in the folder of the house or in %s", place,
-                  who, name, name, options->profiles);
+        fault_add(fault, "%s%s has profile \"%s\", but there is no %s.json in the folder of the house or in %.*s",
+                  place, who, name, name, (int)strcspn(options->profiles, "\n"), options->profiles);
         return;
     }
     Profile *profile = &house->profiles[house->profile_count];

@@ -44,8 +44,8 @@ typedef struct House {
 } House;
 
 typedef struct HouseOptions {
-    const char
-        *profiles; /* directory of the shipped profiles; NAME.json in the folder of the house file takes precedence */
+    const char *profiles; /* directories of profiles, one a line, the first that has NAME.json decides; that in the
+                             folder of the house file takes precedence */
     const char *const *settings; /* (setting_count) NAME=VALUE */
     size_t setting_count;
     uint64_t seed; /* for crowds: determines positions and speeds */

@@ -1,6 +1,7 @@
 #include "plan/profile.h"
 
 #include <string.h>
+#include <unistd.h>
 
 #include "base/parameters_schema.h"
 #include "base/provenance.h"
@@ -155,6 +156,19 @@ static void round_walker(Profile *profile) {
     profile->length = profile->width;
     profile->axle = profile->corner_radius = profile->width / 2;
     profile->radius_of_gyration = profile->width / sqrt(8);
+}
+
+const char *profile_find(const char *folders, const char *name, Arena *arena) {
+    const char *first = NULL;
+    for (const char *at = folders; *at || !first;) {
+        size_t length = strcspn(at, "\n");
+        const char *path = text_in_arena(arena, "%.*s/%s.json", (int)length, at, name);
+        if (access(path, R_OK) == 0)
+            return path;
+        first = first ? first : path;
+        at += length + (at[length] == '\n');
+    }
+    return first;
 }
 
 bool profile_read(Profile *profile, const char *path, Fault *fault) {

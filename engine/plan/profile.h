@@ -73,6 +73,9 @@ const ParameterTable *profile_table(void);
 /* Reads a profile file. Returns false after an error, with the profile unchanged. */
 bool profile_read(Profile *profile, const char *path, Fault *fault);
 
+/* Returns NAME.json in the first of the folders, one a line, that has it; if none has, that in the first of all. */
+const char *profile_find(const char *folders, const char *name, Arena *arena);
+
 /* Changes one parameter, for instance "width" to the JSON value "0.70"; errors begin with `place`: "file:line:column:
  * ". */
 bool profile_set(Profile *profile, const char *name, const char *value, const char *place, Fault *fault);

@@ -19,13 +19,12 @@ static const Profile *chosen_profile(Editor *edit) {
     if (edit->body_known && edit->body_row == row)
         return edit->body.length > 0 ? &edit->body : NULL;
     Fault none = {0};
-    Text path = {0};
+    Arena arena = {0};
     edit_body_clear(edit);
-    text_format(&path, "%s/%s.json", edit->options.profiles, edit->profiles[row]);
-    bool read = profile_read(&edit->body, path.text, &none);
+    bool read = profile_read(&edit->body, profile_find(edit->options.profiles, edit->profiles[row], &arena), &none);
     edit->body_known = true;
     edit->body_row = row;
-    memory_free(path.text);
+    arena_clear(&arena);
     fault_clear(&none);
     return read ? &edit->body : NULL;
 }

@@ -13,21 +13,44 @@ static int is_json(const struct dirent *entry) {
     return length > 5 && strcmp(entry->d_name + length - 5, ".json") == 0;
 }
 
-static void stock_profiles(Editor *edit) {
+static bool is_stocked(const Editor *edit, const char *name) {
+    for (size_t p = 0; p < edit->profile_count; p++)
+        if (strcmp(edit->profiles[p], name) == 0)
+            return true;
+    return false;
+}
+
+/* Adds the profiles of a folder whose names are new. */
+static void stock_folder(Editor *edit, const char *folder, size_t *capacity) {
     struct dirent **entries;
-    int count = scandir(edit->options.profiles, &entries, is_json, alphasort);
-    if (count < 0)
-        return;
-    edit->profiles = memory_zeroed((size_t)count, sizeof *edit->profiles);
+    int count = scandir(folder, &entries, is_json, alphasort);
     for (int i = 0; i < count; i++) {
         Text name = {0};
         text_format(&name, "%.*s", (int)strlen(entries[i]->d_name) - 5, entries[i]->d_name);
+        free(entries[i]);
+        if (is_stocked(edit, name.text)) {
+            memory_free(name.text);
+            continue;
+        }
         if (strcmp(name.text, USUAL_PROFILE) == 0)
             edit->chosen_rows[TOOL_PERSON] = edit->profile_count;
+        edit->profiles = memory_reserve(edit->profiles, capacity, edit->profile_count + 1, sizeof *edit->profiles);
         edit->profiles[edit->profile_count++] = name.text;
-        free(entries[i]);
     }
-    free(entries);
+    if (count >= 0)
+        free(entries);
+}
+
+static void stock_profiles(Editor *edit) {
+    size_t capacity = 0;
+    for (const char *at = edit->options.profiles; *at;) {
+        size_t length = strcspn(at, "\n");
+        Text folder = {0};
+        text_format(&folder, "%.*s", (int)length, at);
+        stock_folder(edit, folder.text, &capacity);
+        memory_free(folder.text);
+        at += length + (at[length] == '\n');
+    }
 }
 
 void edit_tool_items_stock(Editor *edit) {

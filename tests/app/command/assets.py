@@ -111,6 +111,28 @@ def check_strange_folders(folder):
         check(opened(copy, XDG_DATA_DIRS="/nonexistent") is None, "with somebody else's build.ninja it is none")
 
 
+def check_own(folder):
+    """Profiles of a person and of a site stand beside the shipped ones, which win where names are equal."""
+    shipped = json.loads((source / "assets" / "profiles" / "manual-chair.json").read_text())
+    personal, site = folder / "own" / "clearance" / "profiles", folder / "site" / "clearance" / "profiles"
+    plan = json.loads(pathlib.Path(house("straight-corridor")).read_text())
+    for place, name in ((personal, "person-s-chair"), (site, "site-s-chair")):
+        place.mkdir(parents=True)
+        (place / f"{name}.json").write_text(json.dumps(shipped))
+        (place / "manual-chair.json").write_text("{}")
+        plan["people"][0]["profile"] = name
+        (folder / f"{name}.house.json").write_text(json.dumps(plan))
+    variables = {"XDG_DATA_HOME": folder / "own", "XDG_DATA_DIRS": folder / "site"}
+    for name in ("person-s-chair", "site-s-chair"):
+        done = ask(program, "check", folder / f"{name}.house.json", **variables)
+        check(done.returncode == 0, f"{name} is found", done.stderr)
+        done = ask(program, "check", folder / f"{name}.house.json")
+        check(done.returncode == 2 and f"there is no {name}.json" in done.stderr, f"{name} is of these folders", done.stderr)
+    check(ask(program, "check", house("straight-corridor"), **variables).returncode == 0, "a shipped name stays shipped")
+    done = ask(program, "check", folder / "site-s-chair.house.json", CLEARANCE_ASSETS=source / "assets", **variables)
+    check(done.returncode == 2, "with CLEARANCE_ASSETS there are no others", done.stderr)
+
+
 def check_source_is_unknown():
     """The program's data contain no path of the source or of the build; debugging information does, but is not read."""
     words = subprocess.run(["strings", "-d", program], capture_output=True, text=True, check=True).stdout
@@ -135,7 +157,7 @@ def check_moved(folder):
     check(opened(copy, XDG_DATA_HOME=folder) == share, "its profiles are those of the moved tree")
 
 
-for part in (check_order, check_home, check_strange_folders, check_moved):
+for part in (check_order, check_home, check_strange_folders, check_moved, check_own):
     with tempfile.TemporaryDirectory(prefix="clearance-assets-") as directory:
         part(pathlib.Path(directory).resolve())
 check_source_is_unknown()
