@@ -29,8 +29,12 @@ static const Observable observables[CRANK_OBSERVABLES] = {
 
 static const Observable series = {"peak", "N", "peak force of each revolution"};
 
+const char *const crank_experiment_window[CRANK_EXPERIMENT_WINDOW] = {"drive.frequency", "joint.clearance",
+                                                                      "coupler.length", "slider.mass"};
+
 typedef struct Given {
     Crank crank;
+    bool owned; /* the crank's texts */
     bool thorough;
 } Given;
 
@@ -105,12 +109,6 @@ static bool make_crank(const Given *given, const char *const *names, size_t name
     return true;
 }
 
-/* What a trial hands on to the next one: its last state in the scales of its cycle. */
-typedef struct Carry {
-    size_t states; /* 0: nothing */
-    double state[TREE_STATES_MOST];
-} Carry;
-
 static void list_peaks(Trial *trial, const double *peak, size_t stride, size_t count) {
     trial->series = memory_zeroed(count + 1, sizeof *trial->series);
     double sum = 0, smallest = HUGE_VAL, largest = 0;
@@ -153,7 +151,7 @@ static void tell_record(Trial *trial, const Crank *crank, const Record *record) 
         tell_regular(trial, period != SECTION_NONE, (size_t)period);
 }
 
-static void run_quickly(Trial *trial, const Crank *crank, const Tree *tree, Carry *carry, const Stop *stop) {
+static void run_quickly(Trial *trial, const Crank *crank, const Tree *tree, CrankCarry *carry, const Stop *stop) {
     size_t cycles = (size_t)crank->cycles;
     double *room = memory_zeroed(3 * cycles, sizeof *room);
     Record record = {0, room, room + cycles, room + 2 * cycles};
@@ -180,7 +178,7 @@ static void run_quickly(Trial *trial, const Crank *crank, const Tree *tree, Carr
     memory_free(room);
 }
 
-static void run_thoroughly(Trial *trial, const Crank *crank, const Tree *tree, Carry *carry, const Stop *stop) {
+static void run_thoroughly(Trial *trial, const Crank *crank, const Tree *tree, CrankCarry *carry, const Stop *stop) {
     Response response;
     bool carried = carry && carry->states == 2 * tree->coordinates;
     response_run(&response, crank_cycle_of(tree), crank->transient_cycles, crank->cycles, carried ? carry->state : NULL,
@@ -199,10 +197,8 @@ static void run_thoroughly(Trial *trial, const Crank *crank, const Tree *tree, C
     response_clear(&response);
 }
 
-static void run(const void *context, const char *const *names, size_t name_count, Trial *trials, size_t count,
-                bool carry, const Stop *stop) {
-    const Given *given = context;
-    Carry carried = {0};
+static void run_trials(const Given *given, const char *const *names, size_t name_count, Trial *trials, size_t count,
+                       CrankCarry *carry, const Stop *stop) {
     for (size_t i = 0; i < count && !stop_requested(stop); i++) {
         Crank crank;
         for (size_t k = 0; k < CRANK_OBSERVABLES; k++)
@@ -212,21 +208,26 @@ static void run(const void *context, const char *const *names, size_t name_count
         Tree tree = tree_of(&crank);
         trials[i].observed[CRANK_CLEARANCE_RATIO] = crank.clearance / crank.radius;
         if (given->thorough)
-            run_thoroughly(&trials[i], &crank, &tree, carry ? &carried : NULL, stop);
+            run_thoroughly(&trials[i], &crank, &tree, carry, stop);
         else
-            run_quickly(&trials[i], &crank, &tree, carry ? &carried : NULL, stop);
+            run_quickly(&trials[i], &crank, &tree, carry, stop);
     }
+}
+
+static void run(const void *context, const char *const *names, size_t name_count, Trial *trials, size_t count,
+                bool carry, const Stop *stop) {
+    CrankCarry carried = {0};
+    run_trials(context, names, name_count, trials, count, carry ? &carried : NULL, stop);
+}
+
+void crank_experiment_run_on(const Experiment *experiment, const char *name, Trial *trials, size_t count,
+                             CrankCarry *carry, const Stop *stop) {
+    run_trials(experiment->given, &name, 1, trials, count, carry, stop);
 }
 
 /* Opening ---------------------------------------------------------------------------------------------------------- */
 
-bool crank_experiment_open(Experiment *experiment, const char *path, const char *const *settings, size_t setting_count,
-                           Fault *fault) {
-    Given *given = memory_zeroed(1, sizeof *given);
-    if (!crank_read(&given->crank, path, settings, setting_count, fault)) {
-        memory_free(given);
-        return false;
-    }
+static void begin(Experiment *experiment, Given *given) {
     *experiment = (Experiment){.kind = "crank",
                                .observables = observables,
                                .observable_count = CRANK_OBSERVABLES,
@@ -242,7 +243,24 @@ bool crank_experiment_open(Experiment *experiment, const char *path, const char 
                                .unknown = tell_unknown,
                                .nominal = nominal,
                                .run = run};
+}
+
+bool crank_experiment_open(Experiment *experiment, const char *path, const char *const *settings, size_t setting_count,
+                           Fault *fault) {
+    Given *given = memory_zeroed(1, sizeof *given);
+    if (!crank_read(&given->crank, path, settings, setting_count, fault)) {
+        memory_free(given);
+        return false;
+    }
+    given->owned = true;
+    begin(experiment, given);
     return true;
+}
+
+void crank_experiment_of(Experiment *experiment, const Crank *crank) {
+    Given *given = memory_zeroed(1, sizeof *given);
+    given->crank = *crank;
+    begin(experiment, given);
 }
 
 void crank_experiment_be_thorough(Experiment *experiment) {
@@ -252,7 +270,8 @@ void crank_experiment_be_thorough(Experiment *experiment) {
 
 void crank_experiment_close(Experiment *experiment) {
     Given *given = experiment->given;
-    crank_free(&given->crank);
+    if (given->owned)
+        crank_free(&given->crank);
     memory_free(given);
     *experiment = (Experiment){0};
 }

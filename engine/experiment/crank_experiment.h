@@ -15,7 +15,8 @@
 #include <stddef.h>
 
 #include "base/fault.h"
-#include "crank/crank.h"
+#include "base/stop.h"
+#include "crank/tree.h"
 #include "study/experiment.h"
 
 typedef enum CrankObservable {
@@ -37,7 +38,25 @@ typedef enum CrankObservable {
 bool crank_experiment_open(Experiment *experiment, const char *path, const char *const *settings, size_t setting_count,
                            Fault *fault);
 
+/* Opens the experiment of a crank that is already read and must outlive it. */
+void crank_experiment_of(Experiment *experiment, const Crank *crank);
+
 /* Analyses each later trial fully. */
 void crank_experiment_be_thorough(Experiment *experiment);
+
+/* What a trial hands on to the next one: its last state in the scales of its cycle. */
+typedef struct CrankCarry {
+    size_t states; /* 0: nothing */
+    double state[TREE_STATES_MOST];
+} CrankCarry;
+
+/* Runs `count` trials of one parameter one after another, the first continuing from `carry`: a carried pass in
+ * pieces. */
+void crank_experiment_run_on(const Experiment *experiment, const char *name, Trial *trials, size_t count,
+                             CrankCarry *carry, const Stop *stop);
+
+/* The window of types. */
+enum { CRANK_EXPERIMENT_WINDOW = 4 };
+extern const char *const crank_experiment_window[CRANK_EXPERIMENT_WINDOW];
 
 void crank_experiment_close(Experiment *experiment);

@@ -47,7 +47,9 @@ app/visual/beam     beam cycle draw exchange mechanics plot visual/house visual/
 app/laboratory            beam draw exchange house plan plot result visual/beam visual/house
 app/laboratory/edit       house inquiry laboratory plan result
 app/laboratory/house      draw house laboratory laboratory/edit plan result visual/house
-app/laboratory/beam       beam cycle experiment laboratory mechanics plot result study visual/beam visual/study
+app/laboratory/machine    beam crank cycle experiment laboratory plot result study
+app/laboratory/beam       beam cycle experiment laboratory laboratory/machine mechanics plot result study visual/beam visual/study
+app/laboratory/crank      crank cycle draw experiment laboratory laboratory/machine mechanics plot result visual/crank
 app/widgets         draw paint
 app/platform        draw paint plot
 app/window          draw laboratory laboratory/edit laboratory/house paint platform plot widgets

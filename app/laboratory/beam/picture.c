@@ -40,12 +40,12 @@ size_t beam_picture_plot_count(const void *context) {
 }
 
 static LaboratoryPlot diagram_plot(const BeamSession *session) {
-    const BeamDiagram *diagram = &session->diagram;
-    const char *over = beam_diagram_over[diagram->over];
+    const MachineDiagram *diagram = &session->diagram;
+    const char *over = beam_machine.over[diagram->over];
     return (LaboratoryPlot){.plot = &diagram->plot,
                             .revision = diagram->revision,
                             .still = true,
-                            .cursor = diagram->factor * beam_controls_find(&session->controls, over)->value,
+                            .cursor = diagram->factor * machine_controls_find(&session->controls, over)->value,
                             .cursor_text = diagram->cursor,
                             .cursor_parameter = over,
                             .cursor_factor = diagram->factor,

@@ -7,7 +7,6 @@
 #include "base/stopwatch.h"
 #include "base/parameters_number.h"
 #include "base/text.h"
-#include "experiment/beam_numbers.h"
 #include "laboratory/beam/picture.h"
 #include "laboratory/save_file.h"
 #include "visual/beam/beam_film.h"
@@ -22,7 +21,7 @@ static void advance(BeamSession *session) {
     if (beam_tape_advance(&session->tape))
         return;
     arena_clear(&session->error_texts);
-    session->error = beam_answer_error(&session->tape, &session->error_texts);
+    session->error = beam_lately_error(&session->tape, &session->error_texts);
     session->looked = SIZE_MAX;
     session->news |= LABORATORY_ERROR | LABORATORY_TEXTS;
 }
@@ -43,31 +42,32 @@ static void show_choices(BeamSession *session) {
                       .chosen = session->diagram.carried};
     session->choices[CHOICE_OVER] = (PanelChoice){.name = "Orbit over",
                                                   .meaning = "the parameter that varies along the orbit diagram",
-                                                  .options = beam_diagram_words,
-                                                  .count = BEAM_DIAGRAM_OVER,
+                                                  .options = beam_machine.over_words,
+                                                  .count = beam_machine.over_count,
                                                   .chosen = session->diagram.over};
 }
 
 static void ask_worker(BeamSession *session, bool verdict) {
     session->news |= LABORATORY_TEXTS | LABORATORY_PARAMETERS;
     session->looked = SIZE_MAX;
-    session->has_verdict = session->has_verdict && beam_numbers_same(&session->verdict.beam, &session->beam);
-    beam_controls_show(&session->controls, &session->beam);
-    beam_diagram_ask(&session->diagram, &session->controls, &session->beam, session->worker);
+    session->has_verdict =
+        session->has_verdict && machine_same(&beam_machine, &session->verdict.machine, &session->now);
+    machine_controls_show(&session->controls, &session->now);
+    machine_diagram_ask(&session->diagram, &session->controls, &session->now, session->worker);
     if (verdict)
-        beam_worker_ask_verdict(session->worker, &session->beam);
+        machine_worker_ask_verdict(session->worker, &session->now);
 }
 
 /* Changes the beam from the end of the displayed cycle on. */
-static bool change(BeamSession *session, const Beam *beam, Fault *fault) {
+static bool change(BeamSession *session, const Machine *machine, Fault *fault) {
     BeamTape *tape = &session->tape;
     double phase;
-    if (beam_numbers_same(beam, &session->beam))
+    if (machine_same(&beam_machine, machine, &session->now))
         return true;
     size_t cycle = beam_tape_cycle_at(tape, session->shown, &phase) + 1;
-    if (!beam_tape_change(tape, beam, cycle < tape->front ? cycle : tape->front, fault))
+    if (!beam_tape_change(tape, &machine->beam, cycle < tape->front ? cycle : tape->front, fault))
         return false;
-    session->beam = *beam;
+    session->now = *machine;
     ask_worker(session, true);
     return true;
 }
@@ -80,8 +80,8 @@ static const PanelParameter *parameters(const void *context, size_t *count) {
 
 static bool set_number(void *context, const char *name, double value, Fault *fault) {
     BeamSession *session = context;
-    Beam beam = session->beam;
-    return beam_controls_set(&session->controls, &beam, name, value, fault) && change(session, &beam, fault);
+    Machine machine = session->now;
+    return machine_controls_set(&session->controls, &machine, name, value, fault) && change(session, &machine, fault);
 }
 
 static void reset_numbers(void *context) {
@@ -93,16 +93,16 @@ static void reset_numbers(void *context) {
 
 static const Preset *presets(const void *context, size_t *count) {
     const BeamSession *session = context;
-    *count = BEAM_PRESETS;
+    *count = beam_machine.preset_count;
     return session->controls.presets;
 }
 
 static void apply_preset(void *context, size_t preset) {
     BeamSession *session = context;
-    Beam beam;
+    Machine machine;
     Fault none = {0};
-    beam_controls_prefer(&session->controls, preset, &beam);
-    change(session, &beam, &none);
+    machine_controls_prefer(&session->controls, preset, &machine);
+    change(session, &machine, &none);
     fault_clear(&none);
 }
 
@@ -124,7 +124,7 @@ static void choose(void *context, size_t choice, size_t word) {
 static void restart(void *context) {
     BeamSession *session = context;
     Fault none = {0};
-    if (beam_tape_restart(&session->tape, &session->beam, &none)) {
+    if (beam_tape_restart(&session->tape, &session->now.beam, &none)) {
         advance(session);
         beam_traces_forget(&session->traces, 0);
         session->shown = 0;
@@ -137,7 +137,7 @@ static void restart(void *context) {
 static bool save_run(void *context, double time) {
     BeamSession *session = context;
     beam_traces_store(&session->traces, time);
-    beam_diagram_store(&session->diagram, true);
+    machine_diagram_store(&session->diagram, true);
     return true;
 }
 
@@ -145,7 +145,7 @@ static void clear_runs(void *context, double time) {
     BeamSession *session = context;
     double phase;
     beam_traces_store(&session->traces, -1);
-    beam_diagram_store(&session->diagram, false);
+    machine_diagram_store(&session->diagram, false);
     beam_traces_forget(&session->traces, beam_tape_cycle_at(&session->tape, time, &phase));
     beam_traces_show(&session->traces, &session->tape, time);
 }
@@ -171,16 +171,15 @@ static const char *const *command(void *context, size_t *count) {
 /* Opening -----------------------------------------------------------------------------------------------------------*/
 
 static bool read_files(BeamSession *session, const char *path, const LaboratoryOptions *options, Fault *fault) {
-    Beam file = {0};
     if (!beam_read(&session->opened, path, options->settings, options->setting_count, fault))
         return false;
-    if (!beam_read(&file, path, NULL, 0, fault)) {
+    if (!beam_read(&session->file, path, NULL, 0, fault)) {
         beam_free(&session->opened);
         return false;
     }
-    session->beam = session->opened;
-    beam_controls_open(&session->controls, &file);
-    beam_controls_show(&session->controls, &session->beam);
+    session->now.beam = session->opened;
+    machine_controls_open(&session->controls, &beam_machine, &(Machine){.beam = session->file});
+    machine_controls_show(&session->controls, &session->now);
     return true;
 }
 
@@ -189,9 +188,11 @@ static void look_at_answer(BeamSession *session) {
     if (session->looked == session->tape.front)
         return;
     session->looked = session->tape.front;
-    BeamLately lately = beam_answer_look(&session->tape);
-    beam_answer_write(&session->answer, &session->tape, &session->beam, &lately,
-                      session->has_verdict ? &session->verdict : NULL);
+    MachineLately lately = beam_lately_look(&session->tape);
+    const Beam *beam = &session->now.beam;
+    snprintf(session->where, sizeof session->where, "%.1f Hz, gap %.3g mm", beam->frequency, 1000 * beam->clearance);
+    MachineNow now = {session->tape.status, session->tape.next, session->where};
+    machine_answer_write(&session->answer, &now, &lately, session->has_verdict ? &session->verdict : NULL);
     session->news |= LABORATORY_TEXTS;
 }
 
@@ -201,8 +202,8 @@ static void *open_live(const char *path, const LaboratoryOptions *options, Fault
         memory_free(session);
         return NULL;
     }
-    if (!beam_tape_open(&session->tape, &session->beam, path, fault)) {
-        beam_controls_close(&session->controls);
+    if (!beam_tape_open(&session->tape, &session->now.beam, path, fault)) {
+        beam_free(&session->file);
         beam_free(&session->opened);
         memory_free(session);
         return NULL;
@@ -211,8 +212,8 @@ static void *open_live(const char *path, const LaboratoryOptions *options, Fault
     session->tape.place = session->opened.name;
     session->view.parts = BEAM_SCENE_ALL & ~BEAM_SCENE_SOURCES;
     beam_traces_open(&session->traces);
-    beam_diagram_open(&session->diagram);
-    session->worker = beam_worker_start(options->jobs);
+    machine_diagram_open(&session->diagram);
+    session->worker = machine_worker_start(&beam_machine, options->jobs);
     show_choices(session);
     session->news = LABORATORY_ALL & ~LABORATORY_ERROR;
     advance(session);
@@ -223,14 +224,14 @@ static void *open_live(const char *path, const LaboratoryOptions *options, Fault
 
 static void close_live(void *context) {
     BeamSession *session = context;
-    beam_worker_stop(session->worker);
+    machine_worker_stop(session->worker);
     beam_traces_close(&session->traces);
-    beam_diagram_close(&session->diagram);
+    machine_diagram_close(&session->diagram);
     beam_view_close(&session->view);
     beam_tape_close(&session->tape);
-    beam_answer_clear(&session->answer);
-    beam_verdict_clear(&session->verdict);
-    beam_controls_close(&session->controls);
+    machine_answer_clear(&session->answer);
+    machine_verdict_clear(&session->verdict);
+    beam_free(&session->file);
     beam_free(&session->opened);
     arena_clear(&session->command_words);
     arena_clear(&session->error_texts);
@@ -243,7 +244,7 @@ static void close_live(void *context) {
 static RecordSpan span(const void *context) {
     const BeamSession *session = context;
     const BeamTape *tape = &session->tape;
-    double frequency = session->beam.frequency;
+    double frequency = session->now.beam.frequency;
     return (RecordSpan){.begin = beam_tape_begin(tape, tape->first),
                         .end = tape->front_time,
                         .complete = beam_session_has_ended(session),
@@ -277,53 +278,33 @@ static bool show(void *context, double time) {
 
 /* Answer ------------------------------------------------------------------------------------------------------------*/
 
-static void apply_news(BeamSession *session, BeamNews *news) {
-    if (news->verdict && beam_numbers_same(&news->result.beam, &session->beam)) {
-        beam_verdict_clear(&session->verdict);
+static void apply_news(BeamSession *session, MachineNews *news) {
+    if (news->verdict && machine_same(&beam_machine, &news->result.machine, &session->now)) {
+        machine_verdict_clear(&session->verdict);
         session->verdict = news->result;
         session->has_verdict = true;
         session->looked = SIZE_MAX;
         bool typed = session->verdict.typed && session->verdict.type != TYPES_UNRESOLVED;
-        if (typed &&
-            beam_controls_name_type(&session->controls, &session->verdict.beam, types_kind_name(session->verdict.type)))
+        if (typed && machine_controls_name_type(&session->controls, &session->verdict.machine,
+                                                types_kind_name(session->verdict.type)))
             session->news |= LABORATORY_PARAMETERS;
     } else if (news->verdict) {
-        beam_verdict_clear(&news->result);
+        machine_verdict_clear(&news->result);
     }
     if (news->swept)
-        beam_diagram_apply(&session->diagram, news);
-}
-
-/* Reports the work in progress, if there is any. */
-static void note_doing(BeamSession *session, const BeamNews *news) {
-    BeamAnswer *answer = &session->answer;
-    size_t size = sizeof answer->doing, done = news->sweep_done, all = news->sweep_all;
-    answer->result.doing = answer->doing;
-    answer->result.part = NAN;
-    if (news->deciding) {
-        snprintf(answer->doing, size, "verdict: running from rest");
-    } else if (news->types_all) {
-        snprintf(answer->doing, size, "type: %zu of at most %zu runs", news->types_done, news->types_all);
-        answer->result.part = (double)news->types_done / (double)news->types_all;
-    } else if (done < all) {
-        snprintf(answer->doing, size, "orbit diagram: %zu of %zu values", done, all);
-        answer->result.part = (double)done / (double)all;
-    } else {
-        *answer->doing = 0;
-        answer->result.doing = NULL;
-    }
+        machine_diagram_apply(&session->diagram, news);
 }
 
 static unsigned update(void *context, double time) {
     (void)time;
     BeamSession *session = context;
-    BeamNews news;
-    beam_worker_take(session->worker, &news);
+    MachineNews news;
+    machine_worker_take(session->worker, &news);
     apply_news(session, &news);
     look_at_answer(session);
     char before[sizeof session->answer.doing];
     memcpy(before, session->answer.doing, sizeof before);
-    note_doing(session, &news);
+    machine_answer_note_doing(&session->answer, &beam_machine, &news);
     if (strcmp(before, session->answer.doing) != 0)
         session->news |= LABORATORY_TEXTS;
     unsigned changed = session->news;

@@ -1,8 +1,9 @@
 /* The session of a running beam: its state, for the files of this folder. */
 #pragma once
 
-#include "laboratory/beam/answer.h"
-#include "laboratory/beam/diagram.h"
+#include "laboratory/beam/beam_machine.h"
+#include "laboratory/beam/lately.h"
+#include "laboratory/machine/diagram.h"
 #include "laboratory/beam/traces.h"
 #include "laboratory/beam/view.h"
 #include "laboratory/laboratory.h"
@@ -12,15 +13,16 @@
 typedef struct BeamSession {
     char *path;
     Beam opened; /* the file's beam, changed by the settings; holds texts */
-    Beam beam;   /* the present beam */
-    BeamControls controls;
+    Beam file;   /* the file's beam; holds texts, too */
+    Machine now; /* the present beam */
+    MachineControls controls;
     BeamTape tape;
     BeamView view;
     BeamTraces traces;
-    BeamDiagram diagram;
-    BeamWorker *worker;
-    BeamAnswer answer;
-    BeamVerdict verdict;
+    MachineDiagram diagram;
+    MachineWorker *worker;
+    MachineAnswer answer;
+    MachineVerdict verdict;
     bool has_verdict; /* the verdict is known */
     size_t looked;    /* front of the record when the answer was last written */
     double shown;     /* s, the displayed time */
@@ -31,6 +33,7 @@ typedef struct BeamSession {
     PanelChoice choices[2];
     Arena command_words;
     const char *command[3 + 2 * BEAM_VALUES];
+    char where[40];    /* "300.0 Hz, gap 0.25 mm" */
     Arena error_texts; /* holds the texts of errors */
     char clock[64];
 } BeamSession;

@@ -36,7 +36,7 @@ static const double STRIDES[BEAM_TRACES] = {
 
 enum { SERIES_KEPT, SERIES_LINE, SERIES_SECTION };
 
-static void set_series(BeamTraces *traces, BeamTrace plot, size_t at, const BeamCurve *curve, PlotSeries looks) {
+static void set_series(BeamTraces *traces, BeamTrace plot, size_t at, const MachineCurve *curve, PlotSeries looks) {
     traces->series[plot][at] = looks;
     traces->curves[plot][at] = curve;
     if (traces->plots[plot].series_count <= at)
@@ -88,10 +88,10 @@ void beam_traces_open(BeamTraces *traces) {
 }
 
 void beam_traces_close(BeamTraces *traces) {
-    BeamCurve *const curves[] = {&traces->phase, &traces->section,  &traces->points,
-                                 &traces->force, &traces->spectrum, &traces->stored};
+    MachineCurve *const curves[] = {&traces->phase, &traces->section,  &traces->points,
+                                    &traces->force, &traces->spectrum, &traces->stored};
     for (size_t i = 0; i < sizeof curves / sizeof *curves; i++)
-        beam_curve_clear(curves[i]);
+        machine_curve_clear(curves[i]);
     arena_clear(&traces->arena);
 }
 
@@ -188,10 +188,10 @@ static void sample_phase(BeamTraces *traces, BeamTape *tape, size_t cycle, size_
     double period = beam_tape_part(tape, cycle)->rig.period;
     beam_tape_sample(tape, cycle, &(BeamSamples){x, y, NULL, SAMPLES});
     for (size_t i = 0; i < SAMPLES; i++)
-        beam_curve_add(&traces->phase, begin + period * (double)i / SAMPLES, MILLI * x[i], y[i]);
-    beam_curve_add(&traces->section, begin, MILLI * x[0], y[0]);
+        machine_curve_add(&traces->phase, begin + period * (double)i / SAMPLES, MILLI * x[i], y[i]);
+    machine_curve_add(&traces->section, begin, MILLI * x[0], y[0]);
     if (stride > 1)
-        beam_curve_add(&traces->phase, begin + period, NAN, NAN);
+        machine_curve_add(&traces->phase, begin + period, NAN, NAN);
 }
 
 /* Marks the edges of the clearance. */
@@ -206,8 +206,8 @@ static void set_stops(BeamTraces *traces, BeamTrace plot, const Beam *beam) {
 static void show_phase(BeamTraces *traces, BeamTape *tape, size_t cycle) {
     BeamPage *page = &traces->pages[BEAM_TRACE_PHASE];
     if (turn_page(traces, BEAM_TRACE_PHASE, tape, cycle, PHASE_PAGE, PHASE_KEPT)) {
-        beam_curve_reset(&traces->phase);
-        beam_curve_reset(&traces->section);
+        machine_curve_reset(&traces->phase);
+        machine_curve_reset(&traces->section);
         set_stops(traces, BEAM_TRACE_PHASE, &beam_tape_part(tape, cycle)->beam);
     }
     for (; page->next <= cycle && page->next < tape->front; page->next += page->stride)
@@ -238,7 +238,7 @@ static void show_points(BeamTraces *traces, const BeamTape *tape, size_t cycle) 
     BeamPage *page = &traces->pages[BEAM_TRACE_POINCARE];
     const BeamPart *part = beam_tape_part(tape, cycle);
     if (turn_page(traces, BEAM_TRACE_POINCARE, tape, cycle, POINTS_PAGE, POINTS_PAGE)) {
-        beam_curve_reset(&traces->points);
+        machine_curve_reset(&traces->points);
         page->next = page->next < part->first ? part->first : page->next;
         traces->plane = box_empty();
         traces->plots[BEAM_TRACE_POINCARE].x = (PlotAxis){.title = "displacement at phase 0", .unit = "mm"};
@@ -246,7 +246,7 @@ static void show_points(BeamTraces *traces, const BeamTape *tape, size_t cycle) 
     }
     for (; page->next <= cycle; page->next++) {
         const BeamCycle *at = beam_tape_cycle(tape, page->next);
-        beam_curve_add(&traces->points, beam_tape_begin(tape, page->next), MILLI * at->deflection, at->velocity);
+        machine_curve_add(&traces->points, beam_tape_begin(tape, page->next), MILLI * at->deflection, at->velocity);
         include_point(traces, vec2(MILLI * at->deflection, at->velocity));
     }
 }
@@ -259,7 +259,7 @@ static void sample_force(BeamTraces *traces, BeamTape *tape, size_t cycle, doubl
     beam_tape_sample(tape, cycle, &(BeamSamples){NULL, NULL, force, count});
     for (size_t i = 0; i < count; i++) {
         double time = begin + period * (double)i / (double)count;
-        beam_curve_add(&traces->force, time, MILLI * (time - origin), force[i]);
+        machine_curve_add(&traces->force, time, MILLI * (time - origin), force[i]);
     }
 }
 
@@ -269,7 +269,7 @@ static void add_peaks(BeamTraces *traces, const BeamTape *tape, size_t cycle, do
     const double *peak = beam_tape_cycle(tape, cycle)->peak;
     for (int i = 0; i < 2; i++) {
         double time = begin + period * (0.25 + 0.5 * i);
-        beam_curve_add(&traces->force, time, MILLI * (time - origin), i ? -peak[0] : peak[1]);
+        machine_curve_add(&traces->force, time, MILLI * (time - origin), i ? -peak[0] : peak[1]);
     }
 }
 
@@ -278,7 +278,7 @@ static void begin_force(BeamTraces *traces, const BeamTape *tape, size_t cycle) 
     const BeamPart *part = beam_tape_part(tape, cycle);
     Plot *plot = &traces->plots[BEAM_TRACE_FORCE];
     size_t first = part->first + page->number * FORCE_PAGE * page->stride;
-    beam_curve_reset(&traces->force);
+    machine_curve_reset(&traces->force);
     arena_clear(&traces->arena);
     plot->x = (PlotAxis){.title = text_in_arena(&traces->arena, "time since cycle %zu", first + 1),
                          .unit = "ms",
@@ -334,7 +334,7 @@ static void make_spectrum(BeamTraces *traces, BeamTape *tape, size_t from, size_
         memcpy(samples + (cycle - from) * BEAM_TRACE_WAVES, wave_of(traces, tape, cycle), sizeof traces->waves[0]);
     Spectrum spectrum = spectrum_make(samples, (to - from) * BEAM_TRACE_WAVES, 1, part->rig.period / BEAM_TRACE_WAVES);
     for (size_t k = 1; k < spectrum.count && spectrum.frequency[k] <= plot->x.high; k++) {
-        beam_curve_add(&traces->spectrum, 0, spectrum.frequency[k], MILLI * spectrum.amplitude[k]);
+        machine_curve_add(&traces->spectrum, 0, spectrum.frequency[k], MILLI * spectrum.amplitude[k]);
         largest = fmax(largest, MILLI * spectrum.amplitude[k]);
     }
     spectrum_clear(&spectrum);
@@ -352,7 +352,7 @@ static void show_spectrum(BeamTraces *traces, BeamTape *tape, size_t cycle) {
     if (turn_page(traces, BEAM_TRACE_SPECTRUM, tape, cycle, SPECTRUM_PAGE, 0)) {
         size_t to = part->first + page->number * SPECTRUM_PAGE * page->stride;
         size_t first = part->first > tape->first ? part->first : tape->first;
-        beam_curve_reset(&traces->spectrum);
+        machine_curve_reset(&traces->spectrum);
         add_multiples(traces, part->beam.frequency);
         if (to >= first + SPECTRUM_LEAST)
             make_spectrum(traces, tape, to > first + BEAM_TRACE_SPECTRA ? to - BEAM_TRACE_SPECTRA : first, to);
@@ -384,12 +384,12 @@ void beam_traces_show(BeamTraces *traces, BeamTape *tape, double time) {
 }
 
 size_t beam_traces_until(const BeamTraces *traces, size_t plot, size_t series, double time) {
-    const BeamCurve *curve = traces->curves[plot][series];
-    return traces->whole[plot][series] ? curve->count : beam_curve_count_until(curve, time);
+    const MachineCurve *curve = traces->curves[plot][series];
+    return traces->whole[plot][series] ? curve->count : machine_curve_count_until(curve, time);
 }
 
 void beam_traces_store(BeamTraces *traces, double time) {
-    beam_curve_copy(&traces->stored, &traces->phase, time);
+    machine_curve_copy(&traces->stored, &traces->phase, time);
     bool some = traces->stored.count > 0;
     traces->series[BEAM_TRACE_PHASE][SERIES_KEPT].name = some ? "before" : NULL;
     traces->series[BEAM_TRACE_PHASE][SERIES_LINE].name = some ? "now" : NULL;

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "plot/plot.h"
-#include "laboratory/beam/curve.h"
+#include "laboratory/machine/curve.h"
 #include "laboratory/beam/tape.h"
 #include "mechanics/spectrum.h"
 
@@ -39,11 +39,11 @@ typedef struct BeamTraces {
     Plot plots[BEAM_TRACES];
     PlotSeries series[BEAM_TRACES][BEAM_TRACE_SERIES];
     PlotGuide guides[BEAM_TRACES][BEAM_TRACE_GUIDES];
-    const BeamCurve *curves[BEAM_TRACES][BEAM_TRACE_SERIES]; /* the curves behind the series */
-    bool whole[BEAM_TRACES][BEAM_TRACE_SERIES];              /* the series is drawn at every time */
+    const MachineCurve *curves[BEAM_TRACES][BEAM_TRACE_SERIES]; /* the curves behind the series */
+    bool whole[BEAM_TRACES][BEAM_TRACE_SERIES];                 /* the series is drawn at every time */
     unsigned revisions[BEAM_TRACES];
     BeamPage pages[BEAM_TRACES];
-    BeamCurve phase, section, points, force, spectrum, stored;
+    MachineCurve phase, section, points, force, spectrum, stored;
     BeamExtent seen;        /* extent of all cycles since the last clearing, for the axes */
     size_t seen_to;         /* cycle up to which `seen` is complete */
     Box plane;              /* box of the Poincare map's points */

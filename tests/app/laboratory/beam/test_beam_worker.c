@@ -7,13 +7,15 @@
 
 #include "base/stopwatch.h"
 #include "check.h"
-#include "laboratory/beam/sweep.h"
+#include "experiment/beam_experiment.h"
+#include "laboratory/beam/beam_machine.h"
+#include "laboratory/machine/sweep.h"
 #include "oscillator.h"
 #include "running_beam.h"
 #include "study/study.h"
 
 /* Returns the points of a pass at one value. */
-static size_t count_points(const BeamSweepPoints *points, double value, const Trial *trial, size_t *alike) {
+static size_t count_points(const MachineSweepPoints *points, double value, const Trial *trial, size_t *alike) {
     size_t count = 0;
     for (size_t i = 0; i < points->count; i++) {
         if (points->value[i] != value)
@@ -28,12 +30,13 @@ static size_t count_points(const BeamSweepPoints *points, double value, const Tr
     return count;
 }
 
-static void check_sweep(BeamSweepTask task, size_t values, size_t steps, const StudyPass *passes, size_t pass_count) {
+static void check_sweep(MachineSweepTask task, size_t values, size_t steps, const StudyPass *passes,
+                        size_t pass_count) {
     Experiment experiment;
     Fault fault = {0};
-    BeamSweep sweep;
-    BeamSweepPoints points[BEAM_SWEEP_PASSES] = {{0}};
-    CHECK(beam_experiment_of(&experiment, &task.beam, "ibs", &fault));
+    MachineSweep sweep;
+    MachineSweepPoints points[MACHINE_SWEEP_PASSES] = {{0}};
+    CHECK(beam_experiment_of(&experiment, &task.machine.beam, "ibs", &fault));
     Study study = {.experiment = &experiment,
                    .axes = {{task.name, task.from, task.to, steps}},
                    .axis_count = 1,
@@ -44,21 +47,21 @@ static void check_sweep(BeamSweepTask task, size_t values, size_t steps, const S
     for (size_t t = 0; t < study.trial_count && !task.carried; t++)
         study.trials[t].done = t % BEAM_SWEEP_COARSE != 0;
     study_run(&study, &(StudyOptions){.jobs = 2});
-    CHECK(beam_sweep_open(&sweep, &task, &fault));
+    CHECK(machine_sweep_open(&sweep, &task, &fault));
     while (sweep.done < values)
-        CHECK(beam_sweep_advance(&sweep, 2, NULL, points));
+        CHECK(machine_sweep_advance(&sweep, 2, NULL, points));
     size_t alike = 0, seen = 0;
     for (size_t pass = 0; pass < pass_count; pass++)
         for (size_t i = 0; i < steps; i++) {
             const Trial *trial = study_trial(&study, pass, 0, 0, i);
             double value = study_value(&study.axes[0], i);
             if (trial->series_count)
-                seen += count_points(&points[task.carried ? pass + BEAM_SWEEP_UP : 0], value, trial, &alike);
+                seen += count_points(&points[task.carried ? pass + MACHINE_SWEEP_UP : 0], value, trial, &alike);
         }
     CHECK(seen > values && alike == seen);
-    for (int pass = 0; pass < BEAM_SWEEP_PASSES; pass++)
-        beam_sweep_points_clear(&points[pass]);
-    beam_sweep_close(&sweep);
+    for (int pass = 0; pass < MACHINE_SWEEP_PASSES; pass++)
+        machine_sweep_points_clear(&points[pass]);
+    machine_sweep_close(&sweep);
     study_clear(&study);
     beam_experiment_close(&experiment);
 }
@@ -68,20 +71,21 @@ TEST(the_orbit_diagram_is_a_study) {
     beam.transient_cycles = 60;
     beam.cycles = 20;
     const StudyPass reset = STUDY_RESET, both[] = {STUDY_UP, STUDY_DOWN};
-    check_sweep((BeamSweepTask){beam, "drive.frequency", 150, 320, false}, 32, BEAM_SWEEP_STEPS, &reset, 1);
+    check_sweep((MachineSweepTask){&beam_machine, {beam}, "drive.frequency", 150, 320, false}, 32, BEAM_SWEEP_STEPS,
+                &reset, 1);
     beam.transient_cycles = 10;
     beam.cycles = 4;
-    check_sweep((BeamSweepTask){beam, "drive.frequency", 250, 320, true}, 2 * BEAM_SWEEP_CARRIED_STEPS,
-                BEAM_SWEEP_CARRIED_STEPS, both, 2);
+    check_sweep((MachineSweepTask){&beam_machine, {beam}, "drive.frequency", 250, 320, true},
+                2 * BEAM_SWEEP_CARRIED_STEPS, BEAM_SWEEP_CARRIED_STEPS, both, 2);
     beam_free(&beam);
 }
 
 TEST(an_orbit_diagram_has_each_value_once) {
-    BeamSweepTask task = {.name = "drive.frequency", .from = 0, .to = BEAM_SWEEP_STEPS - 1};
+    MachineSweepTask task = {.kind = &beam_machine, .name = "drive.frequency", .from = 0, .to = BEAM_SWEEP_STEPS - 1};
     bool seen[BEAM_SWEEP_STEPS] = {false};
-    BeamSweepPass pass;
-    for (size_t i = 0; i < beam_sweep_values(&task); i++) {
-        size_t value = (size_t)lround(beam_sweep_value(&task, i, &pass));
+    MachineSweepPass pass;
+    for (size_t i = 0; i < machine_sweep_values(&task); i++) {
+        size_t value = (size_t)lround(machine_sweep_value(&task, i, &pass));
         CHECK(i >= 31 || value % BEAM_SWEEP_COARSE == 0);
         CHECK(!seen[value]);
         seen[value] = true;

@@ -1,4 +1,4 @@
-#include "laboratory/beam/answer.h"
+#include "laboratory/machine/answer.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -13,25 +13,6 @@ enum {
 
 static const double ALIKE = 0.02; /* 1, share of the largest force: motions whose peaks differ by less are the same */
 
-BeamLately beam_answer_look(const BeamTape *tape) {
-    double deflection[BEAM_ANSWER_LATELY], velocity[BEAM_ANSWER_LATELY], peak[2 * BEAM_ANSWER_LATELY];
-    const BeamPart *part = tape->parts[tape->part_count - 1];
-    size_t first = part->first > tape->first ? part->first : tape->first;
-    BeamLately lately = {.cycles = tape->front - part->first};
-    size_t count = tape->front - first < BEAM_ANSWER_LATELY ? tape->front - first : BEAM_ANSWER_LATELY;
-    for (size_t i = 0; i < count; i++) {
-        const BeamCycle *cycle = beam_tape_cycle(tape, tape->front - count + i);
-        const BeamCycle *next = beam_tape_cycle(tape, tape->front - count + i + 1);
-        deflection[i] = next->deflection;
-        velocity[i] = next->velocity;
-        memcpy(peak + 2 * i, cycle->peak, sizeof cycle->peak);
-    }
-    size_t last = count / 2; /* assumed settled part of a motion that settles */
-    lately.peaks = section_peaks(&(Section){.count = count - last, .peak = peak + 2 * last});
-    lately.period = section_period(deflection, velocity, count, part->rig.omega, rig_rest_deflection(&part->rig));
-    return lately;
-}
-
 /* Title and detail --------------------------------------------------------------------------------------------------*/
 
 static void title_periodic(char *title, size_t size, size_t period, size_t contacts) {
@@ -41,19 +22,19 @@ static void title_periodic(char *title, size_t size, size_t period, size_t conta
         snprintf(title, size, "Periodic, period %zu", period);
 }
 
-static void title_lately(BeamAnswer *answer, const BeamTape *tape, const BeamLately *lately) {
+static void title_lately(MachineAnswer *answer, const MachineNow *now, const MachineLately *lately) {
     size_t size = sizeof answer->title;
-    if (tape->status != CYCLE_GOOD)
-        snprintf(answer->title, size, tape->status == CYCLE_CHATTERS ? "Chatter" : "Diverged");
+    if (now->status != CYCLE_GOOD)
+        snprintf(answer->title, size, now->status == CYCLE_CHATTERS ? "Chatter" : "Diverged");
     else if (lately->period > 0)
         title_periodic(answer->title, size, (size_t)lately->period, lately->peaks.count);
-    else if (lately->period == SECTION_NONE && lately->cycles >= BEAM_ANSWER_LATELY)
+    else if (lately->period == SECTION_NONE && lately->cycles >= MACHINE_ANSWER_LATELY)
         snprintf(answer->title, size, "Not periodic so far");
     else
         snprintf(answer->title, size, "Settling ...");
 }
 
-static void title_verdict(BeamAnswer *answer, const BeamVerdict *verdict) {
+static void title_verdict(MachineAnswer *answer, const MachineVerdict *verdict) {
     static const char *const titles[] = {[RESPONSE_PERIODIC] = "",
                                          [RESPONSE_QUASI_PERIODIC] = "Quasi-periodic",
                                          [RESPONSE_CHAOTIC] = "Chaotic",
@@ -62,10 +43,10 @@ static void title_verdict(BeamAnswer *answer, const BeamVerdict *verdict) {
                                          [RESPONSE_CHATTERS] = "Chatter",
                                          [RESPONSE_DIVERGED] = "Diverged",
                                          [RESPONSE_INTERRUPTED] = "Interrupted"};
-    if (verdict->verdict == RESPONSE_PERIODIC)
-        title_periodic(answer->title, sizeof answer->title, verdict->period, verdict->peaks.count);
+    if (verdict->facts.verdict == RESPONSE_PERIODIC)
+        title_periodic(answer->title, sizeof answer->title, verdict->facts.period, verdict->facts.peaks.count);
     else
-        snprintf(answer->title, sizeof answer->title, "%s", titles[verdict->verdict]);
+        snprintf(answer->title, sizeof answer->title, "%s", titles[verdict->facts.verdict]);
 }
 
 static void peaks_words(const SectionPeaks *peaks, char *text, size_t size) {
@@ -78,17 +59,18 @@ static void peaks_words(const SectionPeaks *peaks, char *text, size_t size) {
 }
 
 /* True if the running motion differs from the motion from rest. */
-static bool is_another(const BeamLately *lately, const BeamVerdict *verdict) {
+static bool is_another(const MachineLately *lately, const MachineVerdict *verdict) {
     if (lately->cycles < SETTLED || lately->period == SECTION_UNDECIDED)
         return false;
-    if (verdict->verdict == RESPONSE_CHAOTIC || verdict->verdict == RESPONSE_QUASI_PERIODIC)
+    if (verdict->facts.verdict == RESPONSE_CHAOTIC || verdict->facts.verdict == RESPONSE_QUASI_PERIODIC)
         return lately->period > 0;
-    if (verdict->verdict != RESPONSE_PERIODIC || (size_t)lately->period != verdict->period)
-        return verdict->verdict == RESPONSE_PERIODIC;
-    return fabs(lately->peaks.max - verdict->peaks.max) > ALIKE * fmax(lately->peaks.max, verdict->peaks.max);
+    if (verdict->facts.verdict != RESPONSE_PERIODIC || (size_t)lately->period != verdict->facts.period)
+        return verdict->facts.verdict == RESPONSE_PERIODIC;
+    return fabs(lately->peaks.max - verdict->facts.peaks.max) >
+           ALIKE * fmax(lately->peaks.max, verdict->facts.peaks.max);
 }
 
-static void format_another(const BeamLately *lately, char *text, size_t size) {
+static void format_another(const MachineLately *lately, char *text, size_t size) {
     char peaks[60];
     peaks_words(&lately->peaks, peaks, sizeof peaks);
     if (lately->period > 0)
@@ -97,37 +79,38 @@ static void format_another(const BeamLately *lately, char *text, size_t size) {
         snprintf(text, size, "running now: not periodic, %s", peaks);
 }
 
-static void write_detail(BeamAnswer *answer, const Beam *beam, const BeamLately *lately, const BeamVerdict *verdict) {
+static void write_detail(MachineAnswer *answer, const MachineNow *now, const MachineLately *lately,
+                         const MachineVerdict *verdict) {
     char type[40] = "", peaks[60], exponent[60] = "", another[100] = "";
-    peaks_words(verdict ? &verdict->peaks : &lately->peaks, peaks, sizeof peaks);
+    peaks_words(verdict ? &verdict->facts.peaks : &lately->peaks, peaks, sizeof peaks);
     if (verdict && verdict->typed)
         snprintf(type, sizeof type, verdict->type == TYPES_UNRESOLVED ? "type undecided   " : "type %s   ",
                  types_kind_name(verdict->type));
-    if (verdict && verdict->verdict == RESPONSE_CHAOTIC)
-        snprintf(exponent, sizeof exponent, "   lyapunov %+.2f per cycle", verdict->exponent.value);
+    if (verdict && verdict->facts.verdict == RESPONSE_CHAOTIC)
+        snprintf(exponent, sizeof exponent, "   lyapunov %+.2f per %s", verdict->facts.exponent.value,
+                 verdict->kind->cycle);
     if (verdict && is_another(lately, verdict)) {
         strcpy(another, "   ");
         format_another(lately, another + 3, sizeof another - 3);
     }
-    answer->result.detail = text_in_arena(&answer->arena, "%s%s%s   %.1f Hz, gap %.3g mm%s", type, peaks, exponent,
-                                          beam->frequency, 1000 * beam->clearance, another);
+    answer->result.detail = text_in_arena(&answer->arena, "%s%s%s   %s%s", type, peaks, exponent, now->where, another);
 }
 
 /* Rows --------------------------------------------------------------------------------------------------------------*/
 
-static void add_row(BeamAnswer *answer, RowKind kind, const char *first, const char *second) {
+static void add_row(MachineAnswer *answer, RowKind kind, const char *first, const char *second) {
     answer->rows = memory_reserve(answer->rows, &answer->row_capacity, answer->row_count + 1, sizeof *answer->rows);
     PanelRow *row = &answer->rows[answer->row_count++];
     *row = (PanelRow){.row = {.kind = kind, .role = ROLE_TEXT, .cells = {first, second}}, .time = NAN};
 }
 
 /* Adds a row for each line of the advice. */
-static void add_advice(BeamAnswer *answer, const char *advice) {
+static void add_advice(MachineAnswer *answer, const char *advice) {
     for (const char *line = advice; line && *line; line += strcspn(line, "\n"), line += *line == '\n')
         add_row(answer, ROW_PLAIN, text_in_arena(&answer->arena, "%.*s", (int)strcspn(line, "\n"), line), NULL);
 }
 
-static void add_type(BeamAnswer *answer, const BeamVerdict *verdict) {
+static void add_type(MachineAnswer *answer, const MachineVerdict *verdict) {
     if (!verdict->typed)
         return;
     const char *heading = verdict->type == TYPES_UNRESOLVED
@@ -137,14 +120,14 @@ static void add_type(BeamAnswer *answer, const BeamVerdict *verdict) {
     add_advice(answer, verdict->advice);
 }
 
-static void add_peaks(BeamAnswer *answer, const SectionPeaks *peaks) {
+static void add_peaks(MachineAnswer *answer, const SectionPeaks *peaks) {
     Arena *arena = &answer->arena;
     add_row(answer, ROW_PLAIN, "smallest peak", text_in_arena(arena, "%.0f N", peaks->min));
     add_row(answer, ROW_PLAIN, "mean peak", text_in_arena(arena, "%.0f N", peaks->mean));
     add_row(answer, ROW_PLAIN, "largest peak", text_in_arena(arena, "%.0f N", peaks->max));
 }
 
-static void add_fact(BeamAnswer *answer, const ResultRow *row) {
+static void add_fact(MachineAnswer *answer, const ResultRow *row) {
     SceneRow line;
     if (!result_panel_row(&line, row, &answer->arena))
         return;
@@ -153,14 +136,16 @@ static void add_fact(BeamAnswer *answer, const ResultRow *row) {
 }
 
 /* Adds the facts that are single values. */
-static void add_facts(BeamAnswer *answer, const ResultTable *facts) {
+static void add_facts(MachineAnswer *answer, const ResultTable *facts) {
     for (size_t r = 0; r < facts->row_count; r++)
         if (result_at(facts, 0, r)->kind != RESULT_LIST)
             add_fact(answer, result_at(facts, 0, r));
 }
 
-static void add_natural(BeamAnswer *answer, const BeamVerdict *verdict) {
-    const ResultRow *list = result_find(&verdict->forces, 0, "natural_frequencies");
+static void add_natural(MachineAnswer *answer, const MachineVerdict *verdict) {
+    const ResultRow *list = result_find(&verdict->facts.forces, 0, "natural_frequencies");
+    if (!list)
+        return;
     add_row(answer, ROW_HEADING, "Natural frequencies", NULL);
     for (size_t i = 0; i < list->count && i < FREQUENCIES; i++) {
         ResultRow row = result_element(list, i, text_in_arena(&answer->arena, "mode %zu", i + 1));
@@ -168,7 +153,7 @@ static void add_natural(BeamAnswer *answer, const BeamVerdict *verdict) {
     }
 }
 
-static void write_rows(BeamAnswer *answer, const BeamLately *lately, const BeamVerdict *verdict) {
+static void write_rows(MachineAnswer *answer, const MachineLately *lately, const MachineVerdict *verdict) {
     answer->row_count = 0;
     if (!verdict) {
         add_row(answer, ROW_HEADING, "Running now", NULL);
@@ -176,50 +161,56 @@ static void write_rows(BeamAnswer *answer, const BeamLately *lately, const BeamV
         return;
     }
     add_type(answer, verdict);
-    add_row(answer, ROW_HEADING, "From rest", NULL);
-    add_facts(answer, &verdict->motion);
-    add_facts(answer, &verdict->forces);
+    add_row(answer, ROW_HEADING, verdict->kind->from, NULL);
+    add_facts(answer, &verdict->facts.motion);
+    add_facts(answer, &verdict->facts.forces);
     if (is_another(lately, verdict)) {
         char text[100];
         format_another(lately, text, sizeof text);
         add_row(answer, ROW_HEADING, "Another motion is running", NULL);
         add_row(answer, ROW_PLAIN, arena_text(&answer->arena, text), NULL);
-        add_row(answer, ROW_PLAIN, "The motion can depend on the initial state; \"Run again\" starts from rest.", NULL);
+        add_row(answer, ROW_PLAIN, "The motion can depend on the initial state; \"Run again\" starts it anew.", NULL);
     }
     add_natural(answer, verdict);
 }
 
 /* -------------------------------------------------------------------------------------------------------------------*/
 
-void beam_answer_write(BeamAnswer *answer, const BeamTape *tape, const Beam *beam, const BeamLately *lately,
-                       const BeamVerdict *verdict) {
-    bool failed = tape->status != CYCLE_GOOD && !tape->next;
+void machine_answer_write(MachineAnswer *answer, const MachineNow *now, const MachineLately *lately,
+                          const MachineVerdict *verdict) {
+    bool failed = now->status != CYCLE_GOOD && !now->changed;
     if (failed || !verdict)
-        title_lately(answer, tape, lately);
+        title_lately(answer, now, lately);
     else
         title_verdict(answer, verdict);
     arena_clear(&answer->arena);
-    write_detail(answer, beam, lately, verdict);
+    write_detail(answer, now, lately, verdict);
     write_rows(answer, lately, verdict);
-    bool resolved = !verdict || response_is_told(verdict->verdict);
+    bool resolved = !verdict || response_is_told(verdict->facts.verdict);
     answer->result.title = answer->title;
     answer->result.role = failed || !resolved ? ROLE_ERROR : ROLE_TEXT;
     answer->result.stale = !verdict && !failed;
 }
 
-void beam_answer_clear(BeamAnswer *answer) {
-    memory_free(answer->rows);
-    arena_clear(&answer->arena);
+void machine_answer_note_doing(MachineAnswer *answer, const MachineKind *kind, const MachineNews *news) {
+    size_t size = sizeof answer->doing, done = news->sweep_done, all = news->sweep_all;
+    answer->result.doing = answer->doing;
+    answer->result.part = NAN;
+    if (news->deciding) {
+        snprintf(answer->doing, size, "verdict: running %s", kind->start);
+    } else if (news->types_all) {
+        snprintf(answer->doing, size, "type: %zu of at most %zu runs", news->types_done, news->types_all);
+        answer->result.part = (double)news->types_done / (double)news->types_all;
+    } else if (done < all) {
+        snprintf(answer->doing, size, "orbit diagram: %zu of %zu values", done, all);
+        answer->result.part = (double)done / (double)all;
+    } else {
+        *answer->doing = 0;
+        answer->result.doing = NULL;
+    }
 }
 
-const char *beam_answer_error(const BeamTape *tape, Arena *arena) {
-    if (tape->status == CYCLE_CHATTERS)
-        return text_in_arena(arena,
-                             "In cycle %zu the tip switches more than %d times, and the run ends: use more contact "
-                             "damping, a softer contact or a larger gap",
-                             tape->front + 1, MOTION_SWITCHES_MOST);
-    return text_in_arena(arena,
-                         "In cycle %zu the motion grows without bound, and the run ends: use more damping of the "
-                         "modes, less force or another excitation",
-                         tape->front + 1);
+void machine_answer_clear(MachineAnswer *answer) {
+    memory_free(answer->rows);
+    arena_clear(&answer->arena);
 }

@@ -1,0 +1,32 @@
+/* The orbit diagram of a running machine: a plot that grows while it is computed, with the cursor on the present value
+ * of its parameter. */
+#pragma once
+
+#include "laboratory/machine/controls.h"
+#include "laboratory/machine/worker.h"
+
+typedef struct MachineDiagram {
+    Plot plot;
+    PlotSeries series[MACHINE_SWEEP_PASSES + 1]; /* the saved points, then the passes */
+    MachineSweepPoints points[MACHINE_SWEEP_PASSES + 1];
+    unsigned revision;
+    size_t over; /* index of the parameter among those of the kind */
+    bool carried;
+    MachineSweepTask task; /* the displayed or requested task */
+    double factor;         /* displayed value = value x factor */
+    char cursor[40];
+} MachineDiagram;
+
+void machine_diagram_open(MachineDiagram *diagram);
+void machine_diagram_close(MachineDiagram *diagram);
+
+/* Requests the diagram of a machine, unless it is displayed or requested: the present value of its own parameter does
+ * not matter. */
+void machine_diagram_ask(MachineDiagram *diagram, const MachineControls *controls, const Machine *machine,
+                         MachineWorker *worker);
+
+/* Takes over new points. */
+void machine_diagram_apply(MachineDiagram *diagram, MachineNews *news);
+
+/* Saves the diagram for comparison, or forgets the saved one. */
+void machine_diagram_store(MachineDiagram *diagram, bool keep);

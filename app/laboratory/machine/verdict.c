@@ -1,0 +1,62 @@
+#include "laboratory/machine/verdict.h"
+
+#include "result/types.h"
+
+bool machine_verdict_decide(MachineVerdict *verdict, const MachineKind *kind, const Machine *machine,
+                            const Stop *stop) {
+    *verdict = (MachineVerdict){.kind = kind, .machine = *machine};
+    return kind->decide(&verdict->machine, &verdict->facts, stop);
+}
+
+static void write_advice(MachineVerdict *verdict, const Types *types, const Experiment *experiment) {
+    ResultTable basis = result_types_basis(types, experiment, verdict->kind->cycles(&verdict->machine));
+    memory_free(verdict->advice);
+    verdict->advice = text_copy(result_find(&basis, 0, "advice")->text);
+    result_clear(&basis);
+    verdict->type = types->kind;
+    verdict->typed = true;
+}
+
+bool machine_verdict_tell_type(MachineVerdict *verdict, int jobs, const Stop *stop,
+                               void (*progress)(void *context, size_t done, size_t all), void *context) {
+    const MachineKind *kind = verdict->kind;
+    Experiment quick, thorough;
+    Types types;
+    Fault fault = {0};
+    bool decided = false;
+    if (kind->open_experiment(&quick, &verdict->machine, &fault)) {
+        if (kind->open_experiment(&thorough, &verdict->machine, &fault)) {
+            kind->be_thorough(&thorough);
+            TypesTask task = {.experiment = &quick,
+                              .thorough = &thorough,
+                              .names = kind->window,
+                              .name_count = kind->window_count,
+                              .jobs = jobs,
+                              .stop = stop,
+                              .progress = progress,
+                              .context = context};
+            decided = types_classify(&types, &task, &fault) && !types.stopped;
+            if (decided)
+                write_advice(verdict, &types, &quick);
+            kind->close_experiment(&thorough);
+        }
+        kind->close_experiment(&quick);
+    }
+    fault_clear(&fault);
+    return decided;
+}
+
+MachineVerdict machine_verdict_copy(const MachineVerdict *verdict) {
+    MachineVerdict copy = *verdict;
+    copy.facts.motion = result_copy(&verdict->facts.motion);
+    copy.facts.forces = result_copy(&verdict->facts.forces);
+    copy.advice = verdict->advice ? text_copy(verdict->advice) : NULL;
+    return copy;
+}
+
+void machine_verdict_clear(MachineVerdict *verdict) {
+    result_clear(&verdict->facts.motion);
+    result_clear(&verdict->facts.forces);
+    memory_free(verdict->advice);
+    *verdict = (MachineVerdict){.advice = NULL};
+}

@@ -1,0 +1,29 @@
+/* The motion of a machine from rest, as `clearance run` prints it: the verdict first, then the type and advice. */
+#pragma once
+
+#include "base/stop.h"
+#include "base/text.h"
+#include "laboratory/machine/machine.h"
+#include "study/types.h"
+
+typedef struct MachineVerdict {
+    const MachineKind *kind;
+    Machine machine;    /* which the verdict is for */
+    MachineFacts facts; /* empty until the verdict is known */
+    bool typed;         /* the type is known */
+    TypesKind type;
+    char *advice; /* sentences, one per line; NULL: none; machine_verdict_clear releases the advice and the facts */
+} MachineVerdict;
+
+/* Runs the machine and fills the verdict. False: the run was stopped, or a fault. */
+bool machine_verdict_decide(MachineVerdict *verdict, const MachineKind *kind, const Machine *machine, const Stop *stop);
+
+/* Also determines the type; progress as in TypesTask. False: the search was stopped, or a fault, and the verdict is
+ * unchanged. */
+bool machine_verdict_tell_type(MachineVerdict *verdict, int jobs, const Stop *stop,
+                               void (*progress)(void *context, size_t done, size_t all), void *context);
+
+/* Returns a copy with its own rows and advice. */
+MachineVerdict machine_verdict_copy(const MachineVerdict *verdict);
+
+void machine_verdict_clear(MachineVerdict *verdict);
