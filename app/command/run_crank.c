@@ -20,9 +20,6 @@
 /* A multiple of the speed within this part of a natural frequency is told. */
 #define NEAR_MULTIPLE 0.01
 
-/* Revolutions in which a joint without clearance settles. */
-enum { IDEAL_TURNS = 20 };
-
 /* A run of a crank. */
 typedef struct CrankRun {
     Crank crank;
@@ -32,19 +29,6 @@ typedef struct CrankRun {
     ResultTable motion, forces;
     PlotChoice plots;
 } CrankRun;
-
-/* Returns the largest force of the same mechanism without clearance, N, or NAN. */
-static double ideal_force(const Crank *crank) {
-    Crank tight = *crank;
-    tight.clearance = tight.start_along = tight.start_across = tight.start_up = 0;
-    Tree tree = tree_of(&tight);
-    Turn turn = turn_create(&tree, TURN_QUICK);
-    for (int i = 0; i < IDEAL_TURNS && turn.status == CYCLE_GOOD; i++) {
-        turn.peak[0] = 0;
-        turn_cycle(&turn);
-    }
-    return turn.status == CYCLE_GOOD ? turn.peak[0] : (double)NAN;
-}
 
 /* Words ------------------------------------------------------------------------------------------------------------ */
 
@@ -246,7 +230,7 @@ int run_crank_file(const Options *options) {
     if (interrupted)
         fprintf(stderr, "clearance: interrupted after %zu recorded revolutions; the results up to there are kept\n",
                 run.response.section.count);
-    run.ideal = ideal_force(&run.crank);
+    run.ideal = crank_cycle_ideal_force(&run.crank);
     run.motion = result_crank_motion(&run.crank, &run.response);
     run.forces = result_crank_forces(&run.tree, &run.response, run.ideal);
     json_t *answer = make_answer(&run);

@@ -1,6 +1,6 @@
 /* A running laboratory: the window opens and plays it, and people change its parameters. Each laboratory is one struct
- * of functions; the window knows houses and beams only through this header, and laboratories do not know windows, keys
- * or pixels.
+ * of functions; the window knows houses, beams and cranks only through this header, and laboratories do not know
+ * windows, keys or pixels.
  *
  * All calls come from one thread. Work that takes longer than a few milliseconds runs on threads of the laboratory;
  * `update` takes over the results. Every recorded time can be displayed, in any order, and looks the same each time.
@@ -268,7 +268,7 @@ typedef struct Laboratory {
     Editor *(*editor)(void *session);
 } Laboratory;
 
-extern const Laboratory house_laboratory, beam_laboratory;
+extern const Laboratory house_laboratory, beam_laboratory, crank_laboratory;
 
 /* Returns the index of the laboratory that a file belongs to by its contents; 0 if the contents do not say. */
 size_t laboratory_of(const char *path);

@@ -6,6 +6,7 @@
 #include "base/file_write.h"
 #include "base/memory.h"
 #include "beam/beam.h"
+#include "crank/crank.h"
 
 enum { FILE_WORD = 1 /* index of FILE in a command: "run", FILE, ... */ };
 
@@ -43,6 +44,17 @@ bool save_file_beam(const char *const *words, size_t count, const char *path, Fa
     bool good = !is_there(path, fault) && beam_read(&beam, words[FILE_WORD], settings, setting_count, fault) &&
                 say(beam_write(&beam, path), path, fault);
     beam_free(&beam);
+    memory_free(settings);
+    return good;
+}
+
+bool save_file_crank(const char *const *words, size_t count, const char *path, Fault *fault) {
+    const char **settings = memory_zeroed(count, sizeof *settings);
+    size_t setting_count = list_settings(words, count, settings);
+    Crank crank = {0};
+    bool good = !is_there(path, fault) && crank_read(&crank, words[FILE_WORD], settings, setting_count, fault) &&
+                say(crank_write(&crank, path), path, fault);
+    crank_free(&crank);
     memory_free(settings);
     return good;
 }

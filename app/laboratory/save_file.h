@@ -1,4 +1,4 @@
-/* Writes the displayed house or beam, with its changes, to a new file. */
+/* Writes the displayed house, beam or crank, with its changes, to a new file. */
 #pragma once
 
 #include <stdbool.h>
@@ -9,6 +9,7 @@
 /* Writes a house's text. False: the fault gives the reason. */
 bool save_file_house(const char *text, const char *path, Fault *fault);
 
-/* Reads the opened file, applies the settings of the laboratory's command, and writes the result; `words` (count)
+/* Each reads the opened file, applies the settings of the laboratory's command, and writes the result; `words` (count)
  * are "run", FILE, "--set", NAME=VALUE and so on. */
 bool save_file_beam(const char *const *words, size_t count, const char *path, Fault *fault);
+bool save_file_crank(const char *const *words, size_t count, const char *path, Fault *fault);

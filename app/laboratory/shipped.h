@@ -1,5 +1,5 @@
-/* The files that come with the program: houses, beams, profiles, furniture, rules, help. The assets folder is the
- * first of these folders that contains profiles:
+/* The files that come with the program: houses, beams, cranks, profiles, furniture, rules, help. The assets folder is
+ * the first of these folders that contains profiles:
  *   1. $CLEARANCE_ASSETS, and no other if it is set
  *   2. share/clearance next to the folder of the program, so that an installed tree can be moved
  *   3. assets next to the build folder, if the program lies in a build folder
@@ -15,8 +15,8 @@
 #include <stddef.h>
 
 typedef struct Shipped {
-    const char *profiles;                                  /* folders, one a line, the shipped one first */
-    const char *furniture, *beams, *houses, *help, *rules; /* folders */
+    const char *profiles;                                           /* folders, one a line, the shipped one first */
+    const char *furniture, *beams, *cranks, *houses, *help, *rules; /* folders */
     const char *missing; /* one line that names the searched places if none contains profiles; NULL otherwise */
 } Shipped;
 

@@ -8,6 +8,7 @@
 #include "house/house.h"
 #include "visual/beam/beam_scene.h"
 #include "visual/beam/beam_shape.h"
+#include "visual/crank/crank_scene.h"
 #include "visual/house/plan_picture.h"
 
 /* Texts ----------------------------------------------------------------------------------------------------------- */
@@ -131,6 +132,29 @@ bool thumbnail_read_beam(Thumbnail *thumbnail, const char *path, Fault *fault) {
         thumbnail_clear(thumbnail);
     beam_free(&beam);
     return good;
+}
+
+/* Draws the ideal mechanism with its pin at this angle. */
+#define CRANK_ANGLE_SHOWN 1.0 /* rad */
+
+bool thumbnail_read_crank(Thumbnail *thumbnail, const char *path, Fault *fault) {
+    *thumbnail = (Thumbnail){.scene = {.bare = true, .unscaled = true}};
+    Crank crank = {.name = NULL};
+    if (!crank_read(&crank, path, NULL, 0, fault))
+        return false;
+    set_texts(thumbnail, path, crank.name, crank.note);
+    Tree tree = tree_of(&crank);
+    CrankScale scale = crank_scene_scale(&crank, &tree, 0, 1);
+    double state[TREE_STATES_MOST] = {0};
+    scale.parts = 0;
+    tree_ideal(&tree, CRANK_ANGLE_SHOWN, tree.omega, state);
+    crank_scene_still(&thumbnail->scene, &crank, &tree, &scale);
+    crank_scene_moving(&thumbnail->scene, &tree, &scale,
+                       &(CrankMoment){.time = CRANK_ANGLE_SHOWN / tree.omega, .state = state});
+    thumbnail->scene.box = scale.box;
+    thumbnail->scene.box.high.x = scale.socket.x - scale.loupe; /* without the loupe's place */
+    crank_free(&crank);
+    return true;
 }
 
 void thumbnail_clear(Thumbnail *thumbnail) {

@@ -1,5 +1,5 @@
-/* A small picture of a house or a beam, from its file alone, without a run: its name, one line about it, and a scene
- * without texts for a picture of a few hundred pixels. */
+/* A small picture of a house, a beam or a crank, from its file alone, without a run: its name, one line about it, and a
+ * scene without texts for a picture of a few hundred pixels. */
 #pragma once
 
 #include <stdbool.h>
@@ -21,6 +21,7 @@ enum { THUMBNAIL_LINE = 100 /* at most this many characters of the line, plus a 
 /* Read a file. False: faults give the reasons, and the thumbnail is empty. */
 bool thumbnail_read_house(Thumbnail *thumbnail, const char *path, Fault *fault);
 bool thumbnail_read_beam(Thumbnail *thumbnail, const char *path, Fault *fault);
+bool thumbnail_read_crank(Thumbnail *thumbnail, const char *path, Fault *fault);
 void thumbnail_clear(Thumbnail *thumbnail);
 
 /* Returns the file's own name without folder and extension, in the arena. */

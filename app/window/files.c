@@ -28,7 +28,10 @@ static bool is_within(const char *path, const char *folder) {
 
 /* True if the file comes with the program; such files are never overwritten. */
 static bool is_shipped(const char *path) {
-    return is_within(path, shipped_places()->houses) || is_within(path, shipped_places()->beams);
+    for (size_t i = 0; i < laboratories_count; i++)
+        if (is_within(path, laboratory_folder(i)))
+            return true;
+    return false;
 }
 
 /* Returns the folder of a file, in the frame's memory. */

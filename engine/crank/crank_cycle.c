@@ -293,3 +293,18 @@ const CycleKind crank_cycle = {
 Cycle crank_cycle_of(const Tree *tree) {
     return (Cycle){&crank_cycle, tree};
 }
+
+/* Revolutions in which a joint without clearance settles. */
+enum { IDEAL_TURNS = 20 };
+
+double crank_cycle_ideal_force(const Crank *crank) {
+    Crank tight = *crank;
+    tight.clearance = tight.start_along = tight.start_across = tight.start_up = 0;
+    Tree tree = tree_of(&tight);
+    Turn turn = turn_create(&tree, TURN_QUICK);
+    for (int i = 0; i < IDEAL_TURNS && turn.status == CYCLE_GOOD; i++) {
+        turn.peak[0] = 0;
+        turn_cycle(&turn);
+    }
+    return turn.status == CYCLE_GOOD ? turn.peak[0] : (double)NAN;
+}

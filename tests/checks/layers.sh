@@ -42,9 +42,10 @@ app/document        draw paint
 app/result          beam crank cycle document draw experiment house inquiry plan rules study
 app/visual/study    exchange plot study
 app/visual/house    draw experiment house plan plot result route rules space study visual/study
-app/visual/crank    crank cycle draw mechanics plot visual/study
-app/visual/beam     beam cycle draw exchange mechanics plot visual/house visual/study
-app/laboratory            beam draw exchange house plan plot result visual/beam visual/house
+app/visual/machine  draw
+app/visual/crank    crank cycle draw mechanics plot visual/machine visual/study
+app/visual/beam     beam cycle draw exchange mechanics plot visual/house visual/machine visual/study
+app/laboratory            beam crank draw exchange house plan plot result visual/beam visual/crank visual/house
 app/laboratory/edit       house inquiry laboratory plan result
 app/laboratory/house      draw house laboratory laboratory/edit plan result visual/house
 app/laboratory/machine    beam crank cycle experiment laboratory plot result study

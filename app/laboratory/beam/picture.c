@@ -39,24 +39,11 @@ size_t beam_picture_plot_count(const void *context) {
     return BEAM_TRACES + 1;
 }
 
-static LaboratoryPlot diagram_plot(const BeamSession *session) {
-    const MachineDiagram *diagram = &session->diagram;
-    const char *over = beam_machine.over[diagram->over];
-    return (LaboratoryPlot){.plot = &diagram->plot,
-                            .revision = diagram->revision,
-                            .still = true,
-                            .cursor = diagram->factor * machine_controls_find(&session->controls, over)->value,
-                            .cursor_text = diagram->cursor,
-                            .cursor_parameter = over,
-                            .cursor_factor = diagram->factor,
-                            .now = ROLE_PAPER};
-}
-
 LaboratoryPlot beam_picture_plot(const void *context, size_t index) {
     const BeamSession *session = context;
     LaboratoryPlot shown = {.cursor = NAN, .now = ROLE_DANGER_MIDDLE};
     if (index == BEAM_TRACES) {
-        shown = diagram_plot(session);
+        shown = machine_diagram_shown(&session->diagram, &session->controls);
     } else {
         shown.plot = &session->traces.plots[index];
         shown.revision = session->traces.revisions[index];

@@ -5,9 +5,9 @@
 #include <string.h>
 
 #include "base/stopwatch.h"
-#include "base/parameters_number.h"
 #include "base/text.h"
 #include "laboratory/beam/picture.h"
+#include "laboratory/machine/item.h"
 #include "laboratory/save_file.h"
 #include "visual/beam/beam_film.h"
 
@@ -152,19 +152,7 @@ static void clear_runs(void *context, double time) {
 
 static const char *const *command(void *context, size_t *count) {
     BeamSession *session = context;
-    size_t used = 0;
-    arena_clear(&session->command_words);
-    session->command[used++] = "run";
-    session->command[used++] = session->path;
-    for (size_t i = 0; i < session->controls.count; i++) {
-        const PanelParameter *parameter = &session->controls.parameters[i];
-        if (parameter->value == parameter->initial)
-            continue;
-        const char *value = parameters_number_text(parameter->row, parameter->value, &session->command_words);
-        session->command[used++] = "--set";
-        session->command[used++] = text_in_arena(&session->command_words, "%s=%s", parameter->name, value);
-    }
-    *count = used;
+    *count = machine_controls_command(&session->controls, session->path, session->command, &session->command_words);
     return session->command;
 }
 
@@ -364,37 +352,6 @@ static const char *const layer_meanings[] = {"the tip between its stops, enlarge
                                              "the forces of the shaker and of the stops", "the names of the parts",
                                              "the parameters below each name, and their sources"};
 
-/* Returns no item: nothing in the picture of a beam can be selected. */
-
-static Item pick(const void *context, Vec2 at, double time, Item below) {
-    (void)context, (void)at, (void)time, (void)below;
-    return (Item){0};
-}
-
-static Item next(const void *context, Item item, int step) {
-    (void)context, (void)item, (void)step;
-    return (Item){0};
-}
-
-static void select_item(void *context, Item item) {
-    (void)context, (void)item;
-}
-
-static Item selected(void *context) {
-    (void)context;
-    return (Item){0};
-}
-
-static const char *item_name(void *context, Item item) {
-    (void)context, (void)item;
-    return "";
-}
-
-static size_t outline(void *context, Item item, double time, Vec2 *points) {
-    (void)context, (void)item, (void)time, (void)points;
-    return 0;
-}
-
 static bool save(void *context, const char *path, Fault *fault) {
     size_t count;
     const char *const *words = command(context, &count);
@@ -441,12 +398,12 @@ const Laboratory beam_laboratory = {
     .restart = restart,
     .save_run = save_run,
     .clear_runs = clear_runs,
-    .pick = pick,
-    .next = next,
-    .select = select_item,
-    .selected = selected,
-    .item_name = item_name,
-    .outline = outline,
+    .pick = machine_item_pick,
+    .next = machine_item_next,
+    .select = machine_item_select,
+    .selected = machine_item_selected,
+    .item_name = machine_item_name,
+    .outline = machine_item_outline,
     .command = command,
     .save = save,
     .sound = beam_picture_sound,

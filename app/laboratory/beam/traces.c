@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "laboratory/machine/axis.h"
 
 #define MILLI 1000.0 /* plots show m and s multiplied by this */
 
@@ -99,28 +100,6 @@ static void renew(BeamTraces *traces, BeamTrace plot) {
     traces->revisions[plot]++;
 }
 
-/* Rounds up to the next of a row of round numbers. */
-static double round_up(double value) {
-    static const double steps[] = {1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10};
-    if (!(value > 0))
-        return 1;
-    double power = pow(10, floor(log10(value)));
-    size_t i = 0;
-    while (i + 1 < sizeof steps / sizeof *steps && steps[i] * power < value)
-        i++;
-    return steps[i] * power;
-}
-
-/* Extends an axis to at least +-`to`. True: the axis has grown. */
-static bool stretch(PlotAxis *axis, double to) {
-    double high = round_up(to);
-    if (to <= axis->high)
-        return false;
-    axis->high = high;
-    axis->low = -high;
-    return true;
-}
-
 /* Extends the axes to everything recorded since the last clearing: they grow in round steps, ahead of the drawn
  * lines. */
 static void stretch_axes(BeamTraces *traces, const BeamTape *tape) {
@@ -134,10 +113,11 @@ static void stretch_axes(BeamTraces *traces, const BeamTape *tape) {
     }
     traces->seen_to = tape->front;
     Plot *phase = &traces->plots[BEAM_TRACE_PHASE], *force = &traces->plots[BEAM_TRACE_FORCE];
-    bool wider = stretch(&phase->x, MILLI * traces->seen.tip_reach), higher = stretch(&phase->y, traces->seen.speed);
+    bool wider = machine_axis_stretch(&phase->x, MILLI * traces->seen.tip_reach, true),
+         higher = machine_axis_stretch(&phase->y, traces->seen.speed, true);
     if (wider || higher)
         renew(traces, BEAM_TRACE_PHASE);
-    if (stretch(&force->y, traces->seen.force))
+    if (machine_axis_stretch(&force->y, traces->seen.force, true))
         renew(traces, BEAM_TRACE_FORCE);
 }
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/parameters_number.h"
+#include "base/text.h"
 
 static const char set_here[] = "assumed: set in the window";
 
@@ -147,4 +148,20 @@ void machine_controls_sweep(const MachineControls *controls, const PanelParamete
         *from = fmax(parameter->value - spare, parameter->row->low);
     if (parameter->value > *to)
         *to = fmin(parameter->value + spare, parameter->row->high);
+}
+
+size_t machine_controls_command(const MachineControls *controls, const char *path, const char **words, Arena *arena) {
+    size_t used = 0;
+    arena_clear(arena);
+    words[used++] = "run";
+    words[used++] = path;
+    for (size_t i = 0; i < controls->count; i++) {
+        const PanelParameter *parameter = &controls->parameters[i];
+        if (parameter->value == parameter->initial)
+            continue;
+        words[used++] = "--set";
+        words[used++] = text_in_arena(arena, "%s=%s", parameter->name,
+                                      parameters_number_text(parameter->row, parameter->value, arena));
+    }
+    return used;
 }

@@ -41,3 +41,7 @@ void machine_controls_words(const PanelParameter *parameter, double value, char 
 
 /* Returns the range of an orbit diagram over the parameter: its useful range, extended to its value. */
 void machine_controls_sweep(const MachineControls *controls, const PanelParameter *parameter, double *from, double *to);
+
+/* Writes the words after "clearance" that reproduce the displayed machine, with texts in the arena, which is emptied
+ * first; returns their number, at most 2 + 2 x count. */
+size_t machine_controls_command(const MachineControls *controls, const char *path, const char **words, Arena *arena);

@@ -121,3 +121,15 @@ void machine_diagram_store(MachineDiagram *diagram, bool keep) {
     diagram->revision++;
     take_points(diagram);
 }
+
+LaboratoryPlot machine_diagram_shown(const MachineDiagram *diagram, const MachineControls *controls) {
+    const char *over = controls->kind->over[diagram->over];
+    return (LaboratoryPlot){.plot = &diagram->plot,
+                            .revision = diagram->revision,
+                            .still = true,
+                            .cursor = diagram->factor * machine_controls_find(controls, over)->value,
+                            .cursor_text = diagram->cursor,
+                            .cursor_parameter = over,
+                            .cursor_factor = diagram->factor,
+                            .now = ROLE_PAPER};
+}

@@ -30,3 +30,6 @@ void machine_diagram_apply(MachineDiagram *diagram, MachineNews *news);
 
 /* Saves the diagram for comparison, or forgets the saved one. */
 void machine_diagram_store(MachineDiagram *diagram, bool keep);
+
+/* Returns the diagram as a plot next to the view, without its names. */
+LaboratoryPlot machine_diagram_shown(const MachineDiagram *diagram, const MachineControls *controls);

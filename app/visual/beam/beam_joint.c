@@ -1,6 +1,6 @@
 #include "visual/beam/beam_joint.h"
 
-#include "visual/beam/beam_pieces.h"
+#include "visual/machine/pieces.h"
 #include "visual/beam/beam_text.h"
 
 /* In beam lengths. */
@@ -49,8 +49,8 @@ void beam_joint_still(Scene *scene, const Beam *beam, const BeamScale *scale, co
     Vec2 middle = joint->middle;
     for (int side = -1; side <= 1; side += 2) {
         double y = middle.y + side * joint->ground;
-        beam_pieces_ground(scene, vec2(middle.x - 1.3 * joint->half, y), vec2(middle.x + 1.3 * joint->half, y),
-                           side * BEAM_JOINT_GROUND * scale->length);
+        machine_pieces_ground(scene, vec2(middle.x - 1.3 * joint->half, y), vec2(middle.x + 1.3 * joint->half, y),
+                              side * BEAM_JOINT_GROUND * scale->length);
         if (joint->loupe && beam->clearance > 0)
             add_gap(scene, beam, scale, joint, side);
     }
@@ -68,10 +68,10 @@ void beam_joint_stops(Scene *scene, const Beam *beam, const BeamScale *scale, co
     for (int side = -1; side <= 1; side += 2) {
         double face = joint->ball + joint->factor * fmax(beam->clearance, side * deflection);
         double back = face + BEAM_JOINT_DEPTH * scale->length;
-        beam_pieces_spring(scene, vec2(middle.x, middle.y + side * back),
-                           vec2(middle.x, middle.y + side * joint->ground), SPRING_HALF * joint->half);
+        machine_pieces_spring(scene, vec2(middle.x, middle.y + side * back),
+                              vec2(middle.x, middle.y + side * joint->ground), SPRING_HALF * joint->half);
         Box near = box_around(vec2(middle.x - joint->half, middle.y + side * face), 0);
-        beam_pieces_block(scene, ROLE_WALL, box_include(near, vec2(middle.x + joint->half, middle.y + side * back)));
+        machine_pieces_block(scene, ROLE_WALL, box_include(near, vec2(middle.x + joint->half, middle.y + side * back)));
     }
 }
 
@@ -105,9 +105,9 @@ void beam_joint_contact(Scene *scene, const Beam *beam, const BeamScale *scale, 
         double size = scale->length * (joint->loupe ? 1 : SMALL);
         Vec2 at = beam_joint_tip(joint, deflection);
         at.y += side * joint->ball;
-        beam_pieces_star(scene, at, BURST_MOST * size * sqrt(share));
-        beam_pieces_arrow(scene, ROLE_DANGER_MIDDLE, at, vec2(at.x, at.y - side * FORCE_MOST * size * share),
-                          SHAFT_HALF * size);
+        machine_pieces_star(scene, at, BURST_MOST * size * sqrt(share));
+        machine_pieces_arrow(scene, ROLE_DANGER_MIDDLE, at, vec2(at.x, at.y - side * FORCE_MOST * size * share),
+                             SHAFT_HALF * size);
     }
     for (int s = -1; s <= 1 && joint->loupe; s += 2)
         add_text(scene, beam, scale, joint, moment, s, touched && s == side);

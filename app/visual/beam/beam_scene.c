@@ -1,7 +1,7 @@
 #include "visual/beam/beam_scene.h"
 
 #include "visual/beam/beam_joint.h"
-#include "visual/beam/beam_pieces.h"
+#include "visual/machine/pieces.h"
 #include "visual/beam/beam_text.h"
 
 /* Positions and sizes, in beam lengths. */
@@ -149,8 +149,8 @@ static double pivot_side(const Beam *beam) {
 
 /* Adds ground under (or over) a part, a thick line with hatches behind it. */
 static void add_ground(Scene *scene, const BeamScale *scale, Vec2 middle, double half, double up) {
-    beam_pieces_ground(scene, vec2(middle.x - half * scale->length, middle.y),
-                       vec2(middle.x + half * scale->length, middle.y), up * BEAM_JOINT_GROUND * scale->length);
+    machine_pieces_ground(scene, vec2(middle.x - half * scale->length, middle.y),
+                          vec2(middle.x + half * scale->length, middle.y), up * BEAM_JOINT_GROUND * scale->length);
 }
 
 static void still_pivot(Scene *scene, const Beam *beam, const BeamScale *scale) {
@@ -177,9 +177,9 @@ static void still_shaker(Scene *scene, const Beam *beam, const BeamScale *scale)
                                      beam_text_provenance(scene, beam, "drive.force"))};
     add_ground(scene, scale, vec2(x, bottom), YOKE_HALF + YOKE_DEPTH, -1);
     for (int side = -1; side <= 1; side += 2)
-        beam_pieces_block(scene, ROLE_FURNITURE,
-                          box_include(box_around(vec2(x + side * YOKE_HALF * length, bottom), 0),
-                                      vec2(x + side * (YOKE_HALF + YOKE_DEPTH) * length, YOKE_TOP * length)));
+        machine_pieces_block(scene, ROLE_FURNITURE,
+                             box_include(box_around(vec2(x + side * YOKE_HALF * length, bottom), 0),
+                                         vec2(x + side * (YOKE_HALF + YOKE_DEPTH) * length, YOKE_TOP * length)));
     int way = x > 0.6 * length ? -1 : 1;
     add_rows(scene, scale, vec2(x + way * (YOKE_HALF + YOKE_DEPTH) * length, (LOW + 1.4 * ROW) * length), way, rows, 2);
 }
@@ -199,7 +199,7 @@ static void still_joint(Scene *scene, const Beam *beam, const BeamScale *scale) 
 }
 
 static Primitive *add_frame(Scene *scene, Box box) {
-    Primitive *frame = beam_pieces_block(scene, ROLE_PANEL, box);
+    Primitive *frame = machine_pieces_block(scene, ROLE_PANEL, box);
     frame->edge = ROLE_ROOM;
     return frame;
 }
@@ -262,10 +262,10 @@ static void add_pivot(Scene *scene, const Beam *beam, const BeamScale *scale, co
     double side = pivot_side(beam), length = scale->length;
     Vec2 at = vec2(beam->pivot_position, drawn_at(scale, shape, beam->pivot_position));
     if (beam->pivot_stiffness > 0)
-        beam_pieces_spring(scene, vec2(at.x, at.y + side * scale->half), vec2(at.x, side * -FLOOR * length),
-                           PIVOT_SPRING * length);
+        machine_pieces_spring(scene, vec2(at.x, at.y + side * scale->half), vec2(at.x, side * -FLOOR * length),
+                              PIVOT_SPRING * length);
     if (beam->pivot_rotational > 0)
-        beam_pieces_spiral(scene, at, PIVOT_SPIRAL * length);
+        machine_pieces_spiral(scene, at, PIVOT_SPIRAL * length);
     Primitive *pin = scene_add_discs(scene, ROLE_PAPER, PIVOT_PIN * length, &at, 1);
     pin->edge = ROLE_WALL;
     pin->width = PIN_EDGE;
@@ -280,12 +280,12 @@ static void add_shaker(Scene *scene, const Beam *beam, const BeamScale *scale, c
     Vec2 rod[] = {{x, top}, {x, heavy ? top : bottom}};
     scene_add_line(scene, ROLE_WALL, ROD_WIDTH, rod, 2);
     if (beam->shaker_stiffness > 0)
-        beam_pieces_spring(scene, vec2(x - aside, bottom), vec2(x - aside, floor), SUSPENSION * length);
+        machine_pieces_spring(scene, vec2(x - aside, bottom), vec2(x - aside, floor), SUSPENSION * length);
     if (damped)
-        beam_pieces_dashpot(scene, vec2(x + aside, bottom), vec2(x + aside, floor), DASHPOT * length);
+        machine_pieces_dashpot(scene, vec2(x + aside, bottom), vec2(x + aside, floor), DASHPOT * length);
     if (heavy) {
-        Primitive *coil =
-            beam_pieces_block(scene, ROLE_DOOR, (Box){{x - COIL_HALF * length, bottom}, {x + COIL_HALF * length, top}});
+        Primitive *coil = machine_pieces_block(scene, ROLE_DOOR,
+                                               (Box){{x - COIL_HALF * length, bottom}, {x + COIL_HALF * length, top}});
         coil->fill = ROLE_PAPER;
         coil->edge = ROLE_DOOR;
         coil->hatched = true;
@@ -310,8 +310,8 @@ static void add_tip(Scene *scene, const BeamScale *scale, const BeamJoint *joint
     Vec2 tip = beam_joint_tip(joint, deflection);
     if (joint->loupe) {
         double half = joint->ball / BALL_MORE;
-        beam_pieces_block(scene, ROLE_WALKER,
-                          (Box){{(1 + LOUPE_LEFT) * scale->length, tip.y - half}, {tip.x, tip.y + half}});
+        machine_pieces_block(scene, ROLE_WALKER,
+                             (Box){{(1 + LOUPE_LEFT) * scale->length, tip.y - half}, {tip.x, tip.y + half}});
     }
     Primitive *ball = scene_add_discs(scene, ROLE_WALKER, joint->ball, &tip, 1);
     ball->edge = ROLE_WALL;
@@ -325,7 +325,7 @@ static void add_drive(Scene *scene, const Beam *beam, const BeamScale *scale, co
         return;
     Vec2 low = vec2(x, drawn_at(scale, shape, beam->shaker_position) + scale->half);
     Vec2 high = vec2(x, low.y + DRIVE_MOST * length * fabs(drive) / beam->force);
-    beam_pieces_arrow(scene, ROLE_LOCUS_SECOND, drive > 0 ? low : high, drive > 0 ? high : low, SHAFT_HALF * length);
+    machine_pieces_arrow(scene, ROLE_LOCUS_SECOND, drive > 0 ? low : high, drive > 0 ? high : low, SHAFT_HALF * length);
     Primitive *label = scene_add_label(scene, ROLE_LOCUS_SECOND, NAME_TEXT, vec2(x, DRIVE_LABEL * length),
                                        beam_text_signed_newtons(scene, drive, beam->force));
     Vec2 right = vec2(x + length, DRIVE_LABEL * length);

@@ -1,33 +1,34 @@
 #include "visual/crank/crank_scene.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/real.h"
+#include "visual/machine/pieces.h"
 
 /* Directions in which the picture shows the world's axes: x to the right, y into the picture, z up. */
 static const double INTO_RIGHT = 0.45, INTO_UP = 0.38;
 
 #define MILLI 1000.0 /* mm per m */
 
-enum { CORNERS = 72, TURNS_SHOWN = 8 };
+enum { CORNERS = 72, BENDS = 24, TURNS_SHOWN = 8, PATH_TURNS = 3, STROKE_ANGLES = 90, ARC = 12 };
 
 /* Design points. */
 #define THICK 5.0
 #define MIDDLE 2.0
 #define THIN 1.0
-#define NAME 16.0
+#define NAME 15.0
 
-/* What is drawn, and where. */
+/* In the crank's radius: the largest drawn deflection, and the longest arrow of a force. */
+static const double DEFLECTION = 0.35, ARROW = 1.1;
+
+static const double ARC_HALF = 0.35; /* rad, half of the arc of the wall that is touched */
+
+/* What is drawn, and how. */
 typedef struct Drawing {
     Scene *scene;
-    const Crank *crank;
     const Tree *tree;
-    const Response *response;
-    size_t row;         /* of the trace: the moment shown */
-    double unit;        /* m, the crank's radius */
-    double loupe;       /* m, radius of the clearance in the loupe */
-    Vec2 socket, polar; /* middles of the loupe and of the polar diagram */
-    double reach;       /* m, of the largest force in the polar diagram */
+    const CrankScale *scale;
 } Drawing;
 
 static Vec2 seen(const double *at) {
@@ -38,95 +39,29 @@ static void add_segment(Scene *scene, Role role, double width, const double *fro
     scene_add_line(scene, role, width, (Vec2[]){seen(from), seen(to)}, 2);
 }
 
+static Vec2 on_ring(Vec2 middle, double radius, double angle) {
+    SineCosine turn = real_sincos(angle);
+    return vec2(middle.x + radius * turn.cosine, middle.y + radius * turn.sine);
+}
+
 static void add_ring(Scene *scene, Role role, double width, LineStyle style, Vec2 middle, double radius) {
     Vec2 points[CORNERS + 1];
-    for (int i = 0; i <= CORNERS; i++) {
-        SineCosine turn = real_sincos(2 * M_PI * i / CORNERS);
-        points[i] = vec2(middle.x + radius * turn.cosine, middle.y + radius * turn.sine);
-    }
+    for (int i = 0; i <= CORNERS; i++)
+        points[i] = on_ring(middle, radius, 2 * M_PI * i / CORNERS);
     scene_add_line(scene, role, width, points, CORNERS + 1)->style = style;
 }
 
-static void add_name(Scene *scene, Vec2 at, const char *text) {
-    scene_add_label(scene, ROLE_TEXT, NAME, at, text)->fixed = true;
+static void add_name(const Drawing *d, Vec2 at, const char *text) {
+    if (d->scale->parts & CRANK_SCENE_NAMES)
+        scene_add_label(d->scene, ROLE_TEXT, NAME, at, text)->fixed = true;
 }
 
-/* The mechanism ---------------------------------------------------------------------------------------------------- */
+/* Scale ------------------------------------------------------------------------------------------------------------ */
 
-static void add_guide(const Drawing *d, double place) {
-    double low = place - 1.2 * d->unit, high = place + 1.2 * d->unit;
-    const double from[3] = {low, 0, 0}, to[3] = {high, 0, 0};
-    add_segment(d->scene, ROLE_WALL, THICK, from, to);
-    for (double x = low; x < high; x += d->unit / 5) {
-        const double top[3] = {x, 0, 0}, foot[3] = {x - d->unit / 8, 0, -d->unit / 8};
-        add_segment(d->scene, ROLE_FURNITURE_LINE, THIN, top, foot);
-    }
-}
-
-static void add_crank(const Drawing *d, double theta) {
-    Vec2 circle[CORNERS + 1];
-    for (int i = 0; i <= CORNERS; i++)
-        circle[i] = seen(tree_pin(d->tree, 2 * M_PI * i / CORNERS, 0).at);
-    scene_add_polygon(d->scene, ROLE_FURNITURE, circle, CORNERS)->fill_opacity = 0.6;
-    scene_add_line(d->scene, ROLE_FURNITURE_LINE, MIDDLE, circle, CORNERS + 1);
-    TreePin pin = tree_pin(d->tree, theta, 0);
-    const double size = d->unit / 4;
-    double back[3];
-    for (size_t i = 0; i < 3; i++)
-        back[i] = d->tree->axis[i];
-    back[0] -= d->unit * d->tree->tilt_cosine;
-    back[1] -= d->unit * d->tree->tilt_sine;
-    add_segment(d->scene, ROLE_WALL, THICK, back, d->tree->axis);
-    Vec2 middle = seen(back);
-    const Vec2 block[] = {vec2(middle.x - size, middle.y - size), vec2(middle.x + size, middle.y - size),
-                          vec2(middle.x + size, middle.y + size), vec2(middle.x - size, middle.y + size)};
-    scene_add_polygon(d->scene, ROLE_WALL, block, 4);
-    add_name(d->scene, vec2(middle.x - size, middle.y - 1.8 * size), "bearing block");
-    add_segment(d->scene, ROLE_WALL, THICK, d->tree->axis, pin.at);
-    Vec2 at = seen(pin.at);
-    scene_add_discs(d->scene, ROLE_DOOR, d->unit / 9, &at, 1);
-}
-
-/* The coupler runs from the slider to the pin. Its bending, some hundredths of a millimetre, is not in the record. */
-static void add_coupler(const Drawing *d, double theta, double slider) {
-    TreePin pin = tree_pin(d->tree, theta, 0);
-    const double foot[3] = {slider, 0, 0}, size = d->unit / 3;
-    add_segment(d->scene, ROLE_CHAIR, THICK, foot, pin.at);
-    const Vec2 box[] = {vec2(slider - size, -size / 2), vec2(slider + size, -size / 2), vec2(slider + size, size / 2),
-                        vec2(slider - size, size / 2)};
-    scene_add_polygon(d->scene, ROLE_CHAIR, box, 4);
-    Vec2 b = seen(pin.at), c = seen(foot);
-    add_name(d->scene, vec2((b.x + c.x) / 2 + size, (b.y + c.y) / 2 + size), "coupler");
-    add_name(d->scene, vec2(slider, -1.3 * size), "slider");
-    add_name(d->scene, vec2(b.x, b.y + size), "joint");
-}
-
-/* The loupe -------------------------------------------------------------------------------------------------------- */
-
-static void add_loupe(const Drawing *d) {
-    const Trace *trace = &d->response->trace;
-    double clearance = d->crank->clearance, factor = clearance > 0 ? d->loupe / clearance : 1;
-    size_t most = TURNS_SHOWN * CRANK_SAMPLES, count = trace->rows < most ? trace->rows : most;
-    size_t from = trace->rows - count;
-    Vec2 *path = arena_allocate(&d->scene->arena, (count + 1) * sizeof *path);
-    for (size_t i = 0; i < count; i++) {
-        const double *row = trace_row(trace, from + i);
-        path[i] = vec2(d->socket.x + factor * row[CRANK_ALONG], d->socket.y + factor * row[CRANK_UP]);
-    }
-    add_ring(d->scene, ROLE_FURNITURE_LINE, MIDDLE, LINE_SOLID, d->socket, d->loupe);
-    scene_add_line(d->scene, ROLE_LOCUS, THIN, path, count);
-    const double *row = trace_row(trace, d->row);
-    Vec2 ball = vec2(d->socket.x + factor * row[CRANK_ALONG], d->socket.y + factor * row[CRANK_UP]);
-    scene_add_discs(d->scene, ROLE_DANGER_MIDDLE, d->loupe / 14, &ball, 1);
-    add_name(d->scene, vec2(d->socket.x, d->socket.y + 1.14 * d->loupe),
-             scene_text(d->scene, "ball in its socket, from the side: clearance %g mm", MILLI * clearance));
-}
-
-/* The polar diagram ------------------------------------------------------------------------------------------------ */
-
+/* Rounds up to 2, 4, 6, 8 or 10 times a power of ten; the least is 2. */
 static double round_up(double value) {
     double power = 1;
-    while (power * 10 <= value)
+    while (power * 10 < value)
         power *= 10;
     for (int i = 1; i <= 5; i++)
         if (i * 2 * power >= value)
@@ -134,41 +69,265 @@ static double round_up(double value) {
     return value;
 }
 
-static void add_polar(const Drawing *d) {
-    const Trace *trace = &d->response->trace;
-    double largest = round_up(real_max(1, d->response->peaks.max)), factor = d->reach / largest;
-    size_t all = trace->rows / CRANK_SAMPLES, shown = all < TURNS_SHOWN ? all : TURNS_SHOWN;
-    for (int ring = 1; ring <= 2; ring++) {
-        add_ring(d->scene, ROLE_ROOM, THIN, ring == 2 ? LINE_SOLID : LINE_DOTTED, d->polar, d->reach * ring / 2);
-        add_name(
-            d->scene,
-            vec2(d->polar.x + 0.71 * d->reach * ring / 2 + 0.18 * d->reach, d->polar.y - 0.75 * d->reach * ring / 2),
-            scene_text(d->scene, "%g N", largest * ring / 2));
+/* Rounds down to 1, 2 or 5 times a power of ten, at least 1. */
+static double round_down(double value) {
+    double power = 1;
+    while (power * 10 <= value)
+        power *= 10;
+    return value >= 5 * power ? 5 * power : value >= 2 * power ? 2 * power : power;
+}
+
+CrankScale crank_scene_scale(const Crank *crank, const Tree *tree, double reach, double force) {
+    CrankScale scale = {.parts = CRANK_SCENE_ALL, .unit = crank->radius, .largest = round_up(force)};
+    scale.bend = reach > 0 ? round_down(DEFLECTION * scale.unit / reach) : 1;
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (int i = 0; i < STROKE_ANGLES; i++) {
+        double place = tree_ideal_slider(tree, 2 * M_PI * i / STROKE_ANGLES);
+        least = real_min(least, place);
+        most = real_max(most, place);
     }
-    Vec2 *curve = arena_allocate(&d->scene->arena, (CRANK_SAMPLES + 1) * sizeof *curve);
-    for (size_t k = 0; k < shown; k++) {
-        for (size_t i = 0; i < CRANK_SAMPLES; i++) {
-            const double *row = trace_row(trace, (all - shown + k) * CRANK_SAMPLES + i);
-            SineCosine turn = real_sincos(row[CRANK_ANGLE] * M_PI / 180);
-            double out = factor * row[CRANK_FORCE];
-            curve[i] = vec2(d->polar.x - out * turn.sine, d->polar.y + out * turn.cosine);
+    scale.place = (least + most) / 2;
+    double height = tree->axis[2] + INTO_UP * tree->axis[1] + 1.6 * scale.unit, foot = -0.8 * scale.unit;
+    double right = most + 1.1 * scale.unit, middle = (height + foot) / 2, half = 0.62 * (height - foot);
+    scale.loupe = scale.reach = 0.37 * half;
+    scale.socket = vec2(right + 1.9 * scale.loupe, middle + 0.52 * half);
+    scale.polar = vec2(scale.socket.x, middle - 0.54 * half);
+    scale.box = (Box){vec2(-2.3 * scale.unit, middle - 1.06 * half),
+                      vec2(scale.polar.x + 2.2 * scale.reach, middle + 1.02 * half)};
+    return scale;
+}
+
+double crank_scene_reach(const Tree *tree, const double *state) {
+    const double *eta = state + 3 + tree->axial, *zeta = eta + tree->bending, *u = zeta + tree->bending;
+    double reach = real_hypot(real_hypot(u[0], u[1]), u[2]), across = 0, up = 0;
+    for (size_t n = 0; n < tree->bending; n++) {
+        across += fabs(eta[n]);
+        up += fabs(zeta[n]);
+    }
+    return real_max(reach, real_hypot(across, up));
+}
+
+/* The mechanism, fixed --------------------------------------------------------------------------------------------- */
+
+static void add_guide(const Drawing *d) {
+    double unit = d->scale->unit, low = d->scale->place - 1.6 * unit, high = d->scale->place + 1.6 * unit;
+    machine_pieces_ground(d->scene, vec2(low, -unit / 3), vec2(high, -unit / 3), -unit / 8);
+    const double from[3] = {low, 0, 0}, to[3] = {high, 0, 0};
+    add_segment(d->scene, ROLE_WALL, MIDDLE, from, to);
+    add_name(d, vec2(d->scale->place, -0.75 * unit), "guide and slider");
+}
+
+static void add_disc(const Drawing *d) {
+    Vec2 circle[CORNERS + 1];
+    for (int i = 0; i <= CORNERS; i++)
+        circle[i] = seen(tree_pin(d->tree, 2 * M_PI * i / CORNERS, 0).at);
+    scene_add_polygon(d->scene, ROLE_FURNITURE, circle, CORNERS)->fill_opacity = 0.6;
+    scene_add_line(d->scene, ROLE_FURNITURE_LINE, MIDDLE, circle, CORNERS + 1)->style = LINE_DASHED;
+}
+
+/* Returns the middle of the bearing block, behind the crank, displaced by `by` m. */
+static Vec2 block_at(const Drawing *d, const double *by) {
+    const Tree *tree = d->tree;
+    double at[3], back = 1.2 * d->scale->unit;
+    for (size_t i = 0; i < 3; i++)
+        at[i] = tree->axis[i] + by[i];
+    at[0] -= back * tree->tilt_cosine;
+    at[1] -= back * tree->tilt_sine;
+    return seen(at);
+}
+
+static void add_grounds(const Drawing *d) {
+    double unit = d->scale->unit;
+    const double rest[3] = {0, 0, 0};
+    Vec2 block = block_at(d, rest);
+    machine_pieces_ground(d->scene, vec2(block.x - 0.5 * unit, block.y - 1.1 * unit),
+                          vec2(block.x + 0.5 * unit, block.y - 1.1 * unit), -unit / 8);
+    add_name(d, vec2(block.x, block.y + 0.5 * unit), "bearing block");
+}
+
+/* The mechanism, moving -------------------------------------------------------------------------------------------- */
+
+static void add_block(const Drawing *d, const double *shift) {
+    double unit = d->scale->unit, half = unit / 4;
+    const double rest[3] = {0, 0, 0};
+    Vec2 block = block_at(d, shift), foot = block_at(d, rest);
+    for (int side = -1; side <= 1; side += 2)
+        machine_pieces_spring(d->scene, vec2(foot.x + side * 0.3 * unit, foot.y - 1.1 * unit),
+                              vec2(block.x + side * 0.2 * unit, block.y - half), 0.09 * unit);
+    machine_pieces_block(d->scene, ROLE_WALL,
+                         (Box){vec2(block.x - half, block.y - half), vec2(block.x + half, block.y + half)});
+}
+
+/* Adds the axle and the arm to the pin. */
+static void add_crank(const Drawing *d, const TreePose *pose, const double *shift) {
+    double axle[3], pin[3];
+    for (size_t i = 0; i < 3; i++) {
+        axle[i] = d->tree->axis[i] + shift[i];
+        pin[i] = pose->pin.at[i] + shift[i];
+    }
+    Vec2 back = block_at(d, shift), at = seen(pin);
+    scene_add_line(d->scene, ROLE_WALL, THICK, (Vec2[]){back, seen(axle)}, 2);
+    add_segment(d->scene, ROLE_WALL, THICK, axle, pin);
+    scene_add_discs(d->scene, ROLE_DOOR, d->scale->unit / 8, &at, 1);
+}
+
+/* Adds the bent coupler from the slider to the ball, which sits in the pin, and its chord. */
+static void add_coupler(const Drawing *d, const TreePose *pose, const double *state, const double *shift) {
+    const Tree *tree = d->tree;
+    const double *eta = state + 3 + tree->axial, *zeta = eta + tree->bending;
+    double foot[3] = {state[0], 0, 0}, end[3], way[3];
+    for (size_t i = 0; i < 3; i++) {
+        end[i] = pose->pin.at[i] + shift[i];
+        way[i] = end[i] - foot[i];
+    }
+    Vec2 line[BENDS + 1];
+    for (size_t k = 0; k <= BENDS; k++) {
+        double part = (double)k / BENDS, across = 0, up = 0, at[3];
+        for (size_t n = 0; n < tree->bending; n++) {
+            double shape = real_sincos((double)(n + 1) * M_PI * part).sine;
+            across += eta[n] * shape;
+            up += zeta[n] * shape;
         }
-        bool last = k + 1 == shown;
-        scene_add_line(d->scene, last ? ROLE_LOCUS : ROLE_LOCUS_SECOND, last ? MIDDLE : THIN / 2, curve, CRANK_SAMPLES);
+        for (size_t i = 0; i < 3; i++)
+            at[i] = foot[i] + part * way[i] + d->scale->bend * (across * pose->across[i] + up * pose->up[i]);
+        line[k] = seen(at);
     }
-    const double *row = trace_row(trace, d->row);
-    SineCosine turn = real_sincos(row[CRANK_ANGLE] * M_PI / 180);
-    double out = factor * row[CRANK_FORCE];
-    Vec2 peak = vec2(d->polar.x - out * turn.sine, d->polar.y + out * turn.cosine);
-    scene_add_discs(d->scene, ROLE_DANGER_MIDDLE, d->reach / 24, &peak, 1);
-    add_name(d->scene, vec2(d->polar.x, d->polar.y + 1.14 * d->reach),
-             scene_text(d->scene, "force over the crank angle, last %zu revolutions", shown));
+    add_segment(d->scene, ROLE_DIM_TEXT, THIN, foot, end);
+    d->scene->primitives[d->scene->count - 1].style = LINE_DASHED;
+    scene_add_line(d->scene, ROLE_CHAIR, THICK, line, BENDS + 1);
+    double size = d->scale->unit / 3;
+    machine_pieces_block(d->scene, ROLE_CHAIR, (Box){vec2(foot[0] - size, -size), vec2(foot[0] + size, size / 3)});
+    scene_add_discs(d->scene, ROLE_WALL, size / 5, &line[0], 1);
+    scene_add_discs(d->scene, ROLE_DANGER_LOW, d->scale->unit / 12, &line[BENDS], 1);
+}
+
+/* Adds the force on the ball: from the wall towards the middle of the socket. */
+static void add_force(const Drawing *d, const TreePose *pose, const CrankMoment *moment, const double *shift) {
+    double distance =
+        sqrt(pose->apart[0] * pose->apart[0] + pose->apart[1] * pose->apart[1] + pose->apart[2] * pose->apart[2]);
+    if (!(moment->force > 0) || !(distance > 0) || !(d->scale->parts & CRANK_SCENE_FORCES))
+        return;
+    double at[3], tip[3], length = ARROW * d->scale->unit * moment->force / d->scale->largest;
+    for (size_t i = 0; i < 3; i++) {
+        at[i] = pose->pin.at[i] + shift[i];
+        tip[i] = at[i] - length * pose->apart[i] / distance;
+    }
+    machine_pieces_arrow(d->scene, ROLE_IMPACT, seen(at), seen(tip), d->scale->unit / 40);
+}
+
+/* The loupe -------------------------------------------------------------------------------------------------------- */
+
+static Vec2 through_loupe(const Drawing *d, double along, double across, double up) {
+    CrankSight sight = d->scale->sight;
+    double x = sight == CRANK_SIGHT_ALONG ? across : along, y = sight == CRANK_SIGHT_ABOVE ? across : up;
+    double distance = real_hypot(real_hypot(along, across), up), clearance = d->tree->clearance;
+    double factor = d->scale->loupe / clearance;
+    if (distance > clearance) /* the overlap is magnified further */
+        factor *= (clearance + CRANK_SCENE_OVERLAP * (distance - clearance)) / distance;
+    return vec2(d->scale->socket.x + factor * x, d->scale->socket.y + factor * y);
+}
+
+static void add_loupe_still(const Drawing *d) {
+    static const char *const sights[CRANK_SIGHTS] = {"from the side", "along the coupler", "from above"};
+    const CrankScale *scale = d->scale;
+    add_ring(d->scene, ROLE_FURNITURE_LINE, MIDDLE, LINE_SOLID, scale->socket, scale->loupe);
+    add_name(d, vec2(scale->socket.x, scale->socket.y + 1.15 * scale->loupe),
+             scene_text(d->scene, "ball in its socket, %s", sights[scale->sight]));
+    add_name(d, vec2(scale->socket.x, scale->socket.y - 1.17 * scale->loupe),
+             scene_text(d->scene, "clearance %g mm, overlap x %g", MILLI * d->tree->clearance, CRANK_SCENE_OVERLAP));
+}
+
+/* Adds the arc of the wall that the ball presses, wider under a larger force. */
+static void add_arc(const Drawing *d, Vec2 ball, double force) {
+    Vec2 middle = d->scale->socket, points[ARC + 1];
+    double angle = atan2(ball.y - middle.y, ball.x - middle.x), share = real_min(1, force / d->scale->largest);
+    for (int i = 0; i <= ARC; i++)
+        points[i] = on_ring(middle, d->scale->loupe, angle + ARC_HALF * (2.0 * i / ARC - 1));
+    Role role = share > 0.5 ? ROLE_DANGER_HIGH : share > 0.2 ? ROLE_DANGER_MIDDLE : ROLE_DANGER_LOW;
+    scene_add_line(d->scene, role, THICK + 2 * THICK * share, points, ARC + 1);
+}
+
+static void add_loupe(const Drawing *d, const CrankMoment *moment) {
+    size_t count = moment->path_count;
+    if (!(d->scale->parts & CRANK_SCENE_LOUPE) || d->tree->clearance <= 0 || !count)
+        return;
+    Vec2 *path = arena_allocate(&d->scene->arena, (count + 1) * sizeof *path);
+    for (size_t i = 0; i < count; i++)
+        path[i] = through_loupe(d, moment->along[i], moment->across[i], moment->up[i]);
+    if (moment->force > 0 && d->scale->sight != CRANK_SIGHTS)
+        add_arc(d, path[count - 1], moment->force);
+    scene_add_line(d->scene, ROLE_LOCUS, THIN, path, count);
+    scene_add_discs(d->scene, ROLE_DANGER_MIDDLE, d->scale->loupe / 14, &path[count - 1], 1);
+}
+
+/* The polar diagram ------------------------------------------------------------------------------------------------ */
+
+/* The angle is the crank's, as in the picture: 0 upwards, and the way round that the pin is seen to go. */
+static Vec2 polar_at(const Drawing *d, double angle, double force) {
+    SineCosine turn = real_sincos(angle);
+    double out = d->scale->reach * force / d->scale->largest;
+    return vec2(d->scale->polar.x - out * turn.sine, d->scale->polar.y + out * turn.cosine);
+}
+
+static void add_polar_still(const Drawing *d) {
+    const CrankScale *scale = d->scale;
+    static const char *const names[] = {"0\u00b0", "90\u00b0", "180\u00b0", "270\u00b0"};
+    for (int ring = 1; ring <= 2; ring++)
+        add_ring(d->scene, ROLE_ROOM, THIN, ring == 2 ? LINE_SOLID : LINE_DOTTED, scale->polar,
+                 scale->reach * ring / 2);
+    for (int i = 0; i < 4; i++) {
+        Vec2 out = polar_at(d, i * M_PI / 2, scale->largest);
+        scene_add_line(d->scene, ROLE_ROOM, THIN, (Vec2[]){scale->polar, out}, 2)->style = LINE_DOTTED;
+        add_name(d, polar_at(d, i * M_PI / 2, (i % 2 ? 1.17 : 1.1) * scale->largest), names[i]);
+    }
+    add_name(d, polar_at(d, M_PI / 4, 1.28 * scale->largest), scene_text(d->scene, "%g N", scale->largest));
+    add_name(d, vec2(scale->polar.x, scale->polar.y - 1.38 * scale->reach), "force over the crank angle");
+}
+
+static void add_polar(const Drawing *d, const CrankMoment *moment) {
+    size_t count = moment->force_count, present = moment->present < count ? moment->present : 0;
+    if (!(d->scale->parts & CRANK_SCENE_POLAR) || !count)
+        return;
+    Vec2 *curve = arena_allocate(&d->scene->arena, (count + 1) * sizeof *curve);
+    for (size_t i = 0; i < count; i++)
+        curve[i] = polar_at(d, moment->angle[i], moment->forces[i]);
+    if (present)
+        scene_add_line(d->scene, ROLE_LOCUS_SECOND, THIN / 2, curve, present);
+    scene_add_line(d->scene, ROLE_LOCUS, MIDDLE, curve + present, count - present);
+    scene_add_discs(d->scene, ROLE_DANGER_MIDDLE, d->scale->reach / 22, &curve[count - 1], 1);
 }
 
 /* The whole -------------------------------------------------------------------------------------------------------- */
 
-/* Returns the row of the largest force in the revolutions shown. */
-static size_t hardest(const Trace *trace) {
+void crank_scene_still(Scene *scene, const Crank *crank, const Tree *tree, const CrankScale *scale) {
+    Drawing d = {scene, tree, scale};
+    add_guide(&d);
+    add_disc(&d);
+    add_grounds(&d);
+    if (scale->parts & CRANK_SCENE_LOUPE && crank->clearance > 0)
+        add_loupe_still(&d);
+    if (scale->parts & CRANK_SCENE_POLAR)
+        add_polar_still(&d);
+    const char *text = scale->bend > 1 ? scene_text(scene, "bending and support x %g", scale->bend) : "true to scale";
+    add_name(&d, vec2(scale->place, -1.05 * scale->unit), text);
+}
+
+void crank_scene_moving(Scene *scene, const Tree *tree, const CrankScale *scale, const CrankMoment *moment) {
+    Drawing d = {scene, tree, scale};
+    TreePose pose = tree_pose(tree, moment->time, moment->state);
+    const double *u = moment->state + tree->rod;
+    const double shift[3] = {scale->bend * u[0], scale->bend * u[1], scale->bend * u[2]};
+    add_block(&d, shift);
+    add_crank(&d, &pose, shift);
+    add_coupler(&d, &pose, moment->state, shift);
+    add_force(&d, &pose, moment, shift);
+    add_loupe(&d, moment);
+    add_polar(&d, moment);
+}
+
+/* A recorded moment ------------------------------------------------------------------------------------------------ */
+
+size_t crank_scene_hardest(const Trace *trace) {
     size_t most = TURNS_SHOWN * CRANK_SAMPLES, found = trace->rows < most ? 0 : trace->rows - most;
     for (size_t i = found; i < trace->rows; i++)
         if (trace_row(trace, i)[CRANK_FORCE] > trace_row(trace, found)[CRANK_FORCE])
@@ -176,40 +335,74 @@ static size_t hardest(const Trace *trace) {
     return found;
 }
 
-static void add_texts(const Drawing *d) {
-    const Response *response = d->response;
+/* Simulates a revolution again from its recorded beginning, to a row of the trace; `reach`: the largest displacement
+ * until then. */
+static Turn turn_at(const Tree *tree, const Response *response, size_t row, double *reach) {
+    size_t cycle = row / CRANK_SAMPLES, states = response->section.states;
+    double until = trace_row(&response->trace, row)[CRANK_ANGLE] * M_PI / 180;
+    Turn turn = turn_create(tree, TURN_FINE);
+    crank_cycle_set_state(&turn, cycle ? response->section.state + (cycle - 1) * states : response->start);
+    size_t begun = turn.cycle;
+    turn.unwatched = true;
+    *reach = 0;
+    while (turn.status == CYCLE_GOOD && turn.cycle == begun) {
+        TreePose pose = turn_pose(&turn);
+        double left = (until - pose.theta) / pose.theta_rate;
+        *reach = real_max(*reach, crank_scene_reach(tree, turn.state));
+        if (left <= 1e-9)
+            break;
+        turn_step(&turn, left);
+    }
+    return turn;
+}
+
+static void add_texts(Scene *scene, const Crank *crank, const Response *response, const double *row) {
     const SectionPeaks *peaks = &response->peaks;
     const char *verdict = response->verdict == RESPONSE_PERIODIC
-                              ? scene_text(d->scene, "periodic, period %zu", response->orbit.period)
-                              : response_verdict_name(response->verdict);
-    const double *row = trace_row(&response->trace, d->row);
-    d->scene->title = scene_text(d->scene, "%.4g rpm, clearance %g mm: %s", 60 * d->crank->frequency,
-                                 MILLI * d->crank->clearance, verdict);
-    d->scene->title_role = ROLE_TEXT;
-    d->scene->detail = peaks->max - peaks->min < 0.5
-                           ? scene_text(d->scene, "largest force %.1f N", peaks->max)
-                           : scene_text(d->scene, "largest forces %.0f to %.0f N a revolution", peaks->min, peaks->max);
-    d->scene->name = d->crank->name;
-    d->scene->note = crank_is_assumed(d->crank) ? "Every number of this mechanism is assumed." : "";
-    d->scene->clock = scene_text(d->scene, "%.0f deg, %.0f N", row[CRANK_ANGLE], row[CRANK_FORCE]);
-    d->scene->unscaled = true;
+                              ? scene_text(scene, "periodic, period %zu", response->orbit.period)
+                              : response_name(response);
+    scene->title =
+        scene_text(scene, "%.4g rpm, clearance %g mm: %s", 60 * crank->frequency, MILLI * crank->clearance, verdict);
+    scene->title_role = ROLE_TEXT;
+    scene->detail = peaks->max - peaks->min < 0.5
+                        ? scene_text(scene, "largest force %.1f N", peaks->max)
+                        : scene_text(scene, "largest forces %.0f to %.0f N a revolution", peaks->min, peaks->max);
+    scene->name = crank->name;
+    scene->note = crank_is_assumed(crank) ? "Every number of this mechanism is assumed." : "";
+    scene->clock = scene_text(scene, "%.0f deg, %.0f N", row[CRANK_ANGLE], row[CRANK_FORCE]);
+    scene->unscaled = true;
+}
+
+/* Copies the rows up to this one, of the last `turns` revolutions. */
+static size_t copy_rows(Scene *scene, const Trace *trace, size_t row, size_t turns, size_t column, double factor,
+                        const double **values) {
+    size_t most = turns * CRANK_SAMPLES, count = row + 1 < most ? row + 1 : most;
+    double *copy = arena_allocate(&scene->arena, count * sizeof *copy);
+    for (size_t i = 0; i < count; i++)
+        copy[i] = factor * trace_row(trace, row + 1 - count + i)[column];
+    *values = copy;
+    return count;
+}
+
+void crank_scene_make_at(Scene *scene, const Crank *crank, const Tree *tree, const Response *response, size_t row) {
+    const Trace *trace = &response->trace;
+    double reach;
+    Turn turn = turn_at(tree, response, row, &reach);
+    CrankScale scale = crank_scene_scale(crank, tree, reach, response->peaks.max);
+    CrankMoment moment = {.time = turn.time, .state = turn.state, .force = trace_row(trace, row)[CRANK_FORCE]};
+    copy_rows(scene, trace, row, PATH_TURNS, CRANK_ALONG, 1, &moment.along);
+    copy_rows(scene, trace, row, PATH_TURNS, CRANK_ACROSS, 1, &moment.across);
+    moment.path_count = copy_rows(scene, trace, row, PATH_TURNS, CRANK_UP, 1, &moment.up);
+    copy_rows(scene, trace, row, TURNS_SHOWN, CRANK_ANGLE, M_PI / 180, &moment.angle);
+    moment.force_count = copy_rows(scene, trace, row, TURNS_SHOWN, CRANK_FORCE, 1, &moment.forces);
+    size_t present = row % CRANK_SAMPLES + 1 < moment.force_count ? CRANK_SAMPLES : 0; /* a whole last revolution */
+    moment.present = present && moment.force_count > present ? moment.force_count - present : 0;
+    crank_scene_still(scene, crank, tree, &scale);
+    crank_scene_moving(scene, tree, &scale, &moment);
+    scene->box = scale.box;
+    add_texts(scene, crank, response, trace_row(trace, row));
 }
 
 void crank_scene_make(Scene *scene, const Crank *crank, const Tree *tree, const Response *response) {
-    Drawing d = {scene, crank, tree, response, hardest(&response->trace), crank->radius, 0, {0, 0}, {0, 0}, 0};
-    const double *row = trace_row(&response->trace, d.row);
-    double theta = row[CRANK_ANGLE] * M_PI / 180, slider = row[CRANK_SLIDER];
-    double height = tree->axis[2] + INTO_UP * tree->axis[1] + 1.6 * d.unit, foot = -0.5 * d.unit;
-    double right = slider + 1.6 * d.unit, middle = (height + foot) / 2, half = 0.75 * (height - foot);
-    d.loupe = 0.36 * half;
-    d.reach = d.loupe;
-    d.socket = vec2(right + 2.2 * d.loupe, middle + 0.48 * half);
-    d.polar = vec2(d.socket.x, middle - 0.54 * half);
-    add_guide(&d, slider);
-    add_crank(&d, theta);
-    add_coupler(&d, theta, slider);
-    add_loupe(&d);
-    add_polar(&d);
-    scene->box = (Box){vec2(-2.2 * d.unit, middle - half), vec2(d.polar.x + 2.2 * d.reach, middle + half)};
-    add_texts(&d);
+    crank_scene_make_at(scene, crank, tree, response, crank_scene_hardest(&response->trace));
 }

@@ -1,4 +1,4 @@
-#include "visual/beam/beam_pieces.h"
+#include "visual/machine/pieces.h"
 
 /* Design points. */
 #define SPRING_WIDTH 2.5
@@ -13,7 +13,7 @@
 
 enum { SPRING_COILS = 5, SPIRAL_POINTS = 48 };
 
-void beam_pieces_spring(Scene *scene, Vec2 from, Vec2 to, double half) {
+void machine_pieces_spring(Scene *scene, Vec2 from, Vec2 to, double half) {
     Vec2 points[2 * SPRING_COILS + 4], way = vec2_sub(to, from), across = vec2_scale(vec2_left(vec2_unit(way)), half);
     size_t count = 0;
     points[count++] = from;
@@ -27,7 +27,7 @@ void beam_pieces_spring(Scene *scene, Vec2 from, Vec2 to, double half) {
     scene_add_line(scene, ROLE_FURNITURE_LINE, SPRING_WIDTH, points, count);
 }
 
-void beam_pieces_spiral(Scene *scene, Vec2 middle, double radius) {
+void machine_pieces_spiral(Scene *scene, Vec2 middle, double radius) {
     Vec2 points[SPIRAL_POINTS];
     for (int i = 0; i < SPIRAL_POINTS; i++) {
         double part = (i + 1.0) / SPIRAL_POINTS;
@@ -36,7 +36,7 @@ void beam_pieces_spiral(Scene *scene, Vec2 middle, double radius) {
     scene_add_line(scene, ROLE_FURNITURE_LINE, SPRING_WIDTH, points, SPIRAL_POINTS);
 }
 
-void beam_pieces_dashpot(Scene *scene, Vec2 from, Vec2 to, double half) {
+void machine_pieces_dashpot(Scene *scene, Vec2 from, Vec2 to, double half) {
     Vec2 way = vec2_sub(to, from), across = vec2_scale(vec2_left(vec2_unit(way)), half);
     Vec2 piston = vec2_along(from, 0.55, way), mouth = vec2_along(from, 0.4, way), bottom = vec2_along(from, 0.8, way);
     Vec2 cylinder[] = {vec2_add(mouth, across), vec2_add(bottom, across), vec2_sub(bottom, across),
@@ -48,7 +48,7 @@ void beam_pieces_dashpot(Scene *scene, Vec2 from, Vec2 to, double half) {
     scene_add_line(scene, ROLE_FURNITURE_LINE, SPRING_WIDTH, (Vec2[]){bottom, to}, 2);
 }
 
-void beam_pieces_ground(Scene *scene, Vec2 left, Vec2 right, double depth) {
+void machine_pieces_ground(Scene *scene, Vec2 left, Vec2 right, double depth) {
     Vec2 corners[] = {left, right, vec2(right.x, right.y + depth), vec2(left.x, left.y + depth)};
     Primitive *behind = scene_add_polygon(scene, ROLE_PAPER, corners, 4);
     behind->fill_opacity = 0;
@@ -57,7 +57,7 @@ void beam_pieces_ground(Scene *scene, Vec2 left, Vec2 right, double depth) {
     scene_add_line(scene, ROLE_WALL, GROUND_WIDTH, (Vec2[]){left, right}, 2);
 }
 
-Primitive *beam_pieces_block(Scene *scene, Role fill, Box box) {
+Primitive *machine_pieces_block(Scene *scene, Role fill, Box box) {
     Vec2 corners[] = {box.low, vec2(box.high.x, box.low.y), box.high, vec2(box.low.x, box.high.y)};
     Primitive *block = scene_add_polygon(scene, fill, corners, 4);
     block->edge = ROLE_WALL;
@@ -65,7 +65,7 @@ Primitive *beam_pieces_block(Scene *scene, Role fill, Box box) {
     return block;
 }
 
-void beam_pieces_arrow(Scene *scene, Role role, Vec2 foot, Vec2 point, double half) {
+void machine_pieces_arrow(Scene *scene, Role role, Vec2 foot, Vec2 point, double half) {
     Vec2 way = vec2_sub(point, foot);
     double length = vec2_length(way), head = fmin(HEAD_LENGTH * half, length);
     if (!(length > 0))
@@ -80,7 +80,7 @@ void beam_pieces_arrow(Scene *scene, Role role, Vec2 foot, Vec2 point, double ha
     arrow->width = EDGE;
 }
 
-void beam_pieces_star(Scene *scene, Vec2 at, double radius) {
+void machine_pieces_star(Scene *scene, Vec2 at, double radius) {
     Primitive *star = scene_add_star(scene, ROLE_DANGER_MIDDLE, radius, at);
     star->edge = ROLE_WALL;
     star->width = EDGE;

@@ -1,0 +1,122 @@
+#include "laboratory/crank/crank_machine.h"
+
+#include <math.h>
+
+#include "result/crank.h"
+
+/* The main parameters come first. */
+static const MachineLooks all_looks[] = {
+    {"drive.frequency", "Speed", "rpm", 60, 0, 0, 5, 25, 0, 0, false, true},
+    {"joint.clearance", "Clearance", "mm", 1e3, 0, 2, 0, 0.5e-3, 0, 0, false, true},
+    {"joint.stiffness", "Contact stiffness", "MN/m", 1e-6, 0.01, 10, 0, 0, 0.1, 3, true, true},
+    {"joint.damping", "Contact damping", NULL, 1, 0, 4, 0, 1000, 0, 3, false, true},
+    {"joint.friction", "Friction", "", 1, 0, 0, 0, 0.3, 0, 0, false, true},
+    {"coupler.length", "Coupler's length", "mm", 1e3, 0.9, 1.1, 0, 0, 0.95, 1.05, false, true},
+    {"slider.mass", "Slider's mass", "g", 1e3, 0, 2, 0, 0.3, 0.5, 1.5, false, true},
+    {"joint.release", "Contact release", NULL, 1, 0, 0, 0, 1, 0, 0, false, false},
+    {"coupler.diameter", "Diameter", "mm", 1e3, 0.5, 2, 0, 0, 0, 0, false, false},
+    {"coupler.modes", "Bending modes", NULL, 1, 0, 0, 0, 6, 0, 0, false, false},
+    {"coupler.axial", "Axial modes", NULL, 1, 0, 0, 0, 1, 0, 0, false, false},
+    {"coupler.damping_ratio", "Damping of the modes", "%", 100, 0, 3, 0, 0.1, 0, 0, false, false},
+    {"coupler.end_mass", "Mass of the ball end", "g", 1e3, 0, 3, 0, 0.1, 0, 0, false, false},
+    {"slider.damping", "Damping of the guide", NULL, 1, 0, 3, 0, 10, 0, 0, false, false},
+    {"crank.radius", "Radius", "mm", 1e3, 0.5, 1.5, 0, 0, 0, 0, false, false},
+    {"crank.offset_y", "Beside the guide", "mm", 1e3, 0, 1.5, 0, 0, 0, 0, false, false},
+    {"crank.offset_z", "Over the guide", "mm", 1e3, 0, 1.5, 0, 0, 0, 0, false, false},
+    {"crank.tilt", "Tilt", NULL, 1, 0, 0, -45, 45, 0, 0, false, false},
+    {"support.mass", "Mass of the block", NULL, 1, 0.3, 3, 0, 0, 0, 0, false, false},
+    {"support.stiffness_x", "Stiffness, along", "MN/m", 1e-6, 0.1, 10, 0, 0, 0, 0, true, false},
+    {"support.stiffness_y", "Stiffness, across", "MN/m", 1e-6, 0.1, 10, 0, 0, 0, 0, true, false},
+    {"support.stiffness_z", "Stiffness, upright", "MN/m", 1e-6, 0.1, 10, 0, 0, 0, 0, true, false},
+    {"support.damping_ratio", "Damping", "%", 100, 0, 3, 0, 0.1, 0, 0, false, false},
+    {"gravity.acceleration", "Acceleration", NULL, 1, 0, 0, 0, 20, 0, 0, false, false},
+    {"run.transient_cycles", "Skipped revolutions", NULL, 1, 0, 0, 0, 500, 0, 0, false, false},
+    {"run.cycles", "Recorded revolutions", NULL, 1, 0, 0, 10, 200, 0, 0, false, false},
+};
+
+/* One of each type, as found by `study --types`; the window names the type once it has determined it itself. */
+static const MachinePreset presets[] = {
+    {"500 rpm, 0.02 mm",
+     "a small clearance: forces change little with the design",
+     {{"drive.frequency", 500 / 60., false}, {"joint.clearance", 0.02e-3, false}}},
+    {"600 rpm, 0.1 mm",
+     "a middle clearance: periodic, but forces change steeply with the design",
+     {{"drive.frequency", 10, false}, {"joint.clearance", 0.1e-3, false}}},
+    {"700 rpm, 0.25 mm",
+     "a large clearance: the ball rattles without a period",
+     {{"drive.frequency", 700 / 60., false}, {"joint.clearance", 0.25e-3, false}}},
+};
+
+static const char *const groups[] = {"Drive", "Joint", "Coupler", "Slider", "Crank", "Support", "Gravity", "Run"};
+
+static const char *const over[] = {"drive.frequency", "joint.clearance", "coupler.length",
+                                   "slider.mass",     "joint.stiffness", "joint.damping"};
+static const char *const over_words[] = {"speed",         "clearance",         "coupler's length",
+                                         "slider's mass", "contact stiffness", "contact damping"};
+
+static bool decide(const Machine *machine, MachineFacts *facts, const Stop *stop) {
+    const Crank *crank = &machine->crank;
+    Tree tree = tree_of(crank);
+    Response response;
+    response_run(&response, crank_cycle_of(&tree), crank->transient_cycles, crank->cycles, NULL, stop);
+    *facts = (MachineFacts){response.verdict,
+                            response.orbit.period,
+                            response.peaks,
+                            response.exponent,
+                            result_crank_motion(crank, &response),
+                            result_crank_forces(&tree, &response, crank_cycle_ideal_force(crank))};
+    response_clear(&response);
+    return facts->verdict != RESPONSE_INTERRUPTED;
+}
+
+static int cycles_of(const Machine *machine) {
+    return machine->crank.transient_cycles + machine->crank.cycles;
+}
+
+static bool open_experiment(Experiment *experiment, const Machine *machine, Fault *fault) {
+    (void)fault;
+    crank_experiment_of(experiment, &machine->crank);
+    return true;
+}
+
+static void run_on(const Experiment *experiment, const char *name, Trial *trials, size_t count, MachineCarry *carry,
+                   const Stop *stop) {
+    crank_experiment_run_on(experiment, name, trials, count, &carry->crank, stop);
+}
+
+static void clear_carry(MachineCarry *carry) {
+    carry->crank.states = 0;
+}
+
+const MachineKind crank_machine = {
+    .word = "crank",
+    .cycle = "revolution",
+    .start = "from its start",
+    .from = "From its start",
+    .provenances = offsetof(Crank, provenance),
+    .name = offsetof(Crank, name),
+    .table = crank_table,
+    .looks = all_looks,
+    .look_count = sizeof all_looks / sizeof *all_looks,
+    .groups = groups,
+    .group_count = sizeof groups / sizeof *groups,
+    .presets = presets,
+    .preset_count = sizeof presets / sizeof *presets,
+    .over = over,
+    .over_words = over_words,
+    .over_count = sizeof over / sizeof *over,
+    .steps = 121,
+    .coarse = 8,
+    .carried_steps = 61,
+    .together = 1,
+    .before_type = 31,
+    .window = crank_experiment_window,
+    .window_count = CRANK_EXPERIMENT_WINDOW,
+    .decide = decide,
+    .cycles = cycles_of,
+    .open_experiment = open_experiment,
+    .close_experiment = crank_experiment_close,
+    .be_thorough = crank_experiment_be_thorough,
+    .run_on = run_on,
+    .clear_carry = clear_carry,
+};

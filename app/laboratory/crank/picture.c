@@ -1,0 +1,78 @@
+#include "laboratory/crank/picture.h"
+
+#include <math.h>
+
+void crank_picture_set_camera(void *context, Camera camera) {
+    CrankSession *session = context;
+    session->view.camera = camera;
+    crank_view_renew(&session->view);
+    crank_view_show(&session->view, &session->tape, session->shown);
+    session->news |= LABORATORY_VIEW;
+}
+
+void crank_picture_set_layers(void *context, unsigned layers) {
+    CrankSession *session = context;
+    session->view.parts = layers & CRANK_SCENE_ALL;
+    crank_view_show(&session->view, &session->tape, session->shown);
+    session->news |= LABORATORY_VIEW;
+}
+
+const Scene *crank_picture_still(void *context) {
+    return &((const CrankSession *)context)->view.still;
+}
+
+const Scene *crank_picture_added(const void *context) {
+    return &((const CrankSession *)context)->added;
+}
+
+const Scene *crank_picture_moving(const void *context) {
+    return &((const CrankSession *)context)->view.moving;
+}
+
+/* The plots over time, and the orbit diagram. */
+
+static const char *const plot_names[] = {"phase", "poincare", "section", "force", "slider", "spectrum", "orbit"};
+static const char *const plot_titles[] = {"Phase plane",  "Poincar\u00E9 map", "Poincar\u00E9 map across",
+                                          "Force",        "Slider's error",    "Spectrum",
+                                          "Orbit diagram"};
+
+size_t crank_picture_plot_count(const void *context) {
+    (void)context;
+    return CRANK_TRACES + 1;
+}
+
+LaboratoryPlot crank_picture_plot(const void *context, size_t index) {
+    const CrankSession *session = context;
+    LaboratoryPlot shown = {.cursor = NAN, .now = ROLE_DANGER_MIDDLE};
+    if (index == CRANK_TRACES) {
+        shown = machine_diagram_shown(&session->diagram, &session->controls);
+    } else {
+        shown.plot = &session->traces.plots[index];
+        shown.revision = session->traces.revisions[index];
+    }
+    shown.name = plot_names[index];
+    shown.title = plot_titles[index];
+    return shown;
+}
+
+size_t crank_picture_points_until(const void *context, size_t index, size_t series, double time) {
+    const CrankSession *session = context;
+    return index == CRANK_TRACES ? session->diagram.series[series].count
+                                 : crank_traces_until(&session->traces, index, series, time);
+}
+
+/* The sound is the slider's velocity. */
+bool crank_picture_sound(void *context, double from, double to, float *samples, size_t count) {
+    CrankSession *session = context;
+    const CrankTape *tape = &session->tape;
+    if (from < crank_tape_return(tape, tape->first)->begin || to > tape->front_time || !(to > from))
+        return false;
+    for (size_t i = 0; i < count; i++) {
+        size_t row, cycle = crank_tape_cycle_at(tape, from + (to - from) * (double)i / (double)count, &row);
+        const CrankTapeCycle *at = crank_tape_cycle(tape, cycle);
+        const Tree *tree = &crank_tape_part(tape, cycle)->tree;
+        double rate = row < at->row_count ? crank_tape_row(at, row)[CRANK_TAPE_SLIDER_RATE] : 0;
+        samples[i] = (float)fmax(-1, fmin(rate / (tree->omega * tree->radius * 1.5), 1));
+    }
+    return true;
+}
