@@ -9,16 +9,20 @@
 #include "command/house_file.h"
 #include "command/output.h"
 #include "command/progress.h"
+#include "command/studio.h"
 #include "paint/paint_cairo.h"
 #include "plot/plot_write.h"
 #include "result/crank.h"
 #include "result/json.h"
 #include "result/text.h"
+#include "visual/crank/crank_film.h"
 #include "visual/crank/crank_plots.h"
 #include "visual/crank/crank_scene.h"
 
 /* A multiple of the speed within this part of a natural frequency is told. */
 #define NEAR_MULTIPLE 0.01
+
+#define FILM_TAIL 0.25 /* revolutions before the present that are drawn thick */
 
 /* A run of a crank. */
 typedef struct CrankRun {
@@ -187,19 +191,66 @@ static bool write_files(const CrankRun *run, json_t *answer, const Options *opti
     return !error && write_plots(run, options) && write_still(run, options);
 }
 
+/* Films -------------------------------------------------------------------------------------------------------------*/
+
+static bool show_film(void *film, double time) {
+    return crank_film_show(film, time);
+}
+
+static size_t film_until(const void *owner, size_t plot, size_t series, double time) {
+    return crank_film_until(owner, plot, series, time);
+}
+
+/* Returns some revolutions from --from on, or the time up to --to. */
+static StudioTimes film_times(const CrankRun *run, const Options *options) {
+    const Trace *trace = &run->response.trace;
+    double fps = options->frames > 0 ? options->frames : STUDIO_FPS,
+           end = trace_row(trace, trace->rows - 1)[CRANK_TIME];
+    double first = fmin(fmax(options->from, 0), end), slow = options->slow > 0 ? options->slow : CRANK_FILM_SLOW;
+    double last = options->to >= 0 ? options->to : first + CRANK_FILM_TURNS / run->crank.frequency;
+    return studio_times(first, fmin(last, end), fps * slow, fps);
+}
+
+static bool write_film(const CrankRun *run, const Options *options) {
+    if (options->frames <= 0 && !options->movie)
+        return true;
+    if (run->response.trace.rows < CRANK_SAMPLES) {
+        fprintf(stderr, "clearance: not one whole revolution was recorded: there is nothing to draw\n");
+        return true;
+    }
+    StudioTimes times = film_times(run, options);
+    if (!studio_can_take(&times))
+        return false;
+    CrankFilm *film = crank_film_create(&run->crank, &run->tree, &run->response, times.first, times.last);
+    StudioFilm filmed = {.film = film,
+                         .show = show_film,
+                         .still = crank_film_still(film),
+                         .added = crank_film_added(film),
+                         .moving = crank_film_moving(film),
+                         .plots = {crank_film_plots(film), CRANK_FILM_PLOTS, FILM_TAIL / run->crank.frequency,
+                                   ROLE_DANGER_MIDDLE, film, film_until}};
+    Studio studio;
+    bool good = studio_open(&studio, &filmed, options);
+    if (good) {
+        good = studio_write(&studio, &times);
+        studio_close(&studio);
+    }
+    crank_film_destroy(film);
+    return good;
+}
+
 /* Refuses options that are for others only. */
 static bool check_options(CrankRun *run, const Options *options) {
     char message[PLOT_CHOICE_FAULT];
-    const char *foreign = options->route                      ? "--route"
-                          : options->driving >= 0             ? "--driving"
-                          : options->report                   ? "--report"
-                          : options->observed                 ? "--observed"
-                          : options_given(options, "--until") ? "--until"
-                          : options->measured                 ? "--measured"
-                          : options->frames > 0               ? "--frames"
-                          : options->movie                    ? "--movie"
-                          : options->show                     ? "--show"
-                                                              : NULL;
+    const char *foreign = options->route                        ? "--route"
+                          : options->driving >= 0               ? "--driving"
+                          : options->report                     ? "--report"
+                          : options->observed                   ? "--observed"
+                          : options_given(options, "--until")   ? "--until"
+                          : options->measured                   ? "--measured"
+                          : options->camera.kind == VIEW_RAISED ? "--view raised"
+                          : options->show                       ? "--show"
+                                                                : NULL;
     if (foreign) {
         fprintf(stderr, "clearance: %s is not for cranks, %s is a crank\n", foreign, options->files[0]);
         return false;
@@ -208,6 +259,8 @@ static bool check_options(CrankRun *run, const Options *options) {
         fprintf(stderr, "clearance: --plots needs --out DIR, where the plots are written\n");
         return false;
     }
+    if (studio_check(options))
+        return false;
     const char *words = options->plot_words ? options->plot_words : CRANK_PLOTS_USUAL;
     if (!crank_plots_choose(&run->plots, words, message)) {
         fprintf(stderr, "clearance: --plots %s: %s\n", words, message);
@@ -235,7 +288,7 @@ int run_crank_file(const Options *options) {
     run.forces = result_crank_forces(&run.tree, &run.response, run.ideal);
     json_t *answer = make_answer(&run);
     answer_mark_interrupted(answer, interrupted);
-    bool written = !options->out || write_files(&run, answer, options);
+    bool written = (!options->out || write_files(&run, answer, options)) && write_film(&run, options);
     interrupted = output_tell_interrupted(interrupted);
     answer_mark_interrupted(answer, interrupted);
     if (options->json)

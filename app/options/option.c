@@ -258,7 +258,8 @@ const Option option_rows[] = {
      GROUP_PICTURES, FOR_FILMS | FOR_STUDY | FOR_EXPORT | FOR_RULES | FOR_FIT, THEME_NAMES, NULL},
 
     {"--frames", OPTION_NUMBER, FIELD(frames), 0.001, 1000, "FPS",
-     "write FPS pictures per simulated second (beams: per second of film) to DIR/frames/frame-00001.png and so on",
+     "write FPS pictures per simulated second (beams, cranks: per second of film) to DIR/frames/frame-00001.png and so "
+     "on",
      GROUP_FILM, FOR_RUN, NULL, NULL},
     {"--frames", OPTION_NUMBER, FIELD(frames), 0.001, 1000, "FPS",
      "write FPS pictures per simulated second to DIR/frames/frame-00001.png and so on", GROUP_FILM, FOR_COMPARE, NULL,
@@ -267,12 +268,14 @@ const Option option_rows[] = {
      "make a film with ffmpeg: .mp4, .mkv, .mov or .webm (30 pictures per second unless --frames is given)", GROUP_FILM,
      FOR_FILMS, ".mp4,.mkv,.mov,.webm", NULL},
     {"--slow", OPTION_NUMBER, FIELD(slow), 0.001, 1e9, "TIMES",
-     "beams only: slow-motion factor (default: one drive cycle lasts 1.5 s)", GROUP_FILM, FOR_RUN, NULL, NULL},
+     "beams and cranks: slow-motion factor (default: a beam's drive cycle lasts 1.5 s, a crank is 60 times slower)",
+     GROUP_FILM, FOR_RUN, NULL, NULL},
     {"--from", OPTION_NUMBER, FIELD(from), 0, 1e9, "SECONDS", "time of the first picture (default 0)", GROUP_FILM,
      FOR_FILMS, NULL, NULL},
     {"--to", OPTION_NUMBER, FIELD(to), 0, 1e9, "SECONDS",
-     "time of the last picture (default: when the last person is out; beams: after 8 cycles)", GROUP_FILM, FOR_RUN,
-     NULL, NULL},
+     "time of the last picture (default: when the last person is out; beams: after 8 cycles, cranks: after 3 "
+     "revolutions)",
+     GROUP_FILM, FOR_RUN, NULL, NULL},
     {"--to", OPTION_NUMBER, FIELD(to), 0, 1e9, "SECONDS",
      "time of the last picture (default: when the last person is out of the second house)", GROUP_FILM, FOR_COMPARE,
      NULL, NULL},

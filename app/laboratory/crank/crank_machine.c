@@ -36,14 +36,14 @@ static const MachineLooks all_looks[] = {
 
 /* One of each type, as found by `study --types`; the window names the type once it has determined it itself. */
 static const MachinePreset presets[] = {
-    {"500 rpm, 0.02 mm",
-     "a small clearance: forces change little with the design",
+    {"500 rpm",
+     "a small clearance, 0.02 mm: forces change little with the design",
      {{"drive.frequency", 500 / 60., false}, {"joint.clearance", 0.02e-3, false}}},
-    {"600 rpm, 0.1 mm",
-     "a middle clearance: periodic, but forces change steeply with the design",
+    {"600 rpm",
+     "a middle clearance, 0.1 mm: periodic, but forces change steeply with the design",
      {{"drive.frequency", 10, false}, {"joint.clearance", 0.1e-3, false}}},
-    {"700 rpm, 0.25 mm",
-     "a large clearance: the ball rattles without a period",
+    {"700 rpm",
+     "a large clearance, 0.25 mm: the ball rattles without a period",
      {{"drive.frequency", 700 / 60., false}, {"joint.clearance", 0.25e-3, false}}},
 };
 

@@ -327,7 +327,7 @@ void crank_scene_moving(Scene *scene, const Tree *tree, const CrankScale *scale,
 
 /* A recorded moment ------------------------------------------------------------------------------------------------ */
 
-size_t crank_scene_hardest(const Trace *trace) {
+static size_t hardest(const Trace *trace) {
     size_t most = TURNS_SHOWN * CRANK_SAMPLES, found = trace->rows < most ? 0 : trace->rows - most;
     for (size_t i = found; i < trace->rows; i++)
         if (trace_row(trace, i)[CRANK_FORCE] > trace_row(trace, found)[CRANK_FORCE])
@@ -356,7 +356,8 @@ static Turn turn_at(const Tree *tree, const Response *response, size_t row, doub
     return turn;
 }
 
-static void add_texts(Scene *scene, const Crank *crank, const Response *response, const double *row) {
+void crank_scene_labels(Scene *scene, const Crank *crank, const Response *response, size_t at) {
+    const double *row = trace_row(&response->trace, at);
     const SectionPeaks *peaks = &response->peaks;
     const char *verdict = response->verdict == RESPONSE_PERIODIC
                               ? scene_text(scene, "periodic, period %zu", response->orbit.period)
@@ -384,25 +385,32 @@ static size_t copy_rows(Scene *scene, const Trace *trace, size_t row, size_t tur
     return count;
 }
 
-void crank_scene_make_at(Scene *scene, const Crank *crank, const Tree *tree, const Response *response, size_t row) {
+CrankMoment crank_scene_moment(Scene *scene, const Tree *tree, const Response *response, size_t row, Turn *turn,
+                               double *reach) {
     const Trace *trace = &response->trace;
-    double reach;
-    Turn turn = turn_at(tree, response, row, &reach);
-    CrankScale scale = crank_scene_scale(crank, tree, reach, response->peaks.max);
-    CrankMoment moment = {.time = turn.time, .state = turn.state, .force = trace_row(trace, row)[CRANK_FORCE]};
+    *turn = turn_at(tree, response, row, reach);
+    CrankMoment moment = {.time = turn->time, .state = turn->state, .force = trace_row(trace, row)[CRANK_FORCE]};
     copy_rows(scene, trace, row, PATH_TURNS, CRANK_ALONG, 1, &moment.along);
     copy_rows(scene, trace, row, PATH_TURNS, CRANK_ACROSS, 1, &moment.across);
     moment.path_count = copy_rows(scene, trace, row, PATH_TURNS, CRANK_UP, 1, &moment.up);
     copy_rows(scene, trace, row, TURNS_SHOWN, CRANK_ANGLE, M_PI / 180, &moment.angle);
     moment.force_count = copy_rows(scene, trace, row, TURNS_SHOWN, CRANK_FORCE, 1, &moment.forces);
-    size_t present = row % CRANK_SAMPLES + 1 < moment.force_count ? CRANK_SAMPLES : 0; /* a whole last revolution */
-    moment.present = present && moment.force_count > present ? moment.force_count - present : 0;
+    if (moment.force_count > CRANK_SAMPLES) /* the last whole revolution is thick */
+        moment.present = moment.force_count - CRANK_SAMPLES;
+    return moment;
+}
+
+void crank_scene_make_at(Scene *scene, const Crank *crank, const Tree *tree, const Response *response, size_t row) {
+    double reach;
+    Turn turn;
+    CrankMoment moment = crank_scene_moment(scene, tree, response, row, &turn, &reach);
+    CrankScale scale = crank_scene_scale(crank, tree, reach, response->peaks.max);
     crank_scene_still(scene, crank, tree, &scale);
     crank_scene_moving(scene, tree, &scale, &moment);
     scene->box = scale.box;
-    add_texts(scene, crank, response, trace_row(trace, row));
+    crank_scene_labels(scene, crank, response, row);
 }
 
 void crank_scene_make(Scene *scene, const Crank *crank, const Tree *tree, const Response *response) {
-    crank_scene_make_at(scene, crank, tree, response, crank_scene_hardest(&response->trace));
+    crank_scene_make_at(scene, crank, tree, response, hardest(&response->trace));
 }

@@ -67,12 +67,15 @@ double crank_scene_reach(const Tree *tree, const double *state);
 void crank_scene_still(Scene *scene, const Crank *crank, const Tree *tree, const CrankScale *scale);
 void crank_scene_moving(Scene *scene, const Tree *tree, const CrankScale *scale, const CrankMoment *moment);
 
-/* Adds the whole picture of the moment of the largest force in the last recorded revolutions. The trace must have a
- * whole revolution. */
-void crank_scene_make(Scene *scene, const Crank *crank, const Tree *tree, const Response *response);
+/* Simulates a recorded revolution again to a row of the trace (from 0), and describes that moment, with arrays in the
+ * scene's memory; `turn` holds its state, and `reach` (m) becomes the largest displacement until then. */
+CrankMoment crank_scene_moment(Scene *scene, const Tree *tree, const Response *response, size_t row, Turn *turn,
+                               double *reach);
 
-/* Adds the whole picture of a row of the trace (from 0). */
+/* Adds the texts around the picture of a row. */
+void crank_scene_labels(Scene *scene, const Crank *crank, const Response *response, size_t row);
+
+/* Adds the whole picture of a row of the trace, or of the moment of the largest force in the last recorded revolutions.
+ * The trace must have a whole revolution. */
 void crank_scene_make_at(Scene *scene, const Crank *crank, const Tree *tree, const Response *response, size_t row);
-
-/* Returns the row of the largest force in the last recorded revolutions. */
-size_t crank_scene_hardest(const Trace *trace);
+void crank_scene_make(Scene *scene, const Crank *crank, const Tree *tree, const Response *response);
