@@ -7,7 +7,7 @@
 
 #include "check.h"
 
-enum { SETTINGS_MOST = 16, POINTS = 20 /* of the quadrature */ };
+enum { SETTINGS_MOST = 32, POINTS = 20 /* of the quadrature */ };
 
 Crank cranks_read(const char *const *settings) {
     char path[1000];
