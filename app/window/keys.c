@@ -10,9 +10,9 @@ const char *const keys_menus[MENUS] = {[MENU_FILE] = "File", [MENU_EDIT] = "Edit
 
 static const KeyRow table[] = {
     {ACTION_NEW, KEY_ANYWHERE, "Ctrl+N", MENU_FILE, "New house", "Begin a new house with an empty plan", NULL},
-    {ACTION_OPEN, KEY_ANYWHERE, "Ctrl+O", MENU_FILE, "Open ...", "Open a house or a beam from a file", NULL},
-    {ACTION_GALLERY, KEY_ANYWHERE, "F4", MENU_FILE, "Gallery", "Show the shipped houses and beams with pictures",
-     "gallery"},
+    {ACTION_OPEN, KEY_ANYWHERE, "Ctrl+O", MENU_FILE, "Open ...", "Open a house, a beam or a crank from a file", NULL},
+    {ACTION_GALLERY, KEY_ANYWHERE, "F4", MENU_FILE, "Gallery",
+     "Show the shipped houses, beams and cranks with pictures", "gallery"},
     {ACTION_SAVE, KEY_ANYWHERE, "Ctrl+S", MENU_FILE, "Save",
      "Save to the file, or ask for a name if it cannot be overwritten", NULL},
     {ACTION_SAVE_COPY, KEY_ANYWHERE, "Ctrl+Shift+S", MENU_FILE, "Save as ...",

@@ -1,13 +1,14 @@
 #!/bin/sh
-# Prints the digest of a run of every house, of a run of every beam with its largest force, and of two studies. Every
-# build, every processor and every number of jobs has to print the same, and tests/golden/digests keeps it. Fails if a
-# run gives no digest. For a crowd of thousands two seconds are enough.
+# Prints the digest of a run of every house, of a run of every beam and two of a crank with their largest forces, and of
+# three studies. Every build, every processor and every number of jobs has to print the same, and tests/golden/digests
+# keeps it. Fails if a run gives no digest. For a crowd of thousands two seconds are enough.
 # digests.sh CLEARANCE [OPTION ...]
 set -u
 program=$1
 shift
 houses=$(dirname "$0")/../../houses
 beams=$(dirname "$0")/../../assets/beams
+crank=$(dirname "$0")/../../assets/cranks/ssc.json
 
 # answer NAME ARGUMENT...: the name and the digest of an answer, and the largest force of one that has it
 answer() {
@@ -32,3 +33,7 @@ answer "ibs at 305 Hz" run "$beams/ibs.json" --set drive.frequency=305 --lanes 0
 answer "study of a corner" study "$houses/corner-1.20-1.20.json" --vary profile.manual-chair.width=0.5:0.7:3 --runs 2 \
     --spread profile.manual-chair.free_speed=0.1 "$@" || exit 1
 answer "study of a beam" study "$beams/ibs.json" --vary drive.frequency=200:320:25 --sweep reset,up "$@" || exit 1
+answer "ssc" run "$crank" "$@" || exit 1
+answer "ssc at 600 rpm" run "$crank" --set drive.frequency=10 --set joint.clearance=1e-4 "$@" || exit 1
+answer "study of a crank" study "$crank" --vary drive.frequency=9:12:5 --set run.transient_cycles=20 \
+    --set run.cycles=10 "$@" || exit 1
