@@ -231,9 +231,9 @@ static void add_loupe_still(const Drawing *d) {
     static const char *const sights[CRANK_SIGHTS] = {"from the side", "along the coupler", "from above"};
     const CrankScale *scale = d->scale;
     add_ring(d->scene, ROLE_FURNITURE_LINE, MIDDLE, LINE_SOLID, scale->socket, scale->loupe);
-    add_name(d, vec2(scale->socket.x, scale->socket.y + 1.15 * scale->loupe),
-             scene_text(d->scene, "ball in its socket, %s", sights[scale->sight]));
     add_name(d, vec2(scale->socket.x, scale->socket.y - 1.17 * scale->loupe),
+             scene_text(d->scene, "ball in its socket, %s", sights[scale->sight]));
+    add_name(d, vec2(scale->socket.x, scale->socket.y - 1.38 * scale->loupe),
              scene_text(d->scene, "clearance %g mm, overlap x %g", MILLI * d->tree->clearance, CRANK_SCENE_OVERLAP));
 }
 
