@@ -17,7 +17,8 @@ calm = ("--set", "drive.frequency=10", "--set", "joint.clearance=1e-4", "--set",
 def check_run():
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder, "out")
-        text = expect(0, "run", crank, *calm, "--out", str(out), "--plots", "phase,across,spectrum").stdout
+        text = expect(0, "run", crank, *calm, "--out", str(out), "--plots", "phase,across,spectrum",
+                      "--frames", "5", "--to", "0.02").stdout
         check(text.startswith("Periodic, period 1: at 600 rpm the largest force in the joint is 51.16 N, 1.5 times the "
                               "34.52 N of a joint without clearance\n"), f"run of a crank: {text}")
         check("The ball never leaves the wall of its socket." in text, f"contact of a crank: {text}")
@@ -35,6 +36,8 @@ def check_run():
                 check((out / f"plot-{name}.{ending}").stat().st_size > 1000, f"plot-{name}.{ending}")
         for ending in ("png", "svg", "pdf"):
             check((out / f"crank.{ending}").stat().st_size > 3000, f"crank.{ending}")
+        frames = sorted(path.name for path in (out / "frames").iterdir())
+        check(len(frames) == 7 and frames[0] == "frame-00001.png", f"a film of a crank, 60 times slower: {frames}")
         again = expect(0, "run", crank, *calm, "--json").stdout
         check(json.loads(again)["digest"] == summary["digest"], "a crank's run repeats")
 
