@@ -34,7 +34,7 @@ static const MachineLooks all_looks[] = {
     {"run.cycles", "Recorded revolutions", NULL, 1, 0, 0, 10, 200, 0, 0, false, false},
 };
 
-/* One of each type, as found by `study --types`; the window names the type once it has determined it itself. */
+/* Chosen for what their forces do; the window names a type only once it has determined it. */
 static const MachinePreset presets[] = {
     {"500 rpm",
      "a small clearance, 0.02 mm: forces change little with the design",
