@@ -59,24 +59,24 @@ static void add_sign(Text *text, Verdict verdict, const char *passed) {
 
 /* Draws the allowed band and the value on a line from `from` to `to`, in the unit of the check. */
 static void add_ruler(Text *text, const VerificationCheck *check) {
-    bool has_low = check->low > -HUGE_VAL, has_high = check->high < HUGE_VAL;
-    double low = has_low ? check->low : fmin(0, fmin(check->high, check->value));
-    double high = has_high ? check->high : fmax(2 * fabs(check->low), check->value);
-    double from = fmin(low, check->value), to = fmax(high, check->value);
+    bool has_low = check->condition.low > -HUGE_VAL, has_high = check->condition.high < HUGE_VAL;
+    double low = has_low ? check->condition.low : fmin(0, fmin(check->condition.high, check->condition.value));
+    double high = has_high ? check->condition.high : fmax(2 * fabs(check->condition.low), check->condition.value);
+    double from = fmin(low, check->condition.value), to = fmax(high, check->condition.value);
     double room = fmax(0.15 * (to - from), 0.05 * fmax(fabs(to), 1));
     from = has_low || from < 0 ? from - room : from;
     to += room;
     double scale = 240 / (to - from);
     double left = has_low ? (low - from) * scale : 0, right = has_high ? (high - from) * scale : 240;
-    double at = (check->value - from) * scale;
+    double at = (check->condition.value - from) * scale;
     text_format(
         text,
         "<svg class=\"ruler\" viewBox=\"0 0 240 48\" role=\"img\" aria-label=\"the value on a ruler with its limits\">"
         "<path d=\"M0 20h240\" stroke=\"var(--line)\" stroke-width=\"2\"/>");
     text_format(text, "<rect x=\"%.1f\" y=\"12\" width=\"%.1f\" height=\"16\" fill=\"var(--band)\"/>", left,
                 fmax(right - left, 3));
-    const double limits[2] = {left, right}, numbers[2] = {check->low, check->high};
-    const bool has[2] = {has_low, has_high && check->high > check->low};
+    const double limits[2] = {left, right}, numbers[2] = {check->condition.low, check->condition.high};
+    const bool has[2] = {has_low, has_high && check->condition.high > check->condition.low};
     for (int l = 0; l < 2; l++)
         if (has[l])
             text_format(text,
@@ -84,7 +84,7 @@ static void add_ruler(Text *text, const VerificationCheck *check) {
                         "font-size=\"14\" text-anchor=\"%s\" fill=\"var(--dim)\">%g</text>",
                         limits[l], limits[l], has[0] && has[1] && right - left < 50 ? l ? "start" : "end" : "middle",
                         numbers[l]);
-    bool passed = check->verdict == VERDICT_PASSED;
+    bool passed = check->condition.verdict == VERDICT_PASSED;
     if (passed)
         text_format(text, "<circle cx=\"%.1f\" cy=\"20\" r=\"8\" fill=\"var(--yes)\"/>", at);
     else
@@ -98,7 +98,7 @@ static void add_check(Text *text, const VerificationCheck *check, const ResultTa
     html_add_escaped(text, result_at(checks, c, CHECK_QUESTION)->text);
     if (check->seeds > 1)
         text_format(text, " <span class=\"note\">(mean of %d seeds)</span>", check->seeds);
-    if (check->verdict == VERDICT_FAILED) {
+    if (check->condition.verdict == VERDICT_FAILED) {
         text_add(text, "<div class=\"why\">");
         html_add_escaped(text, result_at(checks, c, CHECK_WHY)->text);
         text_add(text, "</div>");
@@ -108,10 +108,10 @@ static void add_check(Text *text, const VerificationCheck *check, const ResultTa
     text_add(text, "</td><td class=\"ours\">");
     html_add_escaped(text, value ? value : "-");
     text_add(text, "</td><td class=\"wide\">");
-    if (isfinite(check->value))
+    if (isfinite(check->condition.value))
         add_ruler(text, check);
     text_add(text, "</td><td>");
-    add_sign(text, check->verdict, result_at(checks, c, CHECK_PASSED)->text);
+    add_sign(text, check->condition.verdict, result_at(checks, c, CHECK_PASSED)->text);
     text_add(text, "</td></tr>\n");
 }
 

@@ -38,7 +38,7 @@ static void print_case(const Verification *verification) {
 static void print_reasons(const Verification *verification) {
     ResultTable checks = result_cases_checks(verification);
     for (size_t c = 0; c < checks.record_count; c++)
-        if (verification->checks[c].verdict == VERDICT_FAILED)
+        if (verification->checks[c].condition.verdict == VERDICT_FAILED)
             printf("not passed: %s (%s), %s: %s\n", verification->suite, verification->id,
                    text_of(&checks, c, CHECK_QUESTION), text_of(&checks, c, CHECK_WHY));
     result_clear(&checks);

@@ -15,6 +15,7 @@ int command_export(const Options *options);
 int command_fit(const Options *options);
 int command_help(const Options *options);
 int command_import(const Options *options);
+int command_lesson(const Options *options);
 int command_loci(const Options *options);
 int command_open(const Options *options);
 int command_rules(const Options *options);

@@ -8,7 +8,6 @@
 
 #include "beam/beam_cycle.h"
 #include "command/answer.h"
-#include "command/beam_files.h"
 #include "command/beam_frames.h"
 #include "command/house_file.h"
 #include "command/output.h"
@@ -166,14 +165,14 @@ int run_beam_file(const Options *options) {
     Beam beam = {0};
     Rig rig;
     Fault fault = {0};
-    BeamFiles files;
+    BeamFrames files;
     if (!check_options(options) || beam_frames_check(options) || (options->out && !output_directory(options->out)) ||
-        !beam_files_begin(&files, options))
+        !beam_frames_plots_begin(&files, options))
         return EXIT_WRONG_INPUT;
     if (!beam_read(&beam, options->files[0], options->settings, options->setting_count, &fault) ||
         !rig_build(&rig, &beam, options->files[0], &fault)) {
         beam_free(&beam);
-        beam_files_end(&files);
+        beam_frames_plots_end(&files);
         return house_file_report(&fault);
     }
     Response response;
@@ -182,7 +181,7 @@ int run_beam_file(const Options *options) {
     response_confirm(&response, beam_cycle_of(&rig),
                      &(SurvivalTask){(size_t)options->lanes, SURVIVAL_CYCLES, options->jobs, &progress_stop});
     if (!type_tell(&type, &beam, options, &fault)) {
-        beam_files_end(&files);
+        beam_frames_plots_end(&files);
         response_clear(&response);
         rig_clear(&rig);
         beam_free(&beam);
@@ -196,11 +195,11 @@ int run_beam_file(const Options *options) {
     json_t *answer = make_answer(&response, &facts, &type, &beam);
     answer_mark_interrupted(answer, interrupted);
     bool written = (!options->out || (write_data(&response, answer, options->out) &&
-                                      beam_files_write(&files, &response, &beam, options))) &&
+                                      beam_frames_plots_write(&files, &response, &beam, options))) &&
                    beam_frames_write(&beam, &rig, &response, options);
     interrupted = output_tell_interrupted(interrupted);
     answer_mark_interrupted(answer, interrupted);
-    beam_files_end(&files);
+    beam_frames_plots_end(&files);
     if (options->json)
         answer_print(json_incref(answer));
     else

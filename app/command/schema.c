@@ -6,6 +6,7 @@
 #include "command/command.h"
 #include "command/house_file.h"
 #include "crank/crank.h"
+#include "lesson/lesson.h"
 #include "options/completion.h"
 #include "options/manual.h"
 #include "plan/plan.h"
@@ -62,12 +63,14 @@ static int print_schema(const char *kind) {
         answer_print(crank_schema());
     } else if (strcmp(kind, "rules") == 0) {
         answer_print(rule_set_schema());
+    } else if (strcmp(kind, "lesson") == 0) {
+        answer_print(lesson_schema());
     } else {
-        fprintf(
-            stderr,
-            "clearance: schema prints house, profile, beam, crank, rules, man, completion SHELL and names FILE, not "
-            "\"%s\"\n",
-            kind);
+        fprintf(stderr,
+                "clearance: schema prints house, profile, beam, crank, rules, lesson, man, completion SHELL and names "
+                "FILE, not "
+                "\"%s\"\n",
+                kind);
         return EXIT_WRONG_INPUT;
     }
     return EXIT_ANSWERED;

@@ -12,10 +12,11 @@ enum { PATH_MOST = 4096, OWN_MOST = 8 };
 
 static char assets[PATH_MOST], looked[4 * PATH_MOST], missing[5 * PATH_MOST];
 static char profiles[(OWN_MOST + 1) * (PATH_MOST + 32)], furniture[PATH_MOST + 32], beams[PATH_MOST + 32],
-    cranks[PATH_MOST + 32], houses[PATH_MOST + 32], help[PATH_MOST + 32], rules[PATH_MOST + 32];
+    cranks[PATH_MOST + 32], houses[PATH_MOST + 32], help[PATH_MOST + 32], rules[PATH_MOST + 32],
+    lessons[PATH_MOST + 32];
 static char own[OWN_MOST][PATH_MOST + 32];
 static size_t own_count;
-static Shipped shipped = {profiles, furniture, beams, cranks, houses, help, rules, NULL};
+static Shipped shipped = {profiles, furniture, beams, cranks, houses, help, rules, lessons, NULL};
 
 /* Adds a folder to the list of searched folders, once. */
 static void add_looked(const char *folder) {
@@ -141,6 +142,7 @@ static void find(void) {
     snprintf(cranks, sizeof cranks, "%s/cranks", assets);
     snprintf(houses, sizeof houses, "%s/houses", assets);
     snprintf(help, sizeof help, "%s/help", assets);
+    snprintf(lessons, sizeof lessons, "%s/lessons", assets);
     snprintf(rules, sizeof rules, "%s/rules", assets);
     if (access(houses, R_OK) != 0)
         snprintf(houses, sizeof houses, "%s/../houses", assets);

@@ -15,8 +15,8 @@
 #include <stddef.h>
 
 typedef struct Shipped {
-    const char *profiles;                                           /* folders, one a line, the shipped one first */
-    const char *furniture, *beams, *cranks, *houses, *help, *rules; /* folders */
+    const char *profiles; /* folders, one a line, the shipped one first */
+    const char *furniture, *beams, *cranks, *houses, *help, *rules, *lessons; /* folders */
     const char *missing; /* one line that names the searched places if none contains profiles; NULL otherwise */
 } Shipped;
 

@@ -129,6 +129,9 @@ const Option option_rows[] = {
     {"--rules", OPTION_TEXT, FIELD(rules), NO_RANGE, "ID|FILE[,...]",
      "only these rules, by the names of the shipped ones or as files (default: all that are shipped)", GROUP_INPUT,
      FOR_RULES, NULL, NULL},
+    {"--answers", OPTION_FLAG, FIELD(answers), NO_RANGE, NULL,
+     "the teacher's sheet: model answers, numbers, common mistakes and pictures of the results", GROUP_OUTPUT,
+     FOR_LESSON, NULL, NULL},
     {"--unit", OPTION_READ, NO_FIELD, NO_RANGE, IMPORT_UNITS,
      "unit of the numbers in the file (default: the one that the file names, or the usual one)", GROUP_INPUT,
      FOR_IMPORT, IMPORT_UNITS, read_unit},
@@ -230,6 +233,8 @@ const Option option_rows[] = {
     {"--out", OPTION_FOLDER, FIELD(out), NO_RANGE, "DIR",
      "write rules.json, rules.html, rules.pdf and plan.png, .svg and .pdf with what was measured to DIR", GROUP_OUTPUT,
      FOR_RULES, NULL, NULL},
+    {"--out", OPTION_FOLDER, FIELD(out), NO_RANGE, "DIR", "write the sheet, NAME.pdf or NAME-answers.pdf, to DIR",
+     GROUP_OUTPUT, FOR_LESSON, NULL, NULL},
     {"--out", OPTION_FOLDER, FIELD(out), NO_RANGE, "DIR", "write cases.html, cases.md and cases.json to DIR",
      GROUP_OUTPUT, FOR_CASES, NULL, NULL},
     {"--out", OPTION_FOLDER, FIELD(out), NO_RANGE, "DIR",
@@ -309,7 +314,7 @@ const Option option_rows[] = {
 
     {"--jobs", OPTION_WHOLE, FIELD(jobs), 1, 1024, "N",
      "number of threads (default: one per processor); the answer does not depend on it", GROUP_PROGRAM,
-     FOR_HOUSES | FOR_CASES | FOR_OPEN, NULL, NULL},
+     FOR_HOUSES | FOR_CASES | FOR_LESSON | FOR_OPEN, NULL, NULL},
     {"--quiet", OPTION_FLAG, FIELD(quiet), NO_RANGE, NULL, "print no progress", GROUP_PROGRAM, FOR_HOUSES | FOR_CASES,
      NULL, NULL},
 };

@@ -55,6 +55,7 @@ typedef struct Options {
     const char *fit;    /* names of parameters, separated by commas, or NULL */
     const char *priors; /* NAME=VALUE:SPREAD, separated by commas, or NULL */
     bool leave_out;
+    bool answers;
     const char *rules; /* ids and files, separated by commas, or NULL: all that are shipped */
     StudyRequest study;
     bool paper;

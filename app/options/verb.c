@@ -55,6 +55,11 @@ const Verb verb_rows[VERBS] = {
                     "Run public verification tests: which pass, and why the others do not.",
                     "clearance cases tests/cases --out out\n"
                     "clearance cases tests/cases/rimea-01.json\n"},
+    [VERB_LESSON] = {"lesson", 1, SIZE_MAX, "list|check|sheet [NAME|FILE ...]", ".json", "list|check|sheet",
+                     "Lessons for a class: list them, try each goal by its script, or print a sheet for pupils.",
+                     "clearance lesson list\n"
+                     "clearance lesson check legal-no-way\n"
+                     "clearance lesson sheet legal-no-way --answers --out out\n"},
     [VERB_IMPORT] =
         {"import", 2, 2, "FILE HOUSE", ".sh3d,.dxf,.wkt,.scenario,.json", "",
          "Convert a file of another program to a house: Sweet Home 3D (.sh3d), a drawing (.dxf), a walkable "
@@ -65,8 +70,8 @@ const Verb verb_rows[VERBS] = {
                      "Write the walkable area of a house, or a picture of its plan, for other programs.",
                      "clearance export houses/ube-techno-house.json --to wkt --out ube.wkt\n"},
     [VERB_SCHEMA] =
-        {"schema", 1, 2, "house|profile|beam|crank|rules|man|completion SHELL|names FILE", "",
-         "house|profile|beam|crank|rules|man|completion|names",
+        {"schema", 1, 2, "house|profile|beam|crank|rules|lesson|man|completion SHELL|names FILE", "",
+         "house|profile|beam|crank|rules|lesson|man|completion|names",
          "Print the JSON Schema of a kind of file, for editors that complete and check; the manual page; the "
          "completion of command lines for bash, zsh or fish; or the names that --set takes for a file.",
          "clearance schema house > house.schema.json\n"

@@ -65,7 +65,7 @@ static const char *read_unit(const VerificationCheck *check) {
     static const char *const units[][2] = {
         {"s", "s"}, {"m/s", "m/s"}, {"1/(m s)", "persons/(m s)"}, {"1/m2", "persons/m\u00b2"}};
     for (size_t u = 0; u < sizeof units / sizeof *units; u++)
-        if (strcmp(check->unit, units[u][0]) == 0)
+        if (strcmp(check->condition.unit, units[u][0]) == 0)
             return units[u][1];
     return NULL;
 }
@@ -79,14 +79,14 @@ static const char *ids_of(Arena *arena, const Ids *ids) {
 
 /* Returns the meaning of the measure, of whom it is, and with what it is compared. */
 static const char *question_of(Arena *arena, const VerificationCheck *check) {
-    if (*check->title)
-        return check->title;
-    const char *people = ids_of(arena, &check->question.of), *others = ids_of(arena, &check->than_of);
-    const char *meaning = check->measure->meaning;
+    if (*check->condition.title)
+        return check->condition.title;
+    const char *people = ids_of(arena, &check->condition.question.of), *others = ids_of(arena, &check->than_of);
+    const char *meaning = check->condition.measure->meaning;
     const char *question = check->is_ratio ? text_in_arena(arena, "ratio: %s", meaning) : meaning;
     const struct {
         const char *format, *name;
-    } parts[] = {{"exit %s", check->question.exit},
+    } parts[] = {{"exit %s", check->condition.question.exit},
                  {"variant %s", check->variant},
                  {"against %s", check->than},
                  {"against %s", others}};
@@ -104,35 +104,37 @@ static const char *quantity(Arena *arena, const char *format, double value, cons
 
 static const char *criterion_of(Arena *arena, const VerificationCheck *check) {
     const char *unit = read_unit(check);
-    const char *low = quantity(arena, "%g", check->low, unit), *high = quantity(arena, "%g", check->high, unit);
-    if (check->low == check->high)
+    const char *low = quantity(arena, "%g", check->condition.low, unit),
+               *high = quantity(arena, "%g", check->condition.high, unit);
+    if (check->condition.low == check->condition.high)
         return text_in_arena(arena, "exactly %s", low);
-    if (check->low == -HUGE_VAL)
+    if (check->condition.low == -HUGE_VAL)
         return text_in_arena(arena, "at most %s", high);
-    if (check->high == HUGE_VAL)
+    if (check->condition.high == HUGE_VAL)
         return text_in_arena(arena, "at least %s", low);
-    return text_in_arena(arena, "%g to %s", check->low, high);
+    return text_in_arena(arena, "%g to %s", check->condition.low, high);
 }
 
 static void add_check(ResultTable *table, const VerificationCheck *check) {
     Arena *arena = &table->arena;
-    bool known = isfinite(check->value), failed = check->verdict == VERDICT_FAILED;
-    const char *value = known ? quantity(arena, "%.4g", check->value, read_unit(check)) : NULL;
+    bool known = isfinite(check->condition.value), failed = check->condition.verdict == VERDICT_FAILED;
+    const char *value = known ? quantity(arena, "%.4g", check->condition.value, read_unit(check)) : NULL;
     const char *criterion = criterion_of(arena, check);
-    const char *reason = joined(arena, check->note, "; ", check->why);
+    const char *reason = joined(arena, check->condition.note, "; ", check->condition.why);
     const char *must = known ? text_in_arena(arena, "%s, must be %s", value, criterion)
                              : text_in_arena(arena, "no value, must be %s", criterion);
-    add_text(table, "measure", NULL, check->measure->name);
+    add_text(table, "measure", NULL, check->condition.measure->name);
     add_text(table, "question", "what is measured", question_of(arena, check));
-    result_add(table, (ResultRow){.key = "low", .kind = RESULT_NUMBER, .number = check->low});
-    result_add(table, (ResultRow){.key = "high", .kind = RESULT_NUMBER, .number = check->high});
-    add_text(table, "unit", NULL, check->unit);
+    result_add(table, (ResultRow){.key = "low", .kind = RESULT_NUMBER, .number = check->condition.low});
+    result_add(table, (ResultRow){.key = "high", .kind = RESULT_NUMBER, .number = check->condition.high});
+    add_text(table, "unit", NULL, check->condition.unit);
     add_text(table, NULL, "criterion", criterion);
     result_add(table, (ResultRow){.key = "seeds", .kind = RESULT_COUNT, .number = check->seeds});
     result_add(
         table,
-        (ResultRow){.key = "value", .label = "ours", .kind = RESULT_NUMBER, .number = check->value, .text = value});
-    add_verdict(table, check->verdict);
+        (ResultRow){
+            .key = "value", .label = "ours", .kind = RESULT_NUMBER, .number = check->condition.value, .text = value});
+    add_verdict(table, check->condition.verdict);
     result_add(table, (ResultRow){.label = "reason", .text = reason, .omitted = !failed});
     result_add(table, (ResultRow){.key = "why", .text = joined(arena, must, "; ", reason), .omitted = !failed});
     result_end(table);

@@ -31,7 +31,7 @@ typedef struct CaseRuns {
 
 /* Returns the question of a check for side 0, or for side 1, which side 0 is compared with. */
 static MeasureQuestion question_of(const VerificationCheck *check, int side) {
-    MeasureQuestion question = check->question;
+    MeasureQuestion question = check->condition.question;
     if (side && check->than_of.count)
         question.of = check->than_of;
     if (side && check->than_area.count)
@@ -67,7 +67,7 @@ static void make_run(CaseRun *run, const CaseRunOptions *options) {
         for (int side = 0; side < 2; side++) {
             MeasureQuestion question = question_of(check, side);
             if (concerns(check, side, run))
-                check->measure->take(&run->answers[2 * c + (size_t)side], &house, &observation, &question);
+                check->condition.measure->take(&run->answers[2 * c + (size_t)side], &house, &observation, &question);
         }
     }
     observation_free(&observation);
@@ -129,24 +129,23 @@ static bool mean_of(double *mean, VerificationCheck *check, size_t c, int side, 
         const MeasureAnswer *answer = &run->answers[2 * c + (size_t)side];
         *mean += answer->value / check->seeds;
         found++;
-        if (!*check->note)
-            snprintf(check->note, sizeof check->note, "%s", answer->note);
+        if (!*check->condition.note)
+            snprintf(check->condition.note, sizeof check->condition.note, "%s", answer->note);
     }
     return found == check->seeds;
 }
 
 static void judge(VerificationCheck *check, size_t c, const Verification *verification, const CaseRuns *runs) {
     double value, other = 1;
-    check->value = (double)NAN;
-    check->verdict = VERDICT_NOT_RUN;
-    *check->note = 0;
+    check->condition.value = (double)NAN;
+    check->condition.verdict = VERDICT_NOT_RUN;
+    *check->condition.note = 0;
     if (!mean_of(&value, check, c, 0, verification, runs) ||
         (check->is_ratio && !mean_of(&other, check, c, 1, verification, runs))) {
-        *check->note = 0;
+        *check->condition.note = 0;
         return;
     }
-    check->value = value / other;
-    check->verdict = check->value >= check->low && check->value <= check->high ? VERDICT_PASSED : VERDICT_FAILED;
+    condition_judge(&check->condition, value / other);
 }
 
 /* Adds errors that are new: a house has the same errors with every seed. */
@@ -183,7 +182,7 @@ Verdict case_run_verdict(const Verification *verification) {
         return VERDICT_DOES_NOT_APPLY;
     Verdict verdict = VERDICT_PASSED;
     for (size_t c = 0; c < verification->check_count; c++) {
-        Verdict one = verification->checks[c].verdict;
+        Verdict one = verification->checks[c].condition.verdict;
         if (one == VERDICT_FAILED)
             return VERDICT_FAILED;
         verdict = one == VERDICT_NOT_RUN ? one : verdict;

@@ -176,6 +176,57 @@ static void take_overtaking(MeasureAnswer *answer, const House *house, const Obs
         answer->value = (double)before / (double)pairs;
 }
 
+/* Sums and extremes over the people; a person who is still in counts as far as he came. */
+
+static void take_narrowest(MeasureAnswer *answer, const House *house, const Observation *observation,
+                           const MeasureQuestion *question) {
+    answer->value = HUGE_VAL;
+    for (size_t i = 0; i < observation->person_count; i++)
+        if (asked(house, observation, question, i))
+            answer->value = fmin(answer->value, observation->people[i].narrowest);
+    if (answer->value == HUGE_VAL)
+        no_value(answer, "no person takes part");
+}
+
+static void take_peak_force(MeasureAnswer *answer, const House *house, const Observation *observation,
+                            const MeasureQuestion *question) {
+    for (size_t i = 0; i < observation->person_count; i++)
+        if (asked(house, observation, question, i))
+            answer->value = fmax(answer->value, observation->people[i].peak_force);
+}
+
+static void take_contacts(MeasureAnswer *answer, const House *house, const Observation *observation,
+                          const MeasureQuestion *question) {
+    for (size_t i = 0; i < observation->person_count; i++)
+        answer->value += asked(house, observation, question, i) ? observation->people[i].contacts : 0;
+}
+
+static void take_reversals(MeasureAnswer *answer, const House *house, const Observation *observation,
+                           const MeasureQuestion *question) {
+    for (size_t i = 0; i < observation->person_count; i++)
+        answer->value += asked(house, observation, question, i) ? observation->people[i].reversals : 0;
+}
+
+static void take_path_length(MeasureAnswer *answer, const House *house, const Observation *observation,
+                             const MeasureQuestion *question) {
+    for (size_t i = 0; i < observation->person_count; i++)
+        if (asked(house, observation, question, i))
+            answer->value = fmax(answer->value, observation->people[i].path_length);
+}
+
+static void take_out_share(MeasureAnswer *answer, const House *house, const Observation *observation,
+                           const MeasureQuestion *question) {
+    size_t count = 0;
+    for (size_t i = 0; i < observation->person_count; i++) {
+        count += asked(house, observation, question, i);
+        answer->value += asked(house, observation, question, i) && observation->people[i].completed;
+    }
+    if (count)
+        answer->value /= (double)count;
+    else
+        no_value(answer, "no person takes part");
+}
+
 /* The trace ---------------------------------------------------------------------------------------------------------*/
 
 /* The motion of a person from one row of the trace to the next. */
@@ -457,6 +508,13 @@ static const Measure measures[] = {
     {"time", "s", 0, "time when the last of the people is out", take_time},
     {"mean_time", "s", 0, "mean time when the people are out", take_mean_time},
     {"out", "1", 0, "number of people who leave", take_out},
+    {"out_share", "1", 0, "share of the people who leave", take_out_share},
+    {"narrowest", "m", 0, "least clearance of a body, at most the reach of its space; negative: contact",
+     take_narrowest},
+    {"contacts", "1", 0, "number of contacts begun", take_contacts},
+    {"peak_force", "N", 0, "largest contact force on a body", take_peak_force},
+    {"reversals", "1", 0, "planned changes of direction", take_reversals},
+    {"path_length", "m", 0, "longest path of a person", take_path_length},
     {"exit_count", "1", MEASURE_EXIT, "number of people who leave by the exit", take_exit_count},
     {"assigned_exit", "1", 0, "share of people who leave by the exit of their route", take_assigned},
     {"overtaking", "1", MEASURE_PAST, "share of pairs in which the person who starts behind leaves first",

@@ -9,21 +9,7 @@
 
 /* Tables ------------------------------------------------------------------------------------------------------------*/
 
-#define TEXT(struct_, field_, name_, kind_, needed_, meaning_)                                                         \
-    {                                                                                                                  \
-        .name = name_, .kind = kind_, .offset = offsetof(struct_, field_), .unit = "", .needed = needed_,              \
-        .meaning = meaning_                                                                                            \
-    }
-#define NUMBER(field_, name_, unit_, low_, high_, fallback_, meaning_)                                                 \
-    {                                                                                                                  \
-        .name = name_, .kind = PARAMETER_NUMBER, .offset = offsetof(VerificationCheck, field_), .unit = unit_,         \
-        .low = low_, .high = high_, .fallback = fallback_, .meaning = meaning_                                         \
-    }
-#define POINTS(field_, name_, least_, meaning_)                                                                        \
-    {                                                                                                                  \
-        .name = name_, .kind = PARAMETER_POINTS, .offset = offsetof(VerificationCheck, field_), .unit = "m",           \
-        .low = least_, .meaning = meaning_                                                                             \
-    }
+#define TEXT CONDITION_TEXT
 
 static const Parameter case_rows[] = {
     TEXT(Verification, id, "id", PARAMETER_ID, true, "name of the case"),
@@ -49,26 +35,12 @@ static const Parameter variant_rows[] = {
 static const ParameterTable variant_table = {"variant", variant_rows, sizeof variant_rows / sizeof *variant_rows};
 
 static const Parameter check_rows[] = {
-    TEXT(VerificationCheck, measure_name, "measure", PARAMETER_TEXT, true, "name of the measure"),
-    TEXT(VerificationCheck, title, "title", PARAMETER_TEXT, false, "question in words"),
-    TEXT(VerificationCheck, question.of, "of", PARAMETER_IDS, false, "people and crowds; absent: all people"),
-    TEXT(VerificationCheck, question.past, "past", PARAMETER_IDS, false, "people and crowds who are overtaken"),
+    CONDITION_ROWS(VerificationCheck, condition),
     TEXT(VerificationCheck, variant, "variant", PARAMETER_ID, false,
          "variant of the house; absent: the unchanged house"),
     TEXT(VerificationCheck, than, "than", PARAMETER_ID, false, "variant for comparison"),
     TEXT(VerificationCheck, than_of, "than_of", PARAMETER_IDS, false, "people for comparison"),
-    POINTS(than_area, "than_area", 3, "area for comparison"),
-    TEXT(VerificationCheck, question.exit, "exit", PARAMETER_ID, false, "exit of the people"),
-    POINTS(question.line, "line", 2, "line that people cross, from one end to the other"),
-    POINTS(question.area, "area", 3, "outline of the measured area"),
-    NUMBER(question.width, "width", "m", 0, 1e4, 0, "width of the bottleneck; absent: the exit's or line's length"),
-    NUMBER(question.from, "from", "s", 0, 1e6, 0, "beginning of the measurement"),
-    NUMBER(question.until, "until", "s", 0, 1e6, 0, "end of the measurement"),
-    NUMBER(question.first, "first", "1", 0, 1, 0, "share of people who pass before the flow is measured"),
-    NUMBER(question.last, "last", "1", 0, 1, 1, "share of people who pass until the flow is no longer measured"),
-    NUMBER(low, "low", "", -1e9, 1e9, -HUGE_VAL, "lower limit"),
-    NUMBER(high, "high", "", -1e9, 1e9, HUGE_VAL, "upper limit"),
-    TEXT(VerificationCheck, unit, "unit", PARAMETER_TEXT, true, "unit of the limits, 1 of a number or a ratio"),
+    CONDITION_POINTS(VerificationCheck, than_area, "than_area", 3, "area for comparison"),
     {.name = "seeds",
      .kind = PARAMETER_WHOLE,
      .offset = offsetof(VerificationCheck, seeds),
@@ -77,7 +49,6 @@ static const Parameter check_rows[] = {
      .high = 1000,
      .fallback = 1,
      .meaning = "seeds over which the mean is taken"},
-    TEXT(VerificationCheck, why, "why", PARAMETER_TEXT, false, "text for a check that is not passed"),
 };
 static const ParameterTable check_table = {"check", check_rows, sizeof check_rows / sizeof *check_rows};
 
@@ -137,34 +108,11 @@ size_t verification_settings(Verification *verification, const VerificationVaria
     return count;
 }
 
-static bool has_id(const Plan *plan, const char *id) {
-    for (size_t c = 0; c < plan->crowd_count; c++)
-        if (strcmp(plan->crowds[c].id, id) == 0)
-            return true;
-    return plan_find_person(plan, id) != SIZE_MAX;
-}
-
-static bool has_exit(const Plan *plan, const char *id) {
-    for (size_t e = 0; e < plan->exit_count; e++)
-        if (strcmp(plan->exits[e].id, id) == 0)
-            return true;
-    return false;
-}
-
 static size_t find_variant(const Verification *verification, const char *id) {
     for (size_t v = 0; v < verification->variant_count; v++)
         if (strcmp(verification->variants[v].id, id) == 0)
             return v;
     return SIZE_MAX;
-}
-
-static void check_ids(const Ids *ids, const char *key, const Plan *plan, const JsonNode *node, Fault *fault) {
-    JsonNode list = json_member(node, key);
-    for (size_t i = 0; i < ids->count; i++) {
-        JsonNode element = json_element(&list, i);
-        if (!has_id(plan, ids->at[i]))
-            json_fault(&element, fault, "there is no person or crowd \"%.60s\" in %.100s", ids->at[i], plan->name);
-    }
 }
 
 static void check_variant(const Verification *read, const char *key, const char *id, const JsonNode *node,
@@ -174,51 +122,13 @@ static void check_variant(const Verification *read, const char *key, const char 
         json_fault(&member, fault, "there is no variant \"%.60s\"", id);
 }
 
-static void check_needs(const VerificationCheck *check, const JsonNode *node, Fault *fault) {
-    const MeasureQuestion *question = &check->question;
-    int needs = check->measure->needs;
-    const char *name = check->measure->name;
-    if ((needs & MEASURE_GATE) && !*question->exit == !question->line.count)
-        json_fault(node, fault, "%s needs an \"exit\" or a \"line\", one of the two", name);
-    if ((needs & MEASURE_EXIT) && !*question->exit)
-        json_fault(node, fault, "%s needs an \"exit\"", name);
-    if ((needs & MEASURE_AREA) && !question->area.count)
-        json_fault(node, fault, "%s needs an \"area\"", name);
-    if ((needs & MEASURE_WINDOW) && !(question->until > question->from))
-        json_fault(node, fault, "%s needs a time, \"until\" after \"from\"", name);
-    if ((needs & MEASURE_PAST) && !question->past.count)
-        json_fault(node, fault, "%s needs the people who are overtaken, \"past\"", name);
-    if (question->line.count > 2)
-        json_fault(node, fault, "line has %zu points, must have two", question->line.count);
-    if (question->last <= question->first)
-        json_fault(node, fault, "last is %g, must be more than first, %g", question->last, question->first);
-}
-
 static void check_check(VerificationCheck *check, const Verification *read, const JsonNode *node, Fault *fault) {
-    size_t count;
-    const Measure *measures = measure_table(&count);
-    check->measure = measure_find(check->measure_name);
-    JsonNode name = json_member(node, "measure"), unit = json_member(node, "unit");
-    if (!check->measure) {
-        const char *names[64];
-        for (size_t m = 0; m < count && m < 64; m++)
-            names[m] = measures[m].name;
-        const char *nearest = text_nearest(check->measure_name, names, count);
-        if (nearest)
-            json_fault(&name, fault, "unknown measure \"%.40s\", did you mean \"%s\"?", check->measure_name, nearest);
-        else
-            json_fault(&name, fault, "unknown measure \"%.40s\"", check->measure_name);
+    if (!condition_find(&check->condition, NULL, 0, node, fault))
         return;
-    }
     check->is_ratio = *check->than || check->than_of.count || check->than_area.count;
-    const char *expected = check->is_ratio ? "1" : check->measure->unit;
-    if (strcmp(check->unit, expected) != 0)
-        json_fault(&unit, fault, "unit is \"%.20s\", must be \"%s\"", check->unit, expected);
-    if (check->low == -HUGE_VAL && check->high == HUGE_VAL)
-        json_fault(node, fault, "a check needs \"low\" or \"high\"");
-    if (check->low > check->high)
-        json_fault(node, fault, "low is %g, must be at most high, %g", check->low, check->high);
-    check_needs(check, node, fault);
+    condition_check_unit(&check->condition, check->is_ratio ? "1" : check->condition.measure->unit, node, fault);
+    condition_check_limits(&check->condition, "a check", node, fault);
+    condition_check_needs(&check->condition, node, fault);
     check_variant(read, "variant", check->variant, node, fault);
     if (*check->than)
         check_variant(read, "than", check->than, node, fault);
@@ -229,16 +139,15 @@ static void check_against_plan(const Verification *read, size_t v, const Plan *p
                                Fault *fault) {
     for (size_t c = 0; c < read->check_count; c++) {
         const VerificationCheck *check = &read->checks[c];
-        JsonNode node = json_element(checks, c), exit = json_member(&node, "exit");
+        JsonNode node = json_element(checks, c);
         if (check->sides[0] == v) {
-            check_ids(&check->question.of, "of", plan, &node, fault);
-            check_ids(&check->question.past, "past", plan, &node, fault);
+            condition_check_people(&check->condition.question.of, "of", plan, &node, fault);
+            condition_check_people(&check->condition.question.past, "past", plan, &node, fault);
         }
         if (check->sides[1] == v && check->than_of.count)
-            check_ids(&check->than_of, "than_of", plan, &node, fault);
-        if ((check->sides[0] == v || check->sides[1] == v) && *check->question.exit &&
-            !has_exit(plan, check->question.exit))
-            json_fault(&exit, fault, "there is no exit \"%.60s\" in %.100s", check->question.exit, plan->name);
+            condition_check_people(&check->than_of, "than_of", plan, &node, fault);
+        if (check->sides[0] == v || check->sides[1] == v)
+            condition_check_exit(&check->condition, plan, &node, fault);
     }
 }
 
@@ -295,7 +204,7 @@ static void read_checks(Verification *read, const JsonNode *root, Fault *fault) 
         check_check(check, read, &element, fault);
         check->sides[0] = find_variant(read, check->variant);
         check->sides[1] = *check->than ? find_variant(read, check->than) : check->sides[0];
-        check->value = (double)NAN;
+        check->condition.value = (double)NAN;
     }
 }
 

@@ -16,14 +16,7 @@
 
 #include "base/fault.h"
 #include "base/memory.h"
-#include "inquiry/measure.h"
-
-typedef enum Verdict {
-    VERDICT_NOT_RUN, /* interrupted, or the house cannot be read */
-    VERDICT_PASSED,
-    VERDICT_FAILED,
-    VERDICT_DOES_NOT_APPLY,
-} Verdict;
+#include "inquiry/condition.h"
 
 typedef struct VerificationVariant {
     const char *id;
@@ -32,25 +25,15 @@ typedef struct VerificationVariant {
 } VerificationVariant;
 
 typedef struct VerificationCheck {
-    const char *measure_name;
-    const char *title;        /* question of the check, or "" */
-    const char *variant;      /* id; "": the unchanged house of the case */
-    const char *than;         /* id of the variant to compare with, or "" */
-    MeasureQuestion question; /* question for the variant */
-    Ids than_of;              /* replaces question.of for the other side */
-    Points than_area;         /* m, replaces question.area for the other side */
-    double low, high;         /* in the unit of the measure; of a ratio 1; infinite: no limit */
-    const char *unit;
-    int seeds;       /* number of seeds of the mean */
-    const char *why; /* text for a check that does not pass */
-
-    const Measure *measure;
+    Condition condition; /* its question is that for the variant */
+    const char *variant; /* id; "": the unchanged house of the case */
+    const char *than;    /* id of the variant to compare with, or "" */
+    Ids than_of;         /* replaces question.of for the other side */
+    Points than_area;    /* m, replaces question.area for the other side */
+    int seeds;           /* number of seeds of the mean */
     bool is_ratio;
     size_t
         sides[2]; /* indices of the variant and of the one compared with: 0 the house of the case, then its variants */
-    Verdict verdict;
-    double value;   /* NAN: none */
-    char note[200]; /* note of the measure */
 } VerificationCheck;
 
 typedef struct Verification {

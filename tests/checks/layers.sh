@@ -34,6 +34,7 @@ engine/beam         cycle mechanics
 engine/crank        cycle mechanics
 engine/study        -
 engine/experiment   beam crank cycle house plan study
+engine/lesson       experiment house inquiry plan study
 engine/exchange     house mechanics plan space
 app/draw            -
 app/paint           draw
@@ -52,11 +53,13 @@ app/laboratory/machine    beam crank cycle experiment laboratory plot result stu
 app/laboratory/beam       beam cycle experiment laboratory laboratory/machine mechanics plot result study visual/beam visual/study
 app/laboratory/crank      crank cycle draw experiment laboratory laboratory/machine mechanics plot result visual/crank
 app/widgets         draw paint
+app/classroom       draw lesson widgets
 app/platform        draw paint plot
-app/window          draw laboratory laboratory/edit laboratory/house paint platform plot widgets
+app/window          classroom draw laboratory laboratory/edit laboratory/house paint platform plot widgets
 app/report          document exchange experiment house plan plot result rules visual/
+app/teaching        classroom document draw house inquiry laboratory lesson plan visual/ window
 app/options         cycle draw exchange study visual/beam visual/crank visual/house
-app/command         beam crank cycle document draw exchange experiment house inquiry laboratory mechanics options paint plan platform plot report result rules study visual/ window
+app/command         beam classroom crank cycle document draw exchange experiment house inquiry laboratory lesson mechanics options paint plan platform plot report result rules study teaching visual/ window
 END
 }
 

@@ -8,7 +8,7 @@ cd "$(dirname "$0")/../.."
 . app/packages.sh
 seconds=${1:-60}
 [ $# -eq 0 ] || shift
-all="plan profile beam crank parameters set observed measured timed script dxf sh3d vadere wkt journey world draft settings recovery store rules"
+all="plan profile beam crank parameters set observed measured timed script dxf sh3d vadere wkt journey world draft settings recovery store rules lesson"
 targets=${*:-$all}
 build=build-fuzz
 
@@ -35,7 +35,7 @@ echo "building"
 ninja -C $build --quiet app/clearance $(for t in $targets; do echo "tests/fuzz/fuzz_$t"; done)
 
 export CLEARANCE_SOURCE="$PWD" ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
-for schema in house profile beam crank rules; do
+for schema in house profile beam crank rules lesson; do
     $build/app/clearance schema $schema
 done | grep -oE '"[A-Za-z0-9_.-]+"' | sort -u | sed 's/.*/"\\&/; s/"$/\\""/' >$build/dictionary
 cat tests/fuzz/imports.txt tests/fuzz/desk.txt >>$build/dictionary
@@ -51,6 +51,7 @@ cp assets/profiles/*.json tests/data/bad/profiles/*.json $build/seeds/profile/
 cp assets/beams/*.json tests/data/bad/beams/*.json $build/seeds/beam/
 cp assets/cranks/*.json tests/data/bad/cranks/*.json $build/seeds/crank/
 cp assets/rules/*.json tests/data/bad/rules/*.json $build/seeds/rules/
+cp assets/lessons/*.json tests/data/bad/lessons/*.json $build/seeds/lesson/
 cp tests/data/bad/observed/*.csv $build/seeds/observed/
 cp tests/data/bad/measured/*.csv $build/seeds/measured/
 cp tests/data/bad/timed/*.csv $build/seeds/timed/

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests that shipped houses, profiles, beams, cranks and rules fit assets/schema, and invalid ones do not if a schema can detect it.
+"""Tests that shipped houses, profiles, beams, cranks, rules and lessons fit assets/schema, and invalid ones do not if a schema can detect it.
 
 tests/data/bad/beyond-schema.txt lists the invalid files that fit the schema: the meaning of their numbers is wrong.
 """
@@ -53,7 +53,7 @@ failures = 0
 checked = 0
 beyond = set((source / "tests/data/bad/beyond-schema.txt").read_text().split())
 for kind, shipped in (("house", "houses"), ("profile", "assets/profiles"), ("beam", "assets/beams"), ("crank", "assets/cranks"),
-                      ("rules", "assets/rules")):
+                      ("rules", "assets/rules"), ("lesson", "assets/lessons")):
     schema = read(source / f"assets/schema/{kind}.schema.json")
     jsonschema.Draft202012Validator.check_schema(schema)
     validator = jsonschema.Draft202012Validator(schema)

@@ -18,29 +18,29 @@ typedef struct Sample {
 } Sample;
 
 static VerificationCheck make_check(double low, double high, double value, Verdict verdict) {
-    VerificationCheck check = {.title = "",
+    VerificationCheck check = {.condition = {.title = "",
+                                             .question = {.exit = ""},
+                                             .low = low,
+                                             .high = high,
+                                             .unit = "s",
+                                             .why = "",
+                                             .measure = &time_of,
+                                             .verdict = verdict,
+                                             .value = value},
                                .variant = "",
                                .than = "",
-                               .question = {.exit = ""},
-                               .low = low,
-                               .high = high,
-                               .unit = "s",
-                               .seeds = 1,
-                               .why = "",
-                               .measure = &time_of,
-                               .verdict = verdict,
-                               .value = value};
+                               .seeds = 1};
     return check;
 }
 
 static void make_sample(Sample *sample) {
     sample->checks[0] = make_check(26, 34, 31.25, VERDICT_PASSED);
     sample->checks[1] = make_check(-HUGE_VAL, 12, NAN, VERDICT_FAILED);
-    sample->checks[1].question.exit = "e1";
+    sample->checks[1].condition.question.exit = "e1";
     sample->checks[1].than = "wide";
     sample->checks[1].is_ratio = true;
-    sample->checks[1].why = "a | b";
-    strcpy(sample->checks[1].note, "nobody is out");
+    sample->checks[1].condition.why = "a | b";
+    strcpy(sample->checks[1].condition.note, "nobody is out");
     sample->cases[0] = (Verification){.id = "x-1",
                                       .suite = "X 1",
                                       .title = "a corridor",

@@ -70,9 +70,9 @@ TEST(a_value_within_its_limits_passes_and_one_outside_does_not) {
     Fault fault = {0};
     case_run_all(&verification, 1, options_of(1), &fault);
     CHECK(!fault.total);
-    CHECK(verification.checks[0].verdict == VERDICT_PASSED);
-    CHECK_NEAR(verification.checks[0].value, 1, 0);
-    CHECK(verification.checks[1].verdict == VERDICT_FAILED);
+    CHECK(verification.checks[0].condition.verdict == VERDICT_PASSED);
+    CHECK_NEAR(verification.checks[0].condition.value, 1, 0);
+    CHECK(verification.checks[1].condition.verdict == VERDICT_FAILED);
     CHECK(case_run_verdict(&verification) == VERDICT_FAILED);
     verification_free(&verification);
 }
@@ -87,7 +87,7 @@ TEST(a_ratio_compares_a_variant_with_another_and_does_not_depend_on_jobs) {
         case_run_all(&verification, 1, options_of(jobs), &fault);
         CHECK(!fault.total);
         CHECK(case_run_verdict(&verification) == VERDICT_PASSED);
-        values[jobs - 1] = verification.checks[0].value;
+        values[jobs - 1] = verification.checks[0].condition.value;
         verification_free(&verification);
     }
     CHECK_NEAR(values[0], values[1], 0);
@@ -102,6 +102,6 @@ TEST(what_is_stopped_is_not_run) {
     Fault fault = {0};
     case_run_all(&verification, 1, &options, &fault);
     CHECK(case_run_verdict(&verification) == VERDICT_NOT_RUN);
-    CHECK(isnan(verification.checks[0].value));
+    CHECK(isnan(verification.checks[0].condition.value));
     verification_free(&verification);
 }

@@ -1,0 +1,131 @@
+#include "classroom/play.h"
+
+#include <stdint.h>
+#include <string.h>
+
+const LessonStep *play_step(const Play *play) {
+    return &play->lesson.steps[play->step];
+}
+
+bool play_hides(const Play *play) {
+    bool predicts = false;
+    for (size_t s = 0; s < play->lesson.step_count; s++) {
+        int kind = play->lesson.steps[s].kind;
+        predicts |= kind == LESSON_PREDICT;
+        if (s >= play->step && kind == LESSON_PREDICT)
+            return true;
+        if (s >= play->step && kind != LESSON_READ)
+            return false;
+    }
+    return !predicts;
+}
+
+bool play_read_key(const char *name, PlayKey *key, int *digit) {
+    static const struct {
+        const char *name;
+        PlayKey key;
+    } keys[] = {
+        {"PageDown", PLAY_NEXT}, {"PageUp", PLAY_BACK}, {"F2", PLAY_HINT}, {"F3", PLAY_VOTE}, {"Backspace", PLAY_UNDO}};
+    const char *last = strncmp(name, "Keypad ", 7) == 0 ? name + 7 : name;
+    *digit = *last >= '1' && *last <= '9' && !last[1] ? *last - '0' : 0;
+    *key = PLAY_DIGIT;
+    for (size_t k = 0; k < sizeof keys / sizeof *keys; k++)
+        if (strcmp(name, keys[k].name) == 0) {
+            *key = keys[k].key;
+            return true;
+        }
+    return *digit;
+}
+
+void play_judge(Play *play) {
+    const LessonStep *step = play_step(play);
+    PlayGoal goal = step->goal_count ? PLAY_GOAL_YES : PLAY_GOAL_OPEN;
+    for (size_t g = 0; g < step->goal_count; g++)
+        if (step->goals[g].condition.verdict != VERDICT_PASSED)
+            goal = PLAY_GOAL_NO;
+    play->steps[play->step].goal = goal;
+}
+
+int play_hands(const PlayStep *step, int vote) {
+    int all = 0;
+    for (size_t o = 0; o < LESSON_OPTIONS_MOST; o++)
+        all += step->hands[vote][o];
+    return all;
+}
+
+size_t play_guessed(const Play *play) {
+    for (size_t s = play->step; s-- > 0;)
+        if (play->lesson.steps[s].kind == LESSON_PREDICT)
+            return s;
+    return SIZE_MAX;
+}
+
+static bool go_on(Play *play) {
+    PlayStep *shown = &play->steps[play->step];
+    if (play_step(play)->kind == LESSON_EXPLAIN && !shown->model)
+        return shown->model = true;
+    if (play->step + 1 >= play->lesson.step_count)
+        return false;
+    play->step++;
+    return true;
+}
+
+static bool count_hand(Play *play, int digit) {
+    const LessonStep *step = play_step(play);
+    PlayStep *shown = &play->steps[play->step];
+    if (digit < 1 || (size_t)digit > step->options.count)
+        return false;
+    shown->chosen = digit;
+    if (step->kind == LESSON_PREDICT && shown->hands[shown->vote][digit - 1] < PLAY_HANDS_MOST)
+        shown->hands[shown->vote][digit - 1]++;
+    return true;
+}
+
+static bool take_back(Play *play) {
+    PlayStep *shown = &play->steps[play->step];
+    if (play_step(play)->kind != LESSON_PREDICT || !shown->chosen || !shown->hands[shown->vote][shown->chosen - 1])
+        return false;
+    shown->hands[shown->vote][shown->chosen - 1]--;
+    return true;
+}
+
+bool play_key(Play *play, PlayKey key, int digit) {
+    PlayStep *shown = &play->steps[play->step];
+    switch (key) {
+    case PLAY_NEXT:
+        return go_on(play);
+    case PLAY_BACK:
+        if (!play->step)
+            return false;
+        play->step--;
+        return true;
+    case PLAY_HINT:
+        if ((size_t)shown->hints >= play_step(play)->hints.count)
+            return false;
+        shown->hints++;
+        return true;
+    case PLAY_VOTE:
+        if (play_step(play)->kind != LESSON_PREDICT || shown->vote)
+            return false;
+        shown->vote = 1;
+        return true;
+    case PLAY_UNDO:
+        return take_back(play);
+    default:
+        return count_hand(play, digit);
+    }
+}
+
+json_t *play_state(const Play *play) {
+    static const char *const goals[] = {[PLAY_GOAL_OPEN] = "open", [PLAY_GOAL_NO] = "no", [PLAY_GOAL_YES] = "yes"};
+    const PlayStep *shown = &play->steps[play->step];
+    const LessonStep *step = play_step(play);
+    json_t *hands = json_array();
+    for (size_t o = 0; o < step->options.count; o++)
+        json_array_append_new(hands, json_integer(shown->hands[shown->vote][o]));
+    return json_pack("{s:s, s:i, s:i, s:s, s:s, s:i, s:o, s:i, s:i, s:b, s:b, s:b}", "title", play->lesson.title,
+                     "step", (int)play->step + 1, "steps", (int)play->lesson.step_count, "kind",
+                     lesson_kind_word((LessonKind)step->kind), "goal", goals[shown->goal], "hints", shown->hints,
+                     "hands", hands, "vote", shown->vote + 1, "chosen", shown->chosen, "model", shown->model, "hides",
+                     play_hides(play), "numbered", play->numbered);
+}

@@ -1,0 +1,66 @@
+/* A lesson that is being given: which step is shown, what the class guessed, which hints were asked for, and what the
+ * goal says. `clearance lesson check` plays a lesson through these functions.
+ *
+ * Nothing is timed. Names are never stored: guesses are counts of raised hands. */
+#pragma once
+
+#include <jansson.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "lesson/lesson.h"
+
+typedef enum PlayGoal { PLAY_GOAL_OPEN, PLAY_GOAL_NO, PLAY_GOAL_YES } PlayGoal;
+
+enum { PLAY_VOTES = 2 /* the class votes once more after talking */, PLAY_HANDS_MOST = 999 };
+
+/* What was done in a step. */
+typedef struct PlayStep {
+    int hands[PLAY_VOTES][LESSON_OPTIONS_MOST];
+    int vote;   /* 0, or 1: the second one */
+    int chosen; /* option answered after watching, from 1; 0: none */
+    int hints;  /* shown, 0 to LESSON_HINTS */
+    bool model; /* the model answer is shown */
+    PlayGoal goal;
+} PlayStep;
+
+typedef struct Play {
+    Lesson lesson;
+    size_t step; /* from 0 */
+    PlayStep steps[LESSON_STEPS_MOST];
+    bool numbered; /* the numbers of the texts are known */
+} Play;
+
+typedef enum PlayKey {
+    PLAY_NEXT,  /* PageDown, as presenters' remotes send it: first shows a model answer, then goes on */
+    PLAY_BACK,  /* PageUp */
+    PLAY_HINT,  /* F2 */
+    PLAY_VOTE,  /* F3: the class votes again */
+    PLAY_UNDO,  /* Backspace: takes the last option's hand back */
+    PLAY_DIGIT, /* 1 to 9: counts a hand for an option, or answers */
+} PlayKey;
+
+/* Returns the step that is shown. */
+const LessonStep *play_step(const Play *play);
+
+/* True if nothing of the result may be seen yet: nobody has watched. */
+bool play_hides(const Play *play);
+
+/* Carries out a key; `digit` from 1. False: the step has no use for it. */
+bool play_key(Play *play, PlayKey key, int digit);
+
+/* Reads the name of a key as scripts and the window's table write it: "PageDown", "F2", "3". False: it is none. */
+bool play_read_key(const char *name, PlayKey *key, int *digit);
+
+/* Sets the goal of the step by the verdicts of its conditions. */
+void play_judge(Play *play);
+
+/* Returns the hands of a vote. */
+int play_hands(const PlayStep *step, int vote);
+
+/* Returns the step with the guesses that a step of kind "compare" or "observe" looks back to; SIZE_MAX: none. */
+size_t play_guessed(const Play *play);
+
+/* Returns what scripts expect of: {"step": 2, "steps": 6, "kind": "predict", "goal": "no", "hints": 1, "hands": [9, 14,
+ * 5], "vote": 1, "chosen": 0, "hides": true}; new, json_decref it. */
+json_t *play_state(const Play *play);

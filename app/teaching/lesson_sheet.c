@@ -1,0 +1,207 @@
+#include "teaching/lesson_sheet.h"
+
+#include <string.h>
+
+#include "base/text.h"
+#include "house/run.h"
+#include "laboratory/thumbnail.h"
+#include "lesson/words.h"
+#include "visual/house/house_scene.h"
+#include "visual/house/plan_picture.h"
+
+/* Design points. */
+#define PICTURE_WIDTH 640.0
+#define PICTURE_HEIGHT 480.0
+#define BEAM_HEIGHT 160.0
+#define RESULT_HEIGHT 460.0
+
+#define LINE "______________________________________________________________________"
+
+typedef struct Sheet {
+    const Lesson *lesson;
+    const SheetOptions *options;
+    Document document;
+    House *houses; /* (house_count) of the results */
+    size_t house_count;
+    Fault *fault;
+} Sheet;
+
+static const char *filled(Sheet *sheet, const char *text) {
+    return words_fill(sheet->lesson, text, &sheet->document.arena);
+}
+
+static void add_line(Sheet *sheet, const char *before, const char *text) {
+    document_add_paragraph(&sheet->document, document_text(&sheet->document, "%s%s", before, filled(sheet, text)));
+}
+
+static void add_texts(Sheet *sheet, const char *heading, const LessonTexts *texts) {
+    if (!texts->count)
+        return;
+    document_add_heading(&sheet->document, 2, heading);
+    for (size_t i = 0; i < texts->count; i++)
+        add_line(sheet, "\u2022 ", texts->at[i]);
+}
+
+/* Pictures --------------------------------------------------------------------------------------------------------- */
+
+static bool read_house(House *house, Sheet *sheet, const char *set, Arena *arena) {
+    const char *settings[LESSON_SETTINGS_MOST];
+    size_t count = lesson_add_settings(sheet->lesson->set, settings, 0, arena);
+    count = lesson_add_settings(set, settings, count, arena);
+    HouseOptions options = {
+        .profiles = sheet->options->profiles, .settings = settings, .setting_count = count, .seed = 1, .driving = -1};
+    return house_read(house, sheet->lesson->file, &options, sheet->fault);
+}
+
+/* Fills the scene of the start and returns its height; 0: there is no picture. */
+static double make_start(Sheet *sheet, Scene *scene) {
+    Arena arena = {0};
+    double height = 0;
+    if (sheet->lesson->laboratory == LESSON_HOUSE) {
+        House house = {0};
+        if (read_house(&house, sheet, "", &arena)) {
+            plan_picture_make(scene, &house);
+            scene->title = scene->note = ""; /* the sheet has its own */
+            height = PICTURE_HEIGHT;
+        }
+        house_free(&house);
+    } else if (sheet->lesson->laboratory == LESSON_BEAM) {
+        Thumbnail thumbnail = {.name = NULL};
+        if (thumbnail_read_beam(&thumbnail, sheet->lesson->file, sheet->fault)) {
+            *scene = thumbnail.scene;
+            thumbnail.scene = (Scene){0};
+            height = BEAM_HEIGHT;
+        }
+        thumbnail_clear(&thumbnail);
+    }
+    arena_clear(&arena);
+    return height;
+}
+
+static void add_start(Sheet *sheet) {
+    Scene scene = {0};
+    double height = make_start(sheet, &scene);
+    if (height > 0) {
+        document_add_figures(&sheet->document);
+        document_add_scene(&sheet->document, &scene, vec2(PICTURE_WIDTH, height), "The start",
+                           document_text(&sheet->document, "Start of the lesson: %s", sheet->lesson->title));
+    }
+}
+
+static void add_result(Sheet *sheet, const LessonPicture *picture) {
+    House *house = &sheet->houses[sheet->house_count++];
+    Arena arena = {0};
+    if (read_house(house, sheet, picture->set, &arena)) {
+        Scene scene = {0};
+        Observation observation;
+        RunOptions run = {.route = SIZE_MAX, .jobs = sheet->options->jobs};
+        run_house(&observation, house, &run);
+        house_scene_make(&scene, house, &observation);
+        observation_free(&observation);
+        const char *caption = filled(sheet, picture->caption);
+        document_add_figures(&sheet->document);
+        document_add_scene(&sheet->document, &scene, vec2(PICTURE_WIDTH, RESULT_HEIGHT), caption, caption);
+    }
+    arena_clear(&arena);
+}
+
+/* Steps ------------------------------------------------------------------------------------------------------------ */
+
+static void add_options(Sheet *sheet, const LessonStep *step) {
+    for (size_t o = 0; o < step->options.count; o++) {
+        bool right = sheet->options->answers && step->truth == (int)o + 1;
+        document_add_paragraph(&sheet->document, document_text(&sheet->document, "[ %s ]  %zu  %s", right ? "x" : "   ",
+                                                               o + 1, filled(sheet, step->options.at[o])));
+        if (sheet->options->answers && step->wrong.count && *step->wrong.at[o])
+            add_line(sheet, "Who says so may be told: ", step->wrong.at[o]);
+    }
+}
+
+static void add_lines(Sheet *sheet, int count) {
+    for (int i = 0; i < count; i++)
+        document_add_paragraph(&sheet->document, LINE);
+}
+
+static void add_table(Sheet *sheet, const LessonTable *table) {
+    if (!table->head.count)
+        return;
+    Column *columns = arena_allocate(&sheet->document.arena, table->head.count * sizeof *columns);
+    for (size_t c = 0; c < table->head.count; c++)
+        columns[c] = (Column){filled(sheet, table->head.at[c]), c ? ALIGN_RIGHT : ALIGN_LEFT};
+    document_add_table(&sheet->document, NULL, columns, table->head.count);
+    for (size_t r = 0; r < table->row_count; r++) {
+        const char **cells = arena_allocate(&sheet->document.arena, table->head.count * sizeof *cells);
+        for (size_t c = 0; c < table->head.count; c++) {
+            const char *text = table->rows[r].at[c];
+            bool blank = !sheet->options->answers && words_has_number(text);
+            cells[c] = blank ? "______" : filled(sheet, text);
+        }
+        document_add_row(&sheet->document, cells);
+    }
+}
+
+static void add_answers(Sheet *sheet, const LessonStep *step) {
+    Document *document = &sheet->document;
+    for (size_t h = 0; h < step->hints.count; h++)
+        add_line(sheet, document_text(document, "Hint %zu: ", h + 1), step->hints.at[h]);
+    for (size_t g = 0; g < step->goal_count; g++)
+        document_add_paragraph(document, document_text(document, "The program checks %s: %s",
+                                                       words_goal(&step->goals[g], &document->arena),
+                                                       words_limits(&step->goals[g], &document->arena)));
+    if (*step->done)
+        add_line(sheet, "When it is reached: ", step->done);
+    if (*step->model)
+        add_line(sheet, "Model answer: ", step->model);
+}
+
+static void add_step(Sheet *sheet, const LessonStep *step, size_t number) {
+    document_add_heading(&sheet->document, 2,
+                         document_text(&sheet->document, "%zu  %s", number, lesson_kind_title((LessonKind)step->kind)));
+    if (*step->text)
+        add_line(sheet, "", step->text);
+    if (*step->ask)
+        add_line(sheet, "", step->ask);
+    add_options(sheet, step);
+    add_table(sheet, &step->table);
+    if (sheet->options->answers)
+        add_answers(sheet, step);
+    else if (step->kind == LESSON_EXPLAIN || step->kind == LESSON_TRANSFER)
+        add_lines(sheet, 3);
+    else if (step->kind == LESSON_TASK && !step->table.head.count)
+        add_lines(sheet, 2);
+}
+
+LessonSheet lesson_sheet_make(const Lesson *lesson, const SheetOptions *options, Fault *fault) {
+    Sheet sheet = {.lesson = lesson, .options = options, .document = document_begin(options->program), .fault = fault};
+    Document *document = &sheet.document;
+    sheet.houses = memory_zeroed(lesson->picture_count + 1, sizeof *sheet.houses);
+    document_add_title(document,
+                       document_text(document, "%s, %s, %d minutes", options->answers ? "For the teacher" : "Lesson",
+                                     lesson->level, lesson->minutes),
+                       lesson->title);
+    if (!options->answers)
+        document_add_paragraph(document, "Name: ______________________________     Date: _______________");
+    if (options->answers) {
+        add_texts(&sheet, "What they learn", &lesson->learn);
+        add_texts(&sheet, "Before", &lesson->before);
+    }
+    add_start(&sheet);
+    for (size_t s = 0; s < lesson->step_count; s++)
+        add_step(&sheet, &lesson->steps[s], s + 1);
+    if (options->answers) {
+        add_texts(&sheet, "Mistakes to expect", &lesson->mistakes);
+        add_texts(&sheet, "More questions", &lesson->questions);
+        if (lesson->picture_count && lesson->laboratory == LESSON_HOUSE)
+            document_add_heading(document, 2, "If the projector fails");
+        for (size_t p = 0; p < lesson->picture_count && lesson->laboratory == LESSON_HOUSE; p++)
+            add_result(&sheet, &lesson->pictures[p]);
+    }
+    return (LessonSheet){sheet.document, sheet.houses, sheet.house_count};
+}
+
+void lesson_sheet_clear(LessonSheet *sheet) {
+    document_clear(&sheet->document);
+    for (size_t h = 0; h < sheet->house_count; h++)
+        house_free(&sheet->houses[h]);
+    memory_free(sheet->houses);
+}

@@ -1,0 +1,26 @@
+/* The sheet of a lesson for paper: for pupils with the start, questions, boxes and empty cells; with answers for the
+ * teacher. */
+#pragma once
+
+#include "document/document.h"
+#include "house/house.h"
+#include "lesson/lesson.h"
+
+/* What a sheet is made from: the lesson, whose numbers are computed. */
+typedef struct SheetOptions {
+    bool answers;         /* the teacher's sheet */
+    const char *program;  /* with its version */
+    const char *profiles; /* directory of the shipped profiles */
+    int jobs;             /* threads */
+} SheetOptions;
+
+/* A sheet, with the houses of its pictures, whose names the pictures show. */
+typedef struct LessonSheet {
+    Document document;
+    House *houses; /* (house_count) */
+    size_t house_count;
+} LessonSheet;
+
+/* Returns the sheet, to be released by lesson_sheet_clear; faults say which picture could not be made. */
+LessonSheet lesson_sheet_make(const Lesson *lesson, const SheetOptions *options, Fault *fault);
+void lesson_sheet_clear(LessonSheet *sheet);

@@ -1,0 +1,39 @@
+#!/usr/bin/env python3
+"""Tests lessons on the command line: every goal is reached and missed as its script says, and sheets have the same bytes."""
+
+import pathlib
+import shutil
+import tempfile
+
+from program import check, end, expect, source
+
+listed = expect(0, "lesson", "list").stdout
+names = sorted(path.stem for path in (source / "assets/lessons").glob("*.json"))
+check(len(names) >= 8 and all(name in listed for name in names), f"list: {listed}")
+
+checked = expect(0, "lesson", "check").stdout
+check(checked.count("expectations of its script are met") == len(names), f"check: {checked}")
+check(checked.count("the goal of step") >= len(names), f"goals: {checked}")
+
+with tempfile.TemporaryDirectory() as folder:
+    folder = pathlib.Path(folder)
+    sheets = {}
+    for turn in ("first", "second"):
+        for more in ([], ["--answers"]):
+            expect(0, "lesson", "sheet", "legal-no-way", *more, "--out", str(folder / turn))
+        sheets[turn] = {path.name: path.read_bytes() for path in (folder / turn).glob("*.pdf")}
+    check(len(sheets["first"]) == 2 and sheets["first"] == sheets["second"], "the sheets differ")
+
+    # A script that expects what is not so is found out.
+    copy = folder / "lessons"
+    shutil.copytree(source / "assets/lessons", copy)
+    script = copy / "legal-no-way.script"
+    script.write_text(script.read_text().replace("lesson.goal no", "lesson.goal yes", 1))
+    expect(1, "lesson", "check", str(copy / "legal-no-way.json"), says="lesson.goal is \"no\", expected yes")
+    script.write_text("key PageDown\n")
+    expect(1, "lesson", "check", str(copy / "legal-no-way.json"), says="no attempt at the task of step 4 fails")
+
+expect(2, "lesson", "lsit", says="did you mean list?")
+expect(2, "lesson", "sheet", "legal-no-way", says="needs the NAME or FILE")
+expect(2, "lesson", "check", str(source / "tests/data/bad/lessons/truth-beyond.json"), says="truth is 3")
+end()

@@ -1,0 +1,108 @@
+/* Tests lessons: shipped ones, bad ones, differences of plans, numbers in texts, and goals. */
+
+#include <string.h>
+#include <unistd.h>
+
+#include "check.h"
+#include "lesson/attempt.h"
+#include "lesson/difference.h"
+#include "lesson/words.h"
+#include "scratch.h"
+
+static void read_bad(const char *path, Fault *fault) {
+    Lesson lesson = {.title = "untouched"};
+    CHECK(!lesson_read(&lesson, path, fault));
+    CHECK_TEXT(lesson.title, "untouched");
+}
+
+TEST(a_bad_lesson_gives_exactly_its_faults_and_is_left_as_it_was) {
+    scratch_check_faults("tests/data/bad/lessons", read_bad);
+}
+
+TEST(every_shipped_lesson_is_read_and_asks_before_it_shows) {
+    size_t count;
+    char **paths = scratch_list("assets/lessons", &count);
+    size_t lessons = 0;
+    for (size_t i = 0; i < count; i++) {
+        Lesson lesson = {.path = NULL};
+        Fault fault = {0};
+        if (!strstr(paths[i], ".json"))
+            continue;
+        lessons++;
+        CHECK(lesson_read(&lesson, scratch_source(paths[i]), &fault));
+        check_say(&fault);
+        size_t predicts = lesson.step_count, observes = lesson.step_count;
+        for (size_t s = lesson.step_count; s-- > 0;) {
+            predicts = lesson.steps[s].kind == LESSON_PREDICT ? s : predicts;
+            observes = lesson.steps[s].kind == LESSON_OBSERVE ? s : observes;
+        }
+        CHECK(predicts < observes);
+        CHECK(lesson.before.count && lesson.mistakes.count);
+        lesson_free(&lesson);
+    }
+    CHECK(lessons >= 8);
+    scratch_free_list(paths, count);
+}
+
+static Plan plan_with(const char *setting) {
+    Plan plan = {0};
+    Fault fault = {0};
+    CHECK(plan_read(&plan, scratch_source("houses/flat-0.910-module.json"), &setting, setting ? 1 : 0, &fault));
+    check_say(&fault);
+    return plan;
+}
+
+TEST(differences_count_what_was_changed) {
+    Plan before = plan_with(NULL), wider = plan_with("door.d3.width=0.83"), narrower = plan_with("door.d3.width=0.70");
+    Plan slid = plan_with("door.d3.at=0.5"), led = plan_with("person.p1.heading=90");
+    CHECK_NEAR(difference_value("change.count", &before, &before), 0, 0);
+    CHECK_NEAR(difference_value("change.doors_wider", &before, &wider), 0.08, 1e-12);
+    CHECK_NEAR(difference_value("change.doors", &before, &wider), 1, 0);
+    CHECK_NEAR(difference_value("change.not_doors", &before, &wider), 0, 0);
+    CHECK_NEAR(difference_value("change.doors_wider", &before, &narrower), 0, 0);
+    CHECK_NEAR(difference_value("change.not_doors", &before, &slid), 1, 0);
+    CHECK_NEAR(difference_value("change.not_doors", &before, &led), 1, 0);
+    CHECK_NEAR(difference_value("change.not_furniture", &before, &wider), 1, 0);
+    CHECK(!difference_unit("change.nothing"));
+    plan_free(&before);
+    plan_free(&wider);
+    plan_free(&narrower);
+    plan_free(&slid);
+    plan_free(&led);
+}
+
+TEST(numbers_stand_in_texts_once_they_are_known) {
+    LessonNumber numbers[] = {{.name = "wide", .digits = 1, .condition = {.unit = "s"}}};
+    Lesson lesson = {.numbers = numbers, .number_count = 1};
+    Arena arena = {0};
+    CHECK_TEXT(words_fill(&lesson, "out in {wide}.", &arena), "out in ....");
+    condition_judge(&numbers[0].condition, 18.66);
+    CHECK_TEXT(words_fill(&lesson, "out in {wide}.", &arena), "out in 18.7 s.");
+    CHECK_TEXT(words_unknown(&lesson, "{wide} {narrow}", &arena), "narrow");
+    CHECK(!words_unknown(&lesson, "a { and {wide}", &arena) || words_has_number("a { and {wide}"));
+    arena_clear(&arena);
+}
+
+TEST(a_goal_holds_where_all_its_conditions_hold) {
+    Lesson lesson = {.path = NULL};
+    Fault fault = {0};
+    char profiles[4096];
+    snprintf(profiles, sizeof profiles, "%s", scratch_source("assets/profiles"));
+    CHECK(lesson_read(&lesson, scratch_source("assets/lessons/legal-no-way.json"), &fault));
+    const char *settings[] = {"door.d1.width=0.88", "door.d3.width=0.85"};
+    AttemptState state = {.profiles = profiles, .jobs = 1, .settings = settings, .setting_count = 1};
+    LessonStep *task = &lesson.steps[3];
+    CHECK(attempt_goal(&lesson, task, &state, &fault));
+    CHECK(task->goals[0].condition.verdict == VERDICT_FAILED);
+    state.settings = &settings[1];
+    CHECK(attempt_goal(&lesson, task, &state, &fault));
+    for (size_t g = 0; g < task->goal_count; g++)
+        CHECK(task->goals[g].condition.verdict == VERDICT_PASSED);
+    Stop stop = {0};
+    stop_request(&stop);
+    state.stop = &stop;
+    CHECK(!attempt_goal(&lesson, task, &state, &fault));
+    CHECK(!fault.total);
+    check_say(&fault);
+    lesson_free(&lesson);
+}
