@@ -44,7 +44,7 @@ static bool type_tell(TypeAnswer *answer, const Beam *beam, const Options *optio
         beam_experiment_close(&answer->quick);
         return false;
     }
-    beam_experiment_be_thorough(&answer->thorough);
+    beam_experiment_be_thorough(&answer->thorough, BEAM_EXPERIMENT_LANES, BEAM_EXPERIMENT_CYCLES);
     if (types_answer_classify(&answer->types, &answer->quick, &answer->thorough, beam_experiment_window,
                               BEAM_EXPERIMENT_WINDOW, options, fault))
         return true;

@@ -46,7 +46,7 @@ static json_t *make_distributions(const Study *study) {
     json_t *share = json_object(), *distributions = json_object();
     result_json_take_record(share, result_study_share(study));
     for (size_t o = 0; o < table.record_count; o++)
-        set(distributions, study->experiment->observables[o].name, result_json_record(&table, o));
+        set(distributions, result_at(&table, o, 0)->text, result_json_record(&table, o));
     result_clear(&table);
     return json_pack("{s:o, s:o}", "share_regular", share, "observables", distributions);
 }

@@ -2,6 +2,7 @@
 
 #include "beam/beam.h"
 #include "crank/crank.h"
+#include "cycle/survival.h"
 #include "experiment/beam_experiment.h"
 #include "experiment/crank_experiment.h"
 #include "experiment/house_experiment.h"
@@ -24,7 +25,7 @@ static bool open_beam(Experiment *experiment, const Options *options, Fault *fau
         !beam_experiment_open(experiment, options->files[0], options->settings, options->setting_count, fault))
         return false;
     if (options->thorough)
-        beam_experiment_be_thorough(experiment);
+        beam_experiment_be_thorough(experiment, (size_t)options->lanes, SURVIVAL_CYCLES);
     return true;
 }
 

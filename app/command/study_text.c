@@ -314,11 +314,19 @@ static void add_points(Text *text, const Study *study) {
     memory_free(chosen);
 }
 
+/* True if tables show the observable of this name. */
+static bool is_named_shown(const Study *study, const char *name) {
+    for (size_t o = 0; o < study->experiment->observable_count; o++)
+        if (strcmp(study->experiment->observables[o].name, name) == 0)
+            return result_study_is_shown(study, o);
+    return false;
+}
+
 /* Adds the distributions of the observables that tables show. */
 static void add_distributions(Text *text, const Study *study) {
     ResultTable all = result_study_distributions(study), shown = {.numbers = all.numbers};
     for (size_t o = 0; o < all.record_count; o++) {
-        if (!result_study_is_shown(study, o))
+        if (!is_named_shown(study, result_at(&all, o, 0)->text))
             continue;
         for (size_t r = 0; r < all.row_count; r++)
             result_add(&shown, *result_at(&all, o, r));
@@ -418,6 +426,23 @@ static void add_count(Text *text, const Study *study, const SummaryCount *count)
     text_add(text, "\n");
 }
 
+/* Adds how many runs have which verdict: "motion: 190 periodic, 60 not periodic (quick verdict)". */
+static void add_verdicts(Text *text, const Study *study) {
+    const Experiment *experiment = study->experiment;
+    size_t *counts = summary_verdicts(study), named = 0, quick = 0;
+    for (size_t v = 0; counts && v < experiment->verdict_count; v++) {
+        if (!counts[v])
+            continue;
+        bool is_quick = v >= experiment->verdict_quick;
+        text_format(text, is_quick ? "%s%zu %s (quick verdict)" : "%s%zu %s", named++ ? ", " : "of all runs ",
+                    counts[v], experiment->verdicts[v]);
+        quick += is_quick ? counts[v] : 0;
+    }
+    if (named)
+        text_add(text, quick ? "; --thorough tells what those are\n" : "\n");
+    memory_free(counts);
+}
+
 void study_text_add(Text *text, const Study *study, const char *file) {
     SummaryCount count = summary_count(study);
     add_question(text, study, file);
@@ -426,6 +451,7 @@ void study_text_add(Text *text, const Study *study, const char *file) {
     if (study->axis_count == 2)
         add_count(text, study, &count);
     add_answers(text, study);
+    add_verdicts(text, study);
     if (study->axis_count == 1)
         add_differences(text, study);
     if (study->axis_count == 2) {

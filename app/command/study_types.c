@@ -31,7 +31,7 @@ bool study_types_open(StudyTypes *types, const Options *options, Fault *fault) {
         return false;
     }
     if (types->both)
-        beam_experiment_be_thorough(&types->thorough);
+        beam_experiment_be_thorough(&types->thorough, BEAM_EXPERIMENT_LANES, BEAM_EXPERIMENT_CYCLES);
     split_names(types, options->types);
     return true;
 }

@@ -149,8 +149,8 @@ const Option option_rows[] = {
      FOR_RUN | FOR_COMPARE | FOR_STUDY, NULL, read_until},
     {"--lanes", OPTION_WHOLE, FIELD(lanes), 0, 1024, "N",
      "beams only: motions that are watched for 20,000 cycles each, to tell whether one that is not periodic lasts "
-     "(default 64; 0: none, and the verdict is marked quick)",
-     GROUP_SIMULATION, FOR_RUN, NULL, NULL},
+     "(default 64; 0: none, and the verdict is marked quick); of a study, with --thorough",
+     GROUP_SIMULATION, FOR_RUN | FOR_STUDY, NULL, NULL},
     {"--seed", OPTION_WHOLE, FIELD(seed), 0, (double)INT64_MAX, "N", "seed of all random numbers (default 1)",
      GROUP_SIMULATION, FOR_HOUSES | FOR_CASES | FOR_OPEN, NULL, NULL},
 
@@ -183,8 +183,9 @@ const Option option_rows[] = {
      "changes, and locate where it folds, flips, becomes a torus or begins to touch",
      GROUP_STUDY, FOR_STUDY, NULL, read_follow},
     {"--thorough", OPTION_FLAG, FIELD(thorough), NO_RANGE, NULL,
-     "beams and cranks: full analysis of every run (Lyapunov exponents, 0-1 test); slower", GROUP_STUDY, FOR_STUDY,
-     NULL, NULL},
+     "beams and cranks: full analysis of every run (Lyapunov exponents, 0-1 test, and of a beam whether it lasts, by "
+     "--lanes); slower",
+     GROUP_STUDY, FOR_STUDY, NULL, NULL},
     {"--paper", OPTION_FLAG, FIELD(paper), NO_RANGE, NULL,
      "beams only: compare each claim and figure of Gu and Dubowsky's paper with our results; --out holds the page",
      GROUP_STUDY, FOR_STUDY, NULL, NULL},

@@ -34,7 +34,8 @@ const char *result_study_state(const Experiment *experiment, SummaryState state)
 bool result_study_is_shown(const Study *study, size_t observable) {
     const Experiment *experiment = study->experiment;
     const char *name = experiment->observables[observable].name, *hidden = find_words(experiment)->hidden;
-    if (observable == experiment->regular || strcmp(name, hidden) == 0)
+    bool verdict = experiment->verdict_count && observable == experiment->verdict;
+    if (observable == experiment->regular || verdict || strcmp(name, hidden) == 0)
         return false;
     bool any = false;
     for (size_t t = 0; t < study->trial_count && !any; t++)
@@ -119,6 +120,20 @@ static void add_count(ResultTable *table, const char *key, const char *label, si
     result_add(table, (ResultRow){.key = key, .label = label, .kind = RESULT_COUNT, .number = (double)count});
 }
 
+/* Adds how many runs have which verdict; those of quick runs say so. */
+static void add_verdicts(ResultTable *table, const Study *study) {
+    const Experiment *experiment = study->experiment;
+    size_t *counts = summary_verdicts(study);
+    for (size_t v = 0; counts && v < experiment->verdict_count; v++) {
+        bool quick = v >= experiment->verdict_quick;
+        if (counts[v])
+            add_count(table, text_in_arena(&table->arena, "verdicts.%s", experiment->verdicts[v]),
+                      text_in_arena(&table->arena, quick ? "%s (quick verdict)" : "%s", experiment->verdicts[v]),
+                      counts[v]);
+    }
+    memory_free(counts);
+}
+
 ResultTable result_study_counts(const Study *study) {
     ResultTable table = {.numbers = RESULT_SHORTEST};
     const Experiment *experiment = study->experiment;
@@ -133,6 +148,7 @@ ResultTable result_study_counts(const Study *study) {
     add_count(&table, "regular", words->states[SUMMARY_REGULAR], count.regular);
     add_count(&table, "not_regular", words->states[SUMMARY_IRREGULAR], count.irregular);
     add_count(&table, "cannot_be_told", words->states[SUMMARY_UNDECIDED], count.undecided);
+    add_verdicts(&table, study);
     result_add(&table, (ResultRow){.key = "regular_means", .text = regular->meaning});
     result_add(&table, (ResultRow){.key = "measure.name", .text = measure->name});
     result_add(&table, (ResultRow){.key = "measure.unit", .text = measure->unit});
@@ -198,8 +214,10 @@ ResultTable result_study_extreme(const Study *study, bool greatest) {
 static void add_run(ResultTable *table, const Study *study, size_t pass, size_t i) {
     const Experiment *experiment = study->experiment;
     const Trial *trial = study_trial(study, pass, 0, 0, i);
+    const char *verdict = trial->fault ? NULL : trial_verdict(trial, experiment);
     result_add(table, (ResultRow){.label = "answer",
-                                  .text = result_study_state(experiment, summary_point(study, pass, 0, i))});
+                                  .text = verdict ? verdict
+                                                  : result_study_state(experiment, summary_point(study, pass, 0, i))});
     for (size_t o = 0; o < experiment->observable_count; o++) {
         if (!result_study_is_shown(study, o))
             continue;
@@ -287,6 +305,8 @@ ResultTable result_study_distributions(const Study *study) {
     ResultTable table = {.numbers = RESULT_SHORTEST};
     MontecarloPoint point = montecarlo_point(study, 0, 0, 0);
     for (size_t o = 0; o < point.observables; o++) {
+        if (summary_is_class(study->experiment, o))
+            continue;
         const Observable *observable = &study->experiment->observables[o];
         const Distribution *d = &point.of[o];
         result_add(&table, (ResultRow){.label = "observable", .text = observable->name});

@@ -168,6 +168,18 @@ OrbitAnswer orbit_settle(Orbit *orbit, Cycle cycle, const double *state, size_t 
     return whole ? ORBIT_GOOD : good ? ORBIT_INTERRUPTED : ORBIT_NONE;
 }
 
+double orbit_peak(const Orbit *orbit, Cycle cycle) {
+    CycleMotion motion = cycle_create(cycle, 0);
+    cycle.kind->set_state(motion.own, orbit->point);
+    double *peak = cycle.kind->peaks(motion.own);
+    peak[0] = peak[1] = 0;
+    for (size_t i = 0; i < orbit->period; i++)
+        cycle_run(&motion);
+    double largest = fmax(peak[0], peak[1]);
+    cycle_destroy(&motion);
+    return largest;
+}
+
 void orbit_clear(Orbit *orbit) {
     memory_free(orbit->point);
     *orbit = (Orbit){0};

@@ -54,6 +54,9 @@ bool orbit_is_stable(const Orbit *orbit);
  * length. */
 double orbit_distance(const Orbit *orbit, Cycle cycle, const double *state);
 
+/* Returns the largest force on the orbit, N; 0: it is without contact. */
+double orbit_peak(const Orbit *orbit, Cycle cycle);
+
 void orbit_clear(Orbit *orbit);
 
 /* Computes P^cycles(x) into `state` and, unless NULL, its derivative (states x states, column by column). */

@@ -35,16 +35,8 @@ static bool certify(const Watch *watch, Lane *lane, size_t period) {
     Orbit orbit;
     if (orbit_settle(&orbit, watch->cycle, lane->state, period, NEAR_ORBIT, watch->task->stop) != ORBIT_GOOD)
         return false;
-    lane->attractor = (SurvivalAttractor){.period = orbit.period, .largest = orbit.largest};
-    CycleMotion motion = cycle_create(watch->cycle, 0);
-    const CycleKind *kind = watch->cycle.kind;
-    kind->set_state(motion.own, orbit.point);
-    double *peak = kind->peaks(motion.own);
-    peak[0] = peak[1] = 0;
-    for (size_t i = 0; i < orbit.period; i++)
-        cycle_run(&motion);
-    lane->attractor.peak = fmax(peak[0], peak[1]);
-    cycle_destroy(&motion);
+    lane->attractor =
+        (SurvivalAttractor){.period = orbit.period, .peak = orbit_peak(&orbit, watch->cycle), .largest = orbit.largest};
     orbit_clear(&orbit);
     return true;
 }

@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "beam/beam_cycle.h"
 #include "beam/lanes.h"
+#include "cycle/motion_class.h"
 #include "experiment/beam_numbers.h"
 #include "study/types.h"
 
@@ -28,9 +29,13 @@ static const Observable observables[BEAM_OBSERVABLES] = {
     [BEAM_PEAK_MEAN] = {"peak_mean", "N", "mean peak force"},
     [BEAM_TOUCHES] = {"touches", "1", "peaks a cycle, of both sides"},
     [BEAM_CLEARANCE_RATIO] = {"clearance_ratio", "1", "clearance by the static deflection of the tip, g/a"},
+    [BEAM_MOTION] = {"motion", "1", "kind of motion"},
     [BEAM_LYAPUNOV] = {"lyapunov", "1", "largest exponent a cycle"},
     [BEAM_LYAPUNOV_ERROR] = {"lyapunov_error", "1", "standard error of the largest exponent"},
     [BEAM_ZERO_ONE] = {"zero_one", "1", "K of the 0-1 test"},
+    [BEAM_ROTATION] = {"rotation", "1", "rotation number of a quasi-periodic motion"},
+    [BEAM_HALF_LIFE] = {"half_life", "1", "half-life of a transient in cycles"},
+    [BEAM_ATTRACTOR_PEAK] = {"attractor_peak", "N", "largest force on the orbit where it settles"},
 };
 
 static const Observable series = {"peak", "N", "peak force of each cycle and side"};
@@ -62,7 +67,8 @@ typedef struct Given {
     Beam beam;
     bool owned; /* the experiment owns the beam */
     bool thorough;
-    Rig rig; /* of the nominal beam */
+    size_t lanes, lane_cycles; /* that are watched in thorough trials */
+    Rig rig;                   /* of the nominal beam */
 } Given;
 
 /* Parameters ------------------------------------------------------------------------------------------------------ */
@@ -246,10 +252,13 @@ static void tell_lane(const Case *one, const LanesRun *lane) {
     bool whole = lane->recorded == (size_t)lane->cycles;
     trial->done = whole || lane->status != CYCLE_GOOD;
     list_peaks(trial, lane->peak, lane->recorded);
+    if (lane->status != CYCLE_GOOD)
+        trial->observed[BEAM_MOTION] = motion_class_of_record(lane->status, SECTION_UNDECIDED, true);
     if (!whole)
         return;
     int period = section_period(lane->deflection, lane->velocity, lane->recorded, 2 * M_PI * lane->frequency,
                                 RIG_REST * lane->clearance);
+    trial->observed[BEAM_MOTION] = motion_class_of_record(lane->status, period, trial->series_count > 0);
     if (period != SECTION_UNDECIDED)
         tell_regular(trial, period != SECTION_NONE, (size_t)period);
 }
@@ -278,23 +287,55 @@ static bool is_even(const Response *response) {
            response->peaks.max - response->peaks.min <= BEAM_EXPERIMENT_EVEN * response->peaks.max;
 }
 
+/* Returns the half-life of a transient, or what is known to be below it, in cycles. */
+static double transient_life(const Response *response) {
+    const HalfLife *half = &response->survival.half_life;
+    if (!response->survival.lanes)
+        return (double)response->wandering.count;
+    return isfinite(half->value) ? half->value : half->low;
+}
+
+static bool is_regular(const Response *response) {
+    return response->verdict == RESPONSE_PERIODIC || is_even(response) ||
+           (response->verdict == RESPONSE_TRANSIENT && transient_life(response) <= BEAM_EXPERIMENT_LASTS);
+}
+
+/* Tells the orbit that the motion is on, or that most of the motions started on it settle on. */
+static size_t tell_attractor(Trial *trial, const Response *response) {
+    const Survival *survival = &response->survival;
+    const SurvivalAttractor *most = survival->attractor_count ? &survival->attractors[0] : NULL;
+    for (size_t i = 1; i < survival->attractor_count; i++)
+        most = survival->attractors[i].lanes > most->lanes ? &survival->attractors[i] : most;
+    if (most)
+        trial->observed[BEAM_ATTRACTOR_PEAK] = most->peak;
+    else if (response->orbit.period)
+        trial->observed[BEAM_ATTRACTOR_PEAK] = response->orbit_peak;
+    return most ? most->period : response->orbit.period;
+}
+
 static void tell_response(Trial *trial, const Response *response) {
     double *observed = trial->observed;
     list_peaks(trial, response->section.peak, response->section.count);
+    size_t period = tell_attractor(trial, response);
     if (response_is_told(response->verdict))
-        tell_regular(trial, response->orbit.period || is_even(response), response->orbit.period);
+        tell_regular(trial, is_regular(response), period);
+    observed[BEAM_MOTION] = motion_class_of(response);
+    observed[BEAM_ROTATION] = response->rotation.value;
+    if (response->verdict == RESPONSE_TRANSIENT)
+        observed[BEAM_HALF_LIFE] = transient_life(response);
     observed[BEAM_LYAPUNOV] = response->exponent.value;
     observed[BEAM_LYAPUNOV_ERROR] = response->exponent.error;
     observed[BEAM_ZERO_ONE] = response->zero_one;
 }
 
 /* Runs one trial with full analysis from `state`, which receives its last recorded state. */
-static void run_thoroughly(const Case *one, const Rig *rig, double *state, const Stop *stop) {
+static void run_thoroughly(const Given *given, const Case *one, const Rig *rig, double *state, const Stop *stop) {
     Rig own = rig_share(rig, one->beam.frequency, one->beam.force, one->beam.clearance);
     Response response;
     beam_cycle_respond(&response, &own, &one->beam, state, stop);
+    response_confirm(&response, beam_cycle_of(&own), &(SurvivalTask){given->lanes, given->lane_cycles, 1, stop});
     tell_response(one->trial, &response);
-    one->trial->done = response.verdict != RESPONSE_INTERRUPTED;
+    one->trial->done = response.verdict != RESPONSE_INTERRUPTED && !(given->lanes && response_is_quick(&response));
     if (response.section.count)
         memcpy(state, section_last(&response.section), response.section.states * sizeof *state);
     response_clear(&response);
@@ -310,7 +351,7 @@ static void run_cases(const Given *given, Case **cases, size_t count, const Rig 
     if (!given->thorough)
         run_quickly(cases, count, rig, states, stop);
     for (size_t i = 0; i < count && given->thorough && !stop_requested(stop); i++)
-        run_thoroughly(cases[i], rig, states + i * 2 * rig->modes.count, stop);
+        run_thoroughly(given, cases[i], rig, states + i * 2 * rig->modes.count, stop);
 }
 
 /* Returns the rig of a case: the nominal one, or `own`, built for the case. NULL: the trial has the reason. */
@@ -413,6 +454,10 @@ static bool begin(Experiment *experiment, Given *given, const char *place, Fault
                                .outcome = BEAM_PERIOD,
                                .periods = true,
                                .measure = BEAM_PEAK_MAX,
+                               .verdict = BEAM_MOTION,
+                               .verdicts = motion_class_names,
+                               .verdict_count = MOTION_CLASSES,
+                               .verdict_quick = MOTION_CLASS_NOT_PERIODIC,
                                .carries = true,
                                .special = BEAM_EXPERIMENT_FREE,
                                .batch = given->beam.cycles > LONG ? 1 : BATCH,
@@ -441,9 +486,12 @@ bool beam_experiment_of(Experiment *experiment, const Beam *beam, const char *pl
     return begin(experiment, given, place, fault);
 }
 
-void beam_experiment_be_thorough(Experiment *experiment) {
-    ((Given *)experiment->given)->thorough = true;
-    experiment->identity = digest_chain(experiment->identity, 1);
+void beam_experiment_be_thorough(Experiment *experiment, size_t lanes, size_t cycles) {
+    Given *given = experiment->given;
+    given->thorough = true;
+    given->lanes = lanes;
+    given->lane_cycles = cycles;
+    experiment->identity = digest_chain(digest_chain(digest_chain(experiment->identity, 1), lanes), cycles);
 }
 
 void beam_experiment_close(Experiment *experiment) {

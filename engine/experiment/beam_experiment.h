@@ -16,7 +16,8 @@
  * After numbers that were lost, it begins as its seed says.
  *
  * Quick trials are told by how the tip returns (section.h) in run.cycles cycles after run.transient_cycles; thorough
- * ones as `clearance run` tells them (response.h). */
+ * ones as `clearance run` tells them (response.h), confirmed by motions that are watched until they settle
+ * (survival.h). */
 #pragma once
 
 #include <stdbool.h>
@@ -38,9 +39,13 @@ typedef enum BeamObservable {
     BEAM_TOUCHES,
     BEAM_CLEARANCE_RATIO, /* 1, g/a; a is the static deflection of the tip under the drive's amplitude without the joint
                            */
+    BEAM_MOTION,          /* its class, by index into motion_class_names */
     BEAM_LYAPUNOV,        /* this and the following in thorough trials only */
     BEAM_LYAPUNOV_ERROR,
     BEAM_ZERO_ONE,
+    BEAM_ROTATION,       /* 1, rotation number of a quasi-periodic motion */
+    BEAM_HALF_LIFE,      /* 1, cycles, of a transient */
+    BEAM_ATTRACTOR_PEAK, /* N, largest force of the orbit that a motion is on or settles on */
     BEAM_OBSERVABLES,
 } BeamObservable;
 
@@ -50,6 +55,13 @@ typedef enum BeamObservable {
 
 /* Largest relative variation of the peaks of a quasi-periodic motion that counts as regular. */
 #define BEAM_EXPERIMENT_EVEN 0.1
+
+/* Cycles: a transient of a longer half-life counts as irregular. */
+#define BEAM_EXPERIMENT_LASTS 1000.0
+
+/* Motions that are watched, and for how many cycles, where only the type is asked: enough that a half-life of
+ * BEAM_EXPERIMENT_LASTS is told from a longer one. */
+enum { BEAM_EXPERIMENT_LANES = 16, BEAM_EXPERIMENT_CYCLES = 2000 };
 
 /* Number of parameters of the window for a beam's type. */
 enum { BEAM_EXPERIMENT_WINDOW = 4 };
@@ -63,8 +75,9 @@ bool beam_experiment_open(Experiment *experiment, const char *path, const char *
 /* Opens the experiment of a beam that is already read and must outlive it; `place` begins its errors. */
 bool beam_experiment_of(Experiment *experiment, const Beam *beam, const char *place, Fault *fault);
 
-/* Analyses each later trial fully. */
-void beam_experiment_be_thorough(Experiment *experiment);
+/* Analyses each later trial fully, and watches `lanes` motions for `cycles` cycles where it is not periodic; 0: none.
+ */
+void beam_experiment_be_thorough(Experiment *experiment, size_t lanes, size_t cycles);
 
 /* Runs `count` trials of one parameter one after another, the first continuing from `carry`: a carried pass in
  * pieces. */

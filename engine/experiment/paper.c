@@ -152,7 +152,7 @@ static bool make_types(Paper *paper, const PaperOptions *options, Fault *fault) 
             break;
         good = beam_experiment_of(&thorough, &beam, options->path, fault);
         if (good) {
-            beam_experiment_be_thorough(&thorough);
+            beam_experiment_be_thorough(&thorough, BEAM_EXPERIMENT_LANES, BEAM_EXPERIMENT_CYCLES);
             good = types_classify(&paper->types[i],
                                   &(TypesTask){.experiment = &quick,
                                                .thorough = &thorough,

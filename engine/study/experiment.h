@@ -43,6 +43,12 @@ typedef struct Experiment {
     bool periods;   /* the outcome is a period: a doubled value is a flip */
     size_t measure; /* the observable of sensitivities, which also separates equal outcomes: a peak force, a time */
 
+    size_t verdict; /* observable that is a class, by index into its words; one of them is known to be final
+                       if it is below verdict_quick */
+    const char *const *verdicts; /* (verdict_count) its words */
+    size_t verdict_count;        /* 0: there is no such observable */
+    size_t verdict_quick;        /* the first of the words of quick runs */
+
     uint64_t special; /* seed of a start of its own, which is always among those of a type; 0: none */
     bool carries;     /* a run can continue from the end of the previous one: sweeps up and down */
     size_t batch;     /* number of runs that are best simulated together */
@@ -67,6 +73,13 @@ typedef struct Experiment {
     void (*run)(const void *given, const char *const *names, size_t name_count, Trial *trials, size_t count, bool carry,
                 const Stop *stop);
 } Experiment;
+
+/* Returns the word of a trial's class, or NULL. */
+static inline const char *trial_verdict(const Trial *trial, const Experiment *experiment) {
+    double value = experiment->verdict_count ? trial->observed[experiment->verdict] : -1;
+    return trial->done && value >= 0 && value < (double)experiment->verdict_count ? experiment->verdicts[(size_t)value]
+                                                                                  : NULL;
+}
 
 static inline void trial_clear(Trial *trial) {
     memory_free(trial->series);

@@ -9,6 +9,7 @@
 #include "base/memory.h"
 #include "base/visible.h"
 #include "study/montecarlo.h"
+#include "study/summary.h"
 
 /* Sheets --------------------------------------------------------------------------------------------------------- */
 
@@ -99,6 +100,16 @@ static void add_trial(Sheet *sheet, const Study *study, size_t index) {
     add_count(sheet, trial->seed);
 }
 
+/* Adds a number, or the word of a class. */
+static void add_observed(Sheet *sheet, const Experiment *experiment, const Trial *trial, size_t o) {
+    bool is_word = experiment->verdict_count && o == experiment->verdict;
+    const char *word = is_word ? trial_verdict(trial, experiment) : NULL;
+    if (is_word)
+        add_word(sheet, word ? word : "");
+    else
+        add_number(sheet, trial->observed[o]);
+}
+
 int study_csv_write_trials(const Study *study, const char *path) {
     const Experiment *experiment = study->experiment;
     Sheet sheet = open_sheet(path);
@@ -116,7 +127,7 @@ int study_csv_write_trials(const Study *study, const char *path) {
             continue;
         add_trial(&sheet, study, t);
         for (size_t o = 0; o < experiment->observable_count; o++)
-            add_number(&sheet, trial->observed[o]);
+            add_observed(&sheet, experiment, trial, o);
         add_quoted(&sheet, trial->fault);
         end_row(&sheet);
     }
@@ -151,10 +162,22 @@ static void add_points_head(Sheet *sheet, const Study *study) {
     add_names_head(sheet, study, study->axis_count);
     for (size_t c = 0; c < sizeof counts / sizeof *counts; c++)
         add_head(sheet, counts[c], "", "");
+    for (size_t v = 0; v < study->experiment->verdict_count; v++)
+        add_head(sheet, study->experiment->verdicts[v], "", "");
     for (size_t o = 0; o < study->experiment->observable_count; o++)
-        for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
+        for (size_t k = 0; k < sizeof kinds / sizeof *kinds && !summary_is_class(study->experiment, o); k++)
             add_head(sheet, study->experiment->observables[o].name, kinds[k], study->experiment->observables[o].unit);
     end_row(sheet);
+}
+
+/* Returns how many runs at a point have a verdict. */
+static size_t point_verdicts(const Study *study, size_t pass, size_t i1, size_t i0, size_t verdict) {
+    size_t count = 0;
+    for (size_t run = 0; run < study->runs; run++) {
+        const Trial *trial = study_trial(study, pass, run, i1, i0);
+        count += trial->done && !trial->fault && trial->observed[study->experiment->verdict] == (double)verdict;
+    }
+    return count;
 }
 
 static void add_point(Sheet *sheet, const Study *study, size_t pass, size_t i1, size_t i0) {
@@ -169,7 +192,11 @@ static void add_point(Sheet *sheet, const Study *study, size_t pass, size_t i1, 
     const double shares[] = {point.share, point.share_low, point.share_high};
     for (size_t s = 0; s < sizeof shares / sizeof *shares; s++)
         add_number(sheet, shares[s]);
+    for (size_t v = 0; v < study->experiment->verdict_count; v++)
+        add_count(sheet, point_verdicts(study, pass, i1, i0, v));
     for (size_t o = 0; o < point.observables; o++) {
+        if (summary_is_class(study->experiment, o))
+            continue;
         const Distribution *d = &point.of[o];
         const double numbers[] = {d->mean, d->deviation, d->error, d->low, d->median, d->high};
         for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)

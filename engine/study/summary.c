@@ -32,6 +32,22 @@ SummaryCount summary_count(const Study *study) {
     return count;
 }
 
+size_t *summary_verdicts(const Study *study) {
+    const Experiment *experiment = study->experiment;
+    if (!experiment->verdict_count)
+        return NULL;
+    size_t *counts = memory_zeroed(experiment->verdict_count, sizeof *counts);
+    for (size_t t = 0; t < study->trial_count; t++)
+        if (!study->trials[t].fault && trial_verdict(&study->trials[t], experiment))
+            counts[(size_t)study->trials[t].observed[experiment->verdict]]++;
+    return counts;
+}
+
+bool summary_is_class(const Experiment *experiment, size_t observable) {
+    return (experiment->verdict_count && observable == experiment->verdict) ||
+           (experiment->periods && observable == experiment->outcome);
+}
+
 static SummaryState state_of(const SummaryCount *count) {
     if (count->undecided > count->regular + count->irregular)
         return SUMMARY_UNDECIDED;

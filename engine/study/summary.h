@@ -26,6 +26,13 @@ typedef struct SummaryRange {
     SummaryState state;
 } SummaryRange;
 
+/* Returns how many completed trials have each verdict of the experiment (verdict_count); the caller releases it. NULL:
+ * it has none. */
+size_t *summary_verdicts(const Study *study);
+
+/* True if an observable is a class, whose values have neither a mean nor a spread. */
+bool summary_is_class(const Experiment *experiment, size_t observable);
+
 SummaryCount summary_count(const Study *study);
 
 /* Returns the state of all runs of a point. */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "cycle/motion_class.h"
 #include "visual/study/measured_marks.h"
 #include "visual/study/study_axes.h"
 
@@ -66,6 +67,7 @@ static int compare_attractors(const void *a, const void *b) {
  * -2: unknown. Returns the number of attractors; the caller frees `list`. */
 static size_t list_attractors(const Study *study, size_t pass, int *found, Attractor **list) {
     const Experiment *experiment = study->experiment;
+    size_t settled = study_axes_find(study, "attractor_peak");
     size_t steps = study->axes[0].steps, cells = steps * study->axes[1].steps, count = 0, capacity = 0;
     Attractor *known = NULL;
     for (size_t c = 0; c < cells; c++) {
@@ -75,6 +77,8 @@ static size_t list_attractors(const Study *study, size_t pass, int *found, Attra
         if (!(regular > 0))
             continue;
         double outcome = trial->observed[experiment->outcome], measure = trial->observed[experiment->measure];
+        double peak = settled < experiment->observable_count ? trial->observed[settled] : (double)NAN;
+        measure = isnan(peak) ? measure : peak;
         for (size_t a = count; a-- > 0;)
             if (is_same(&known[a], outcome, measure))
                 found[c] = (int)a;
@@ -186,8 +190,37 @@ static double period_class(double period, double touches) {
     return period < 1 ? 7 : period <= 4 ? floor(period) : period <= 8 ? 5 : 6;
 }
 
+/* The look of each class of motion. */
+static const PlotClass motions[MOTION_CLASSES] = {
+    [MOTION_CLASS_FREE] = {"without contact", "free", ROLE_CLASS_NONE, PLOT_PATTERN_PLAIN},
+    [MOTION_CLASS_PERIODIC] = {"periodic", "p", ROLE_CLASS_FIRST, PLOT_PATTERN_PLAIN},
+    [MOTION_CLASS_QUASI_PERIODIC] = {"quasi-periodic", "q", ROLE_CLASS_FIFTH, PLOT_PATTERN_RISING},
+    [MOTION_CLASS_CHAOTIC] = {"chaotic", "c", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
+    [MOTION_CLASS_TRANSIENT] = {"transient", "t", ROLE_TYPE_SECOND, PLOT_PATTERN_FALLING},
+    [MOTION_CLASS_UNDETERMINED] = {"undetermined", "?", ROLE_CLASS_NONE, PLOT_PATTERN_RISING},
+    [MOTION_CLASS_CHATTERS] = {"chatters", "!", ROLE_CLASS_SIXTH, PLOT_PATTERN_LEVEL},
+    [MOTION_CLASS_DIVERGED] = {"diverged", "!!", ROLE_CLASS_SIXTH, PLOT_PATTERN_CROSSED},
+    [MOTION_CLASS_NOT_PERIODIC] = {"not periodic (quick)", "n", ROLE_CLASS_FOURTH, PLOT_PATTERN_CROSSED},
+};
+
+static void classify_motion(Map *map) {
+    for (size_t i = 0; i < map->columns * map->rows; i++)
+        map->values[i] = study_axes_value(map_trial(map, 0, i), map->study->experiment->verdict);
+    note_first(map);
+    store_classes(map, motions, MOTION_CLASSES);
+}
+
+/* Returns the class of motion of a trial that was told thoroughly and is not periodic; MOTION_CLASSES: none. */
+static size_t wild_class(const Map *map, const Trial *trial) {
+    const Experiment *experiment = map->study->experiment;
+    double value = experiment->verdict_count ? study_axes_value(trial, experiment->verdict) : (double)NAN;
+    bool wild =
+        value == MOTION_CLASS_QUASI_PERIODIC || value == MOTION_CLASS_CHAOTIC || value == MOTION_CLASS_TRANSIENT;
+    return wild ? (size_t)value : MOTION_CLASSES;
+}
+
 static void classify_period(Map *map) {
-    static const PlotClass classes[] = {
+    const PlotClass classes[] = {
         {"no contact", "free", ROLE_CLASS_NONE, PLOT_PATTERN_PLAIN},
         {"period 1", "1", ROLE_CLASS_FIRST, PLOT_PATTERN_PLAIN},
         {"period 2", "2", ROLE_CLASS_SECOND, PLOT_PATTERN_RISING},
@@ -196,15 +229,22 @@ static void classify_period(Map *map) {
         {"5 to 8", "5", ROLE_CLASS_FIFTH, PLOT_PATTERN_UPRIGHT},
         {"9 and more", "9", ROLE_CLASS_SIXTH, PLOT_PATTERN_LEVEL},
         {"not periodic", "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
+        motions[MOTION_CLASS_QUASI_PERIODIC],
+        motions[MOTION_CLASS_CHAOTIC],
+        motions[MOTION_CLASS_TRANSIENT],
         UNDECIDED_CLASS,
     };
+    enum { WILD_FIRST = 8 };
     const double undecided = sizeof classes / sizeof *classes - 1;
     size_t period = study_axes_find(map->study, "period"), touches = study_axes_find(map->study, "touches");
     bool known = touches < map->study->experiment->observable_count;
     for (size_t i = 0; i < map->columns * map->rows; i++) {
         const Trial *trial = map_trial(map, 0, i);
         double class = period_class(study_axes_value(trial, period), known ? study_axes_value(trial, touches) : NAN);
-        map->values[i] = isnan(class) && was_run(map, i) ? undecided : class;
+        size_t wild = wild_class(map, trial);
+        map->values[i] = wild < MOTION_CLASSES             ? (double)(WILD_FIRST + wild - MOTION_CLASS_QUASI_PERIODIC)
+                         : isnan(class) && was_run(map, i) ? undecided
+                                                           : class;
     }
     note_first(map);
     store_classes(map, classes, sizeof classes / sizeof *classes);
@@ -359,6 +399,8 @@ static bool fill_map(Map *map, size_t observable) {
     } else if (strcmp(shown->name, "period") == 0) {
         map->to->plot.title = "Periodic or not, and the period in cycles";
         classify_period(map);
+    } else if (experiment->verdict_count && observable == experiment->verdict) {
+        classify_motion(map);
     } else if (observable == experiment->regular) {
         map->to->plot.title = is_house(map) ? "Are all people out?" : "Periodic or not";
         classify_regular(map);
@@ -368,8 +410,26 @@ static bool fill_map(Map *map, size_t observable) {
     return map->raster->class_count > 0;
 }
 
+/* True if another map tells more: that of the motion. */
+static bool is_coarse(const Experiment *experiment, size_t observable) {
+    return experiment->verdict_count && observable == experiment->regular;
+}
+
 static bool is_start(const StudyAxis *axis) {
     return strncmp(axis->name, "start.", strlen("start.")) == 0;
+}
+
+/* Says what basins show: where a start leads, or where quick runs saw it last. */
+static const char *basins_title(const Study *study, Arena *arena) {
+    const Experiment *experiment = study->experiment;
+    bool quick = false;
+    for (size_t t = 0; t < study->trial_count && experiment->verdict_count; t++)
+        quick |= study_axes_value(&study->trials[t], experiment->verdict) >= (double)experiment->verdict_quick;
+    if (!quick)
+        return "Basins: where each start leads";
+    double cycles = experiment->nominal(experiment->given, "run.transient_cycles") +
+                    experiment->nominal(experiment->given, "run.cycles");
+    return text_in_arena(arena, "Basins: where each start is after %.0f cycles", cycles);
 }
 
 void study_maps_add(StudyPlots *plots, const Study *study, const Measured *measured) {
@@ -379,12 +439,12 @@ void study_maps_add(StudyPlots *plots, const Study *study, const Measured *measu
         for (size_t o = 0; o < study->experiment->observable_count; o++) {
             const char *name = study->experiment->observables[o].name;
             Map map = begin_map(plots, study, pass, text_in_arena(&plots->arena, "map-%s", name));
-            if (!study_axes_is_mark(study, o) && fill_map(&map, o))
+            if (!is_coarse(study->experiment, o) && !study_axes_is_mark(study, o) && fill_map(&map, o))
                 end_map(plots, &map, measured, strcmp(name, "type") != 0);
         }
         if (is_start(&study->axes[0]) && is_start(&study->axes[1])) {
             Map map = begin_map(plots, study, pass, "basins");
-            map.to->plot.title = "Basins: where each start leads";
+            map.to->plot.title = basins_title(study, &plots->arena);
             map.raster->value.title = "attractor";
             classify_attractors(&map);
             end_map(plots, &map, measured, false);

@@ -334,7 +334,8 @@ StudyPlots study_plots_make(const Study *study, const Measured *measured) {
             add_orbit_diagram(&plots, sweep);
     }
     for (size_t o = 0; o < experiment->observable_count && study->axis_count < 2; o++) {
-        if (is_error(experiment->observables[o].name) || study_axes_is_mark(study, o) || !is_varied(study, o))
+        bool words = experiment->verdict_count && o == experiment->verdict;
+        if (words || is_error(experiment->observables[o].name) || study_axes_is_mark(study, o) || !is_varied(study, o))
             continue;
         if (study->axis_count)
             add_observable(&plots, sweep, o);

@@ -238,7 +238,7 @@ TEST(a_thorough_trial_tells_exponents) {
     Fault fault = {0};
     CHECK(beam_read(&beam, scratch_source("assets/beams/ibs.json"), NULL, 0, &fault));
     CHECK(beam_experiment_of(&thorough, &beam, "ibs", &fault));
-    beam_experiment_be_thorough(&thorough);
+    beam_experiment_be_thorough(&thorough, BEAM_EXPERIMENT_LANES, BEAM_EXPERIMENT_CYCLES);
     const char *names[] = {"drive.frequency"};
     Batch batch;
     batch_init(&batch);
@@ -248,6 +248,10 @@ TEST(a_thorough_trial_tells_exponents) {
     CHECK(batch.observed[0][BEAM_REGULAR] == 1 && batch.observed[0][BEAM_LYAPUNOV] < 0);
     CHECK(batch.observed[1][BEAM_REGULAR] == 0 && batch.observed[1][BEAM_LYAPUNOV] > 0.7);
     CHECK(batch.observed[1][BEAM_ZERO_ONE] > 0.95);
+    CHECK_TEXT(trial_verdict(&batch.trials[0], &thorough), "periodic");
+    CHECK_TEXT(trial_verdict(&batch.trials[1], &thorough), "chaotic");
+    CHECK_NEAR(batch.observed[0][BEAM_ATTRACTOR_PEAK], batch.observed[0][BEAM_PEAK_MAX], 1e-3);
+    CHECK(isnan(batch.observed[1][BEAM_ATTRACTOR_PEAK]) && isnan(batch.observed[0][BEAM_HALF_LIFE]));
     batch_clear(&batch);
     beam_experiment_close(&thorough);
     beam_experiment_close(&quick);
