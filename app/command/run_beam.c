@@ -15,11 +15,16 @@
 #include "command/types_answer.h"
 #include "cycle/follow.h"
 #include "experiment/beam_experiment.h"
+#include "experiment/beam_family.h"
 #include "mechanics/trace.h"
+#include "plot/plot_write.h"
 #include "result/beam.h"
 #include "result/beam_survival.h"
 #include "result/json.h"
 #include "result/text.h"
+#include "study/study.h"
+#include "visual/beam/follow_plots.h"
+#include "visual/study/study_axes.h"
 
 /* Type ------------------------------------------------------------------------------------------------------------- */
 
@@ -220,21 +225,18 @@ int run_beam_file(const Options *options) {
 /* Following an orbit ------------------------------------------------------------------------------------------------
  */
 
-/* The numbers that an orbit can be followed in: those with which the modes stay the same. */
-typedef enum Followed { BY_FREQUENCY, BY_FORCE, BY_CLEARANCE, FOLLOWED } Followed;
-
-static const char *const names[FOLLOWED] = {"drive.frequency", "drive.force", "joint.clearance"};
-static const char *const units[FOLLOWED] = {"Hz", "N", "m"};
-
 #define STEP 0.02 /* of the range, the largest step along the curve */
+
+enum { DOTS = 241 /* values of the runs from rest below the curve */ };
 
 typedef struct Follower {
     const Options *options;
     Beam beam;
-    Rig rig, own; /* own: of the value that was asked for last */
-    bool shares;
-    Followed by;
+    BeamFamily family;
+    char name[100];
     double from, to;
+    FollowBranch branches[FOLLOW_PLOTS_BRANCHES]; /* (count) the orbit, then those that begin at its flips */
+    size_t count;
 } Follower;
 
 /* Reads NAME=FROM:TO. */
@@ -242,41 +244,23 @@ static bool read_range(Follower *follower, Fault *fault) {
     const char *words = follower->options->follow, *range = strchr(words, '=');
     char *end = NULL;
     size_t length = range ? (size_t)(range - words) : 0;
-    for (follower->by = 0; follower->by < FOLLOWED; follower->by++)
-        if (strlen(names[follower->by]) == length && memcmp(names[follower->by], words, length) == 0)
-            break;
-    if (range) {
+    if (range && length < sizeof follower->name) {
+        memcpy(follower->name, words, length);
         follower->from = strtod(range + 1, &end);
         follower->to = *end == ':' ? strtod(end + 1, &end) : (double)NAN;
     }
-    bool good = range && follower->by < FOLLOWED && !*end && follower->from > 0 && follower->to > follower->from &&
+    bool good = end && !*end && *follower->name && isfinite(follower->from) && follower->to > follower->from &&
                 isfinite(follower->to);
     if (!good)
-        fault_add(
-            fault,
-            "clearance: --follow takes NAME=FROM:TO with 0 < FROM < TO, where NAME is drive.frequency, drive.force "
-            "or joint.clearance, not \"%s\"",
-            words);
+        fault_add(fault,
+                  "clearance: --follow takes NAME=FROM:TO with FROM < TO, where NAME is a number of the beam such as "
+                  "drive.frequency or joint.clearance, not \"%s\"",
+                  words);
     return good;
 }
 
-static Cycle at_value(void *context, double value) {
-    Follower *follower = context;
-    const Beam *beam = &follower->beam;
-    if (value <= 0)
-        return (Cycle){0};
-    if (follower->shares)
-        rig_clear_shared(&follower->own);
-    follower->own = rig_share(&follower->rig, follower->by == BY_FREQUENCY ? value : beam->frequency,
-                              follower->by == BY_FORCE ? value : beam->force,
-                              follower->by == BY_CLEARANCE ? value : beam->clearance);
-    follower->shares = true;
-    return beam_cycle_of(&follower->own);
-}
-
-static double value_of_file(const Follower *follower) {
-    const double values[FOLLOWED] = {follower->beam.frequency, follower->beam.force, follower->beam.clearance};
-    return values[follower->by];
+static const char *unit_of(const Follower *follower) {
+    return follower->family.row->unit;
 }
 
 /* Words and files ---------------------------------------------------------------------------------------------------
@@ -300,10 +284,15 @@ static const char *row_name(const FollowBranch *branch, size_t i) {
 }
 
 static void print_branch(const Follower *follower, const FollowBranch *branch) {
-    printf("The orbit of period %zu, followed in %s from %g to %g %s: %zu points; below it ends at %s, above at %s\n\n",
-           branch->period, names[follower->by], follower->from, follower->to, units[follower->by], branch->count,
-           end_words(branch->below), end_words(branch->above));
-    printf("%-16s %14s %12s %24s  %s\n", "point", units[follower->by], "peak, N", "multiplier", "beside it");
+    bool begun = branch != follower->branches;
+    printf(begun ? "\nThe orbit of period %zu that begins there, followed in %s from %g to %g %s: %zu points; it "
+                   "ends at %s\n\n"
+                 : "The orbit of period %zu, followed in %s from %g to %g %s: %zu points; above it ends at %s",
+           branch->period, follower->name, follower->from, follower->to, unit_of(follower), branch->count,
+           end_words(branch->above));
+    if (!begun)
+        printf(", below at %s\n\n", end_words(branch->below));
+    printf("%-16s %14s %12s %24s  %s\n", "point", unit_of(follower), "peak, N", "multiplier", "beside it");
     for (size_t i = 0; i < branch->count; i++) {
         const FollowPoint *point = &branch->points[i];
         if (!is_shown(branch, i))
@@ -320,7 +309,7 @@ static void print_branch(const Follower *follower, const FollowBranch *branch) {
     }
 }
 
-static json_t *make_branch(const Follower *follower, const FollowBranch *branch) {
+static json_t *make_branch(const FollowBranch *branch) {
     json_t *points = json_array();
     for (size_t i = 0; i < branch->count; i++) {
         const FollowPoint *point = &branch->points[i];
@@ -329,33 +318,96 @@ static json_t *make_branch(const Follower *follower, const FollowBranch *branch)
                                                     "value", point->value, "peak", point->peak, "multiplier_re",
                                                     point->re, "multiplier_im", point->im, "stable", point->stable));
     }
-    return json_pack("{s:s, s:s, s:s, s:f, s:f, s:i, s:i, s:s, s:s, s:o}", "kind", "follow", "beam",
-                     follower->beam.name, "parameter", names[follower->by], "from", follower->from, "to", follower->to,
-                     "period", (int)branch->period, "steps", (int)branch->count, "below", end_words(branch->below),
-                     "above", end_words(branch->above), "points", points);
+    return json_pack("{s:i, s:i, s:s, s:s, s:o}", "period", (int)branch->period, "steps", (int)branch->count, "below",
+                     end_words(branch->below), "above", end_words(branch->above), "points", points);
 }
 
-static bool write_files(const Follower *follower, const FollowBranch *branch, json_t *answer) {
-    const TraceColumn columns[] = {{names[follower->by], units[follower->by]},
-                                   {"peak", "N"},
-                                   {"stable", "1"},
-                                   {"multiplier_re", "1"},
-                                   {"multiplier_im", "1"},
+static json_t *make_follow(const Follower *follower) {
+    json_t *answer = json_pack("{s:s, s:s, s:s, s:f, s:f}", "kind", "follow", "beam", follower->beam.name, "parameter",
+                               follower->name, "from", follower->from, "to", follower->to);
+    json_t *first = make_branch(follower->branches), *begun = json_array();
+    json_object_update(answer, first);
+    json_decref(first);
+    for (size_t b = 1; b < follower->count; b++)
+        json_array_append_new(begun, make_branch(&follower->branches[b]));
+    json_object_set_new(answer, "begun", begun);
+    return answer;
+}
+
+static int write_table(const Follower *follower, const char *path) {
+    const TraceColumn columns[] = {{"period", "1"},        {follower->name, unit_of(follower)},
+                                   {"peak", "N"},          {"stable", "1"},
+                                   {"multiplier_re", "1"}, {"multiplier_im", "1"},
                                    {"kind", "1"}};
     Trace trace;
-    char path[OUTPUT_PATH];
     trace_init(&trace, columns, sizeof columns / sizeof *columns);
-    for (size_t i = 0; i < branch->count; i++) {
-        const FollowPoint *point = &branch->points[i];
-        trace_add(&trace, (double[]){point->value, point->peak, point->stable, point->re, point->im, point->kind});
-    }
-    snprintf(path, sizeof path, "%s/follow.csv", follower->options->out);
+    for (size_t b = 0; b < follower->count; b++)
+        for (size_t i = 0; i < follower->branches[b].count; i++) {
+            const FollowPoint *point = &follower->branches[b].points[i];
+            trace_add(&trace, (double[]){(double)follower->branches[b].period, point->value, point->peak, point->stable,
+                                         point->re, point->im, point->kind});
+        }
     int error = trace_write_csv(&trace, path);
+    trace_clear(&trace);
+    return error;
+}
+
+/* Runs the beam from rest at values of the range. */
+static void run_dots(const Follower *follower, Study *study, Experiment *experiment) {
+    *study = (Study){.experiment = experiment,
+                     .axes = {{follower->name, follower->from, follower->to, DOTS}},
+                     .axis_count = 1,
+                     .pass_count = 1,
+                     .runs = 1};
+    study_begin(study);
+    study_run(study, &(StudyOptions){.jobs = follower->options->jobs, .stop = &progress_stop});
+}
+
+static int write_plot(const Follower *follower, char path[PLOT_WRITE_PATH]) {
+    const Options *options = follower->options;
+    Experiment experiment;
+    Study study;
+    Fault fault = {0};
+    Arena arena = {0};
+    if (!beam_experiment_of(&experiment, &follower->beam, options->files[0], &fault)) {
+        fault_clear(&fault);
+        return 0;
+    }
+    run_dots(follower, &study, &experiment);
+    size_t count = 0;
+    for (size_t t = 0; t < study.trial_count; t++)
+        count += study.trials[t].series_count;
+    double *value = arena_allocate(&arena, (count + 1) * sizeof *value),
+           *peak = arena_allocate(&arena, (count + 1) * sizeof *peak);
+    FollowDots dots = {value, peak, 0};
+    for (size_t t = 0; t < study.trial_count; t++)
+        for (size_t s = 0; s < study.trials[t].series_count; s++) {
+            value[dots.count] = study.trials[t].at[0];
+            peak[dots.count++] = study.trials[t].series[s];
+        }
+    StudyScale scale = study_axes_parameter(&study, 0, &arena);
+    scale.axis.low = scale.factor * follower->from;
+    scale.axis.high = scale.factor * follower->to;
+    FollowPlot plot = follow_plots_make(follower->branches, follower->count, scale.axis, scale.factor, &dots);
+    int error =
+        plot_write_files(&plot.plot, "follow", options->out, options->width, options->height, options->theme, path);
+    follow_plots_free(&plot);
+    study_clear(&study);
+    beam_experiment_close(&experiment);
+    arena_clear(&arena);
+    return error;
+}
+
+static bool write_files(const Follower *follower, json_t *answer) {
+    char path[PLOT_WRITE_PATH];
+    snprintf(path, sizeof path, "%s/follow.csv", follower->options->out);
+    int error = write_table(follower, path);
     if (!error) {
         snprintf(path, sizeof path, "%s/summary.json", follower->options->out);
         error = answer_write(answer, path);
     }
-    trace_clear(&trace);
+    if (!error)
+        error = write_plot(follower, path);
     if (error)
         output_failed(path, error);
     return !error;
@@ -364,41 +416,60 @@ static bool write_files(const Follower *follower, const FollowBranch *branch, js
 /* Following ---------------------------------------------------------------------------------------------------------
  */
 
-static int tell_branch(const Follower *follower, const FollowBranch *branch) {
+static int tell_branches(const Follower *follower) {
     bool interrupted = stop_requested(&progress_stop);
-    json_t *answer = make_branch(follower, branch);
+    json_t *answer = make_follow(follower);
     answer_mark_interrupted(answer, interrupted);
-    bool written = !follower->options->out || write_files(follower, branch, answer);
+    bool written = !follower->options->out || write_files(follower, answer);
     if (follower->options->json)
         answer_print(json_incref(answer));
-    else
-        print_branch(follower, branch);
+    for (size_t b = 0; b < follower->count && !follower->options->json; b++)
+        print_branch(follower, &follower->branches[b]);
     json_decref(answer);
     return !written ? EXIT_WRONG_INPUT : interrupted ? EXIT_ANSWER_NO : EXIT_ANSWERED;
+}
+
+static bool begins_another(FollowKind kind) {
+    return kind == FOLLOW_FLIP || kind == FOLLOW_PITCHFORK;
+}
+
+/* Follows the orbits that begin at flips and pitchforks of those that are known, as many as there is room for. */
+static void follow_others(Follower *follower) {
+    for (size_t b = 0; b < follower->count; b++)
+        for (size_t i = 0; i < follower->branches[b].count && follower->count < FOLLOW_PLOTS_BRANCHES; i++)
+            if (begins_another(follower->branches[b].points[i].kind) && !stop_requested(&progress_stop)) {
+                FollowBranch *next = &follower->branches[follower->count];
+                if (follow_branch_off(next, &follower->family.follow, &follower->branches[b], i, STEP, &progress_stop))
+                    follower->count++;
+                else
+                    follow_clear(next);
+            }
 }
 
 /* Finds the orbit of the file as `run` does, and follows it. */
 static int follow_orbit(Follower *follower) {
     Response response;
-    FollowBranch branch;
-    FollowFamily family = {at_value, follower, follower->from, follower->to};
-    double value = value_of_file(follower);
+    double value = beam_family_value(&follower->family);
     if (value < follower->from || value > follower->to) {
         fprintf(stderr, "clearance: %s is %g in the file, outside the range of --follow; set it with --set\n",
-                names[follower->by], value);
+                follower->name, value);
         return EXIT_WRONG_INPUT;
     }
-    beam_cycle_respond(&response, &follower->rig, &follower->beam, NULL, &progress_stop);
+    beam_cycle_respond(&response, &follower->family.rig, &follower->beam, NULL, &progress_stop);
     int code = EXIT_ANSWER_NO;
     if (!response.orbit.period)
         fprintf(stderr, "clearance: the motion is %s, with no stable orbit to follow; set %s to where there is one\n",
-                response_name(&response), names[follower->by]);
-    else if (!follow_run(&branch, &family, value, response.orbit.point, response.orbit.period, STEP, &progress_stop))
+                response_name(&response), follower->name);
+    else if (!follow_run(follower->branches, &follower->family.follow, value, response.orbit.point,
+                         response.orbit.period, STEP, &progress_stop))
         fprintf(stderr, "clearance: the orbit cannot be followed\n");
     else {
-        code = tell_branch(follower, &branch);
-        follow_clear(&branch);
+        follower->count = 1;
+        follow_others(follower);
+        code = tell_branches(follower);
     }
+    for (size_t b = 0; b < FOLLOW_PLOTS_BRANCHES; b++)
+        follow_clear(&follower->branches[b]);
     response_clear(&response);
     return code;
 }
@@ -415,14 +486,14 @@ int run_beam_follow(const Options *options) {
     }
     if (!beam_read(&follower.beam, file, options->settings, options->setting_count, &fault))
         return house_file_report(&fault);
-    if (!rig_build(&follower.rig, &follower.beam, file, &fault)) {
-        beam_free(&follower.beam);
-        return house_file_report(&fault);
+    int code = EXIT_WRONG_INPUT;
+    if (beam_family_open(&follower.family, &follower.beam, follower.name, follower.from, follower.to, "--follow",
+                         &fault)) {
+        code = follow_orbit(&follower);
+        beam_family_close(&follower.family);
+    } else {
+        code = house_file_report(&fault);
     }
-    int code = follow_orbit(&follower);
-    if (follower.shares)
-        rig_clear_shared(&follower.own);
-    rig_clear(&follower.rig);
     beam_free(&follower.beam);
     return code;
 }

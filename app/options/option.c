@@ -179,8 +179,8 @@ const Option option_rows[] = {
      "trouble; with --vary, at each point",
      GROUP_STUDY, FOR_STUDY, NULL, NULL},
     {"--follow", OPTION_NAME, NO_FIELD, NO_RANGE, "NAME=FROM:TO",
-     "beams only: follow the orbit of the file, stable or not, as drive.frequency, drive.force or joint.clearance "
-     "changes, and locate where it folds, flips, becomes a torus or begins to touch",
+     "beams only: follow the orbit of the file, stable or not, as one of its numbers changes, locate where it folds, "
+     "flips, loses its symmetry, becomes a torus or begins to touch, and follow the orbits that begin there",
      GROUP_STUDY, FOR_STUDY, NULL, read_follow},
     {"--thorough", OPTION_FLAG, FIELD(thorough), NO_RANGE, NULL,
      "beams and cranks: full analysis of every run (Lyapunov exponents, 0-1 test, and of a beam whether it lasts, by "

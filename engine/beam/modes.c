@@ -185,6 +185,22 @@ bool modes_of_beam(Modes *modes, const Beam *beam) {
     return held;
 }
 
+void modes_align(Modes *modes, const Modes *like) {
+    size_t count = modes->count;
+    for (size_t i = 0; i < count && i < like->count; i++) {
+        if ((modes->tip[i] < 0) == (like->tip[i] < 0))
+            continue;
+        modes->tip[i] = -modes->tip[i];
+        modes->shaker[i] = -modes->shaker[i];
+        for (size_t k = 0; k < modes->freedoms; k++)
+            modes->shape[i * modes->freedoms + k] *= -1;
+        for (size_t k = 0; k < count; k++) { /* the diagonal twice, which changes nothing */
+            modes->damping[i * count + k] *= -1;
+            modes->damping[k * count + i] *= -1;
+        }
+    }
+}
+
 void modes_clear(Modes *modes) {
     memory_free(modes->place);
     memory_free(modes->frequency);

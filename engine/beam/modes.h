@@ -37,6 +37,9 @@ bool modes_reduce(Modes *modes, const ElementMesh *mesh, const size_t *boundary,
  * beam is not supported. */
 bool modes_of_beam(Modes *modes, const Beam *beam);
 
+/* Gives the modes the signs at the tip that those of a similar beam have: a mode and its negative are one. */
+void modes_align(Modes *modes, const Modes *like);
+
 void modes_clear(Modes *modes);
 
 /* Largest residual compliance as a fraction of the contact's own, 1/k; the contact stiffness has a relative error of

@@ -195,7 +195,7 @@ bool rig_of_modes(Rig *rig, Modes *modes, const Beam *beam) {
     return true;
 }
 
-bool rig_build(Rig *rig, const Beam *beam, const char *place, Fault *fault) {
+static bool build(Rig *rig, const Beam *beam, const Modes *like, const char *place, Fault *fault) {
     Modes modes;
     if (!modes_of_beam(&modes, beam)) {
         fault_add(fault,
@@ -204,6 +204,8 @@ bool rig_build(Rig *rig, const Beam *beam, const char *place, Fault *fault) {
                   place);
         return false;
     }
+    if (like)
+        modes_align(&modes, like);
     if (!rig_of_modes(rig, &modes, beam)) {
         fault_add(fault,
                   "%s: the contact has no distinct eigenvalues: joint.stiffness or joint.damping is "
@@ -219,6 +221,14 @@ bool rig_build(Rig *rig, const Beam *beam, const char *place, Fault *fault) {
               place, rig->period / rig->cell / 4, RIG_CELLS_MOST / 4);
     rig_clear(rig);
     return false;
+}
+
+bool rig_build(Rig *rig, const Beam *beam, const char *place, Fault *fault) {
+    return build(rig, beam, NULL, place, fault);
+}
+
+bool rig_build_like(Rig *rig, const Beam *beam, const Rig *like, const char *place, Fault *fault) {
+    return build(rig, beam, &like->modes, place, fault);
 }
 
 void rig_clear(Rig *rig) {

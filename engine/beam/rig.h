@@ -44,6 +44,10 @@ typedef struct Rig {
 /* Prepares the rig of a beam. Returns false after an error at the place `place`, with nothing to clear. */
 bool rig_build(Rig *rig, const Beam *beam, const char *place, Fault *fault);
 
+/* Does the same, with modes of the signs that those of a similar rig have: so that a state of one is nearly one of the
+ * other. */
+bool rig_build_like(Rig *rig, const Beam *beam, const Rig *like, const char *place, Fault *fault);
+
 /* Prepares a rig from existing modes and takes ownership of them. Returns false, with everything released, if the
  * eigenproblem has no solution. */
 bool rig_of_modes(Rig *rig, Modes *modes, const Beam *beam);

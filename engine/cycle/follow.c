@@ -8,16 +8,16 @@
 #include "base/real.h"
 #include "cycle/orbit.h"
 
-static const double CONVERGED = 1e-10; /* of the state's length */
-static const double SMALLEST = 1e-7;   /* share of the largest step: a smaller one is given up */
-static const double DIFFERENCE = 1e-6; /* of the range, for the derivative by the parameter */
-static const double BEYOND = 1e-4;     /* of the largest step, at which a lost curve is looked beyond */
-static const double LOCATED = 1e-6;    /* of a multiplier, from the circle */
-static const double ON_CIRCLE = 1e-9;  /* of a located point's test */
+static const double CONVERGED = 1e-10, CONVERGED_ROUGHLY = 1e-8; /* of the state's length */
+static const double SMALLEST = 1e-7; /* share of the largest step: a smaller one is given up */
+static const double DIFFERENCE = 1e-6, DIFFERENCE_ROUGH = 1e-3; /* of the range, for the derivative by the parameter */
+static const double BEYOND = 1e-4;    /* of the largest step, at which a lost curve is looked beyond */
+static const double LOCATED = 1e-6;   /* of a multiplier, from the circle */
+static const double ON_CIRCLE = 1e-9; /* of a located point's test */
 enum { CORRECTIONS = 8, QUICK = 3 /* corrections, below which the next step is longer */, HALVINGS = 60 };
 
 const char *follow_kind_name(FollowKind kind) {
-    static const char *const names[] = {"", "fold", "flip", "Neimark-Sacker", "touching"};
+    static const char *const names[] = {"", "fold", "flip", "pitchfork", "Neimark-Sacker", "touching"};
     return names[kind];
 }
 
@@ -26,7 +26,8 @@ typedef struct Place {
     double *at, *tangent; /* (states + 1) */
     double *re, *im;      /* (states) multipliers */
     double largest, peak;
-    size_t outside; /* multipliers beyond the circle */
+    size_t outside;  /* multipliers beyond the circle */
+    size_t switches; /* of the whole orbit */
 } Place;
 
 typedef struct Walk {
@@ -59,7 +60,8 @@ static bool find_gap(const Walk *walk, const double *at, double shift, double *g
 /* Fills the bordered system, (states + 1) x (states + 1): the derivative of the gap, and the row `border` below. */
 static bool make_system(Walk *walk, const double *at, const double *border) {
     size_t n = walk->states, size = n + 1;
-    double by = DIFFERENCE * (walk->family->to - walk->family->from);
+    double share = walk->family->rough ? DIFFERENCE_ROUGH : DIFFERENCE;
+    double by = share * (walk->family->to - walk->family->from);
     double *up = walk->column, *down = walk->column + n;
     if (!find_gap(walk, at, by, up, NULL) || !find_gap(walk, at, -by, down, NULL) ||
         !find_gap(walk, at, 0, walk->gap, walk->derivative))
@@ -70,7 +72,7 @@ static bool make_system(Walk *walk, const double *at, const double *border) {
         walk->system[c * size + n] = border[c];
     }
     for (size_t r = 0; r < n; r++)
-        walk->system[n * size + r] = (up[r] - down[r]) / (2 * DIFFERENCE);
+        walk->system[n * size + r] = (up[r] - down[r]) / (2 * share);
     walk->system[n * size + n] = border[n];
     return true;
 }
@@ -106,8 +108,10 @@ static bool describe(Walk *walk, Place *place) {
     cycle.kind->set_state(motion.own, walk->gap);
     double *peak = cycle.kind->peaks(motion.own);
     peak[0] = peak[1] = 0;
+    size_t before = cycle.kind->tally(motion.own).switches;
     for (size_t i = 0; i < walk->period; i++)
         cycle_run(&motion);
+    place->switches = cycle.kind->tally(motion.own).switches - before;
     place->peak = fmax(peak[0], peak[1]);
     cycle_destroy(&motion);
     return true;
@@ -131,16 +135,16 @@ static void copy_place(Place *to, const Place *from, size_t states) {
     to->im = own.im;
 }
 
-/* Goes `length` along the tangent and back to the curve. Returns the number of corrections, 0: it did not come back. */
-static int step_to(Walk *walk, const Place *from, double length, Place *to) {
+/* Goes from the place `to`, whose tangent is not known yet, to the curve, at right angles to `border`. Returns the
+ * number of corrections, 0: it did not come to it. */
+static int correct(Walk *walk, const double *border, Place *to) {
     size_t size = walk->states + 1;
     double *right = walk->column + 2 * walk->states;
-    for (size_t i = 0; i < size; i++)
-        to->at[i] = from->at[i] + length * from->tangent[i];
     for (int k = 1; k <= CORRECTIONS; k++) {
-        if (stop_requested(walk->stop) || !make_system(walk, to->at, from->tangent))
+        if (stop_requested(walk->stop) || !make_system(walk, to->at, border))
             return 0;
-        bool there = sqrt(dot(walk->gap, walk->gap, walk->states)) < CONVERGED;
+        bool there =
+            sqrt(dot(walk->gap, walk->gap, walk->states)) < (walk->family->rough ? CONVERGED_ROUGHLY : CONVERGED);
         for (size_t i = 0; i < size; i++)
             right[i] = there ? i == walk->states : i < walk->states ? -walk->gap[i] : 0;
         if (!solve(walk, right))
@@ -157,6 +161,13 @@ static int step_to(Walk *walk, const Place *from, double length, Place *to) {
     return 0;
 }
 
+/* Goes `length` along the tangent and back to the curve; returns as correct does. */
+static int step_to(Walk *walk, const Place *from, double length, Place *to) {
+    for (size_t i = 0; i <= walk->states; i++)
+        to->at[i] = from->at[i] + length * from->tangent[i];
+    return correct(walk, from->tangent, to);
+}
+
 /* Events ------------------------------------------------------------------------------------------------------------
  */
 
@@ -164,6 +175,13 @@ static size_t count_flipped(const Place *place, size_t states) {
     size_t count = 0;
     for (size_t i = 0; i < states; i++)
         count += place->im[i] == 0 && place->re[i] < -1;
+    return count;
+}
+
+static size_t count_above(const Place *place, size_t states) {
+    size_t count = 0;
+    for (size_t i = 0; i < states; i++)
+        count += place->im[i] == 0 && place->re[i] > 1;
     return count;
 }
 
@@ -181,11 +199,14 @@ static bool is_between(FollowKind kind, const Place *a, const Place *b, size_t s
         return (a->tangent[states] > 0) != (b->tangent[states] > 0);
     case FOLLOW_FLIP:
         return count_flipped(a, states) % 2 != count_flipped(b, states) % 2;
+    case FOLLOW_PITCHFORK: /* a fold is none, nor is the meeting of two real multipliers outside the circle */
+        return count_above(a, states) % 2 != count_above(b, states) % 2 &&
+               (a->tangent[states] > 0) == (b->tangent[states] > 0);
     case FOLLOW_NEIMARK: /* a pair may also split into two real ones, outside the circle */
         return count_pairs(a, states) != count_pairs(b, states) &&
                (a->outside == b->outside + 2 || b->outside == a->outside + 2);
     case FOLLOW_TOUCH:
-        return (a->peak > 0) != (b->peak > 0);
+        return a->switches != b->switches;
     case FOLLOW_STEP:
         break;
     }
@@ -197,8 +218,8 @@ static size_t leaving(FollowKind kind, const Place *place, size_t states) {
     size_t which = 0;
     double nearest = HUGE_VAL;
     for (size_t i = 0; i < states; i++) {
-        bool pair = place->im[i] > 0;
-        double away = kind == FOLLOW_FOLD   ? real_hypot(place->re[i] - 1, place->im[i])
+        bool pair = place->im[i] > 0, one = kind == FOLLOW_FOLD || kind == FOLLOW_PITCHFORK;
+        double away = one                   ? real_hypot(place->re[i] - 1, place->im[i])
                       : kind == FOLLOW_FLIP ? real_hypot(place->re[i] + 1, place->im[i])
                                             : fabs(real_hypot(place->re[i], place->im[i]) - 1) + !pair;
         if (kind == FOLLOW_STEP || kind == FOLLOW_TOUCH)
@@ -214,30 +235,43 @@ static size_t leaving(FollowKind kind, const Place *place, size_t states) {
 static void add_point(FollowBranch *branch, const Walk *walk, FollowKind kind, const Place *place) {
     size_t which = leaving(kind, place, walk->states);
     branch->points = memory_reserve(branch->points, &branch->capacity, branch->count + 1, sizeof *branch->points);
+    branch->memory = memory_reserve(branch->memory, &branch->memory_capacity, (branch->memory_count + 1) * walk->states,
+                                    sizeof *branch->memory);
+    for (size_t i = 0; i < walk->states; i++)
+        branch->memory[branch->memory_count * walk->states + i] = place->at[i] * walk->scale;
     branch->points[branch->count++] = (FollowPoint){.kind = kind,
                                                     .value = value_of(walk, place->at),
                                                     .peak = place->peak,
                                                     .re = place->re[which],
                                                     .im = place->im[which],
                                                     .largest = place->largest,
-                                                    .stable = place->largest < 1};
+                                                    .stable = place->largest < 1,
+                                                    .switches = place->switches,
+                                                    .state = branch->memory_count++};
 }
 
-/* Locates an event between `from` and the place `length` further on by halving. */
-static bool locate(Walk *walk, FollowKind kind, const Place *from, double length, Place *at) {
-    double low = 0, high = length;
-    for (int i = 0; i < HALVINGS && high - low > ON_CIRCLE * length; i++) {
-        double middle = low + (high - low) / 2;
-        if (!step_to(walk, from, middle, at))
-            return false;
-        if (is_between(kind, from, at, walk->states))
-            high = middle;
-        else
-            low = middle;
+/* Locates an event between two places by halving, from the middle of the chord each time: where two curves cross, it
+ * keeps to the one that both are on. */
+static bool locate(Walk *walk, FollowKind kind, const Place *from, const Place *to, Place *at) {
+    size_t n = walk->states;
+    double *rooms[] = {place_room(n), place_room(n)};
+    Place low = place_of(rooms[0], n), high = place_of(rooms[1], n);
+    copy_place(&low, from, n);
+    copy_place(&high, to, n);
+    bool good = true;
+    for (int i = 0; i < HALVINGS && good; i++) {
+        for (size_t k = 0; k <= n; k++)
+            at->at[k] = low.at[k] + (high.at[k] - low.at[k]) / 2;
+        good = correct(walk, from->tangent, at) > 0;
+        if (good)
+            copy_place(is_between(kind, &low, at, n) ? &high : &low, at, n);
+        if (fabs(high.at[n] - low.at[n]) < ON_CIRCLE * fabs(to->at[n] - from->at[n]) && i > HALVINGS / 2)
+            break;
     }
-    if (!step_to(walk, from, high, at))
-        return false;
-    size_t which = leaving(kind, at, walk->states); /* multipliers that only meet outside the circle are no event */
+    copy_place(at, &high, n);
+    for (size_t i = 0; i < 2; i++)
+        memory_free(rooms[i]);
+    size_t which = leaving(kind, at, n); /* multipliers that only meet outside the circle are no event */
     return kind == FOLLOW_TOUCH || fabs(real_hypot(at->re[which], at->im[which]) - 1) < LOCATED;
 }
 
@@ -286,9 +320,9 @@ static FollowEnd walk_on(Walk *walk, FollowBranch *branch, const Place *start, d
                 add_point(branch, walk, FOLLOW_TOUCH, &here);
             break;
         }
-        static const FollowKind kinds[] = {FOLLOW_FOLD, FOLLOW_FLIP, FOLLOW_NEIMARK, FOLLOW_TOUCH};
+        static const FollowKind kinds[] = {FOLLOW_FOLD, FOLLOW_FLIP, FOLLOW_PITCHFORK, FOLLOW_NEIMARK, FOLLOW_TOUCH};
         for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
-            if (is_between(kinds[k], &here, &next, n) && locate(walk, kinds[k], &here, step, &between))
+            if (is_between(kinds[k], &here, &next, n) && locate(walk, kinds[k], &here, &next, &between))
                 add_point(branch, walk, kinds[k], &between);
         add_point(branch, walk, FOLLOW_STEP, &next);
         copy_place(&here, &next, n);
@@ -313,6 +347,33 @@ static void reverse(FollowBranch *branch) {
     }
 }
 
+/* Creates the memory of a walk. */
+static Walk begin_walk(const FollowFamily *family, size_t states, size_t period, const double *point, double rest,
+                       const Stop *stop) {
+    size_t n = states, size = n + 1;
+    Walk walk = {.family = family, .stop = stop, .states = n, .period = period};
+    walk.scale = fmax(sqrt(dot(point, point, n)), rest);
+    walk.memory = memory_zeroed(n * n + n + size * size + 4 * size, sizeof *walk.memory);
+    walk.derivative = walk.memory;
+    walk.gap = walk.derivative + n * n;
+    walk.system = walk.gap + n;
+    walk.column = walk.system + size * size;
+    walk.pivots = memory_zeroed(size, sizeof *walk.pivots);
+    return walk;
+}
+
+static void end_walk(Walk *walk) {
+    memory_free(walk->pivots);
+    memory_free(walk->memory);
+}
+
+/* Sets a place of the curve without its tangent. */
+static void set_place(Place *place, const Walk *walk, const double *point, double value) {
+    for (size_t i = 0; i < walk->states; i++)
+        place->at[i] = point[i] / walk->scale;
+    place->at[walk->states] = (value - walk->family->from) / (walk->family->to - walk->family->from);
+}
+
 bool follow_run(FollowBranch *branch, const FollowFamily *family, double value, const double *point, size_t period,
                 double step, const Stop *stop) {
     Cycle cycle = family->at(family->context, value);
@@ -320,19 +381,11 @@ bool follow_run(FollowBranch *branch, const FollowFamily *family, double value, 
     if (!cycle.given)
         return false;
     size_t n = cycle_states(cycle), size = n + 1;
-    Walk walk = {.family = family, .stop = stop, .states = n, .period = period};
-    walk.scale = fmax(sqrt(dot(point, point, n)), cycle_rest_state(cycle));
-    walk.memory = memory_zeroed(n * n + n + size * size + 4 * size, sizeof *walk.memory);
-    walk.derivative = walk.memory;
-    walk.gap = walk.derivative + n * n;
-    walk.system = walk.gap + n;
-    walk.column = walk.system + size * size;
-    walk.pivots = memory_zeroed(size, sizeof *walk.pivots);
+    Walk walk = begin_walk(family, n, period, point, cycle_rest_state(cycle), stop);
     double *room = place_room(n), *other = place_room(n);
     Place start = place_of(room, n), up = place_of(other, n);
-    for (size_t i = 0; i < n; i++)
-        start.at[i] = point[i] / walk.scale;
-    start.at[n] = (value - family->from) / (family->to - family->from);
+    branch->states = n;
+    set_place(&start, &walk, point, value);
     start.tangent[n] = 1;
     bool good = step_to(&walk, &start, 0, &up) > 0;
     if (good) {
@@ -348,12 +401,62 @@ bool follow_run(FollowBranch *branch, const FollowFamily *family, double value, 
     }
     memory_free(room);
     memory_free(other);
-    memory_free(walk.pivots);
-    memory_free(walk.memory);
+    end_walk(&walk);
+    return good;
+}
+
+/* Sets `along` (states) to the unit eigenvector of a derivative (states x states), which is lost, to the multiplier
+ * nearest to `sign`. */
+static bool leaving_direction(double *derivative, size_t states, double sign, double *along) {
+    lapack_int n = (lapack_int)states;
+    double *re = memory_zeroed(states * (states + 2), sizeof *re), *im = re + states, *vectors = im + states;
+    bool good = LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', 'V', n, derivative, n, re, im, NULL, 1, vectors, n) == 0;
+    size_t nearest = 0;
+    for (size_t i = 1; i < states && good; i++)
+        if (real_hypot(re[i] - sign, im[i]) < real_hypot(re[nearest] - sign, im[nearest]))
+            nearest = i;
+    memcpy(along, vectors + nearest * states, states * sizeof *along);
+    good = good && im[nearest] == 0;
+    memory_free(re);
+    return good;
+}
+
+bool follow_branch_off(FollowBranch *begun, const FollowFamily *family, const FollowBranch *branch, size_t at,
+                       double step, const Stop *stop) {
+    const double *point = follow_state(branch, at);
+    double value = branch->points[at].value;
+    Cycle cycle = family->at(family->context, value);
+    bool flips = branch->points[at].kind == FOLLOW_FLIP;
+    size_t period = flips ? 2 * branch->period : branch->period;
+    *begun = (FollowBranch){.period = period};
+    if (!cycle.given)
+        return false;
+    size_t n = branch->states;
+    Walk walk = begin_walk(family, n, period, point, cycle_rest_state(cycle), stop);
+    double *room = place_room(n), *other = place_room(n);
+    Place start = place_of(room, n), next = place_of(other, n);
+    begun->states = n;
+    set_place(&start, &walk, point, value);
+    memcpy(walk.gap, point, n * sizeof *point);
+    bool good = orbit_map(cycle, walk.gap, branch->period, walk.derivative, stop) == ORBIT_GOOD &&
+                leaving_direction(walk.derivative, n, flips ? -1 : 1, start.tangent);
+    double length = step / 4;
+    while (good && length >= SMALLEST * step && !step_to(&walk, &start, length, &next))
+        length /= 2;
+    good = good && length >= SMALLEST * step && !stop_requested(stop);
+    if (good) {
+        begun->below = FOLLOW_LOST; /* where it begins */
+        add_point(begun, &walk, FOLLOW_STEP, &next);
+        begun->above = walk_on(&walk, begun, &next, step);
+    }
+    memory_free(room);
+    memory_free(other);
+    end_walk(&walk);
     return good;
 }
 
 void follow_clear(FollowBranch *branch) {
     memory_free(branch->points);
+    memory_free(branch->memory);
     *branch = (FollowBranch){0};
 }

@@ -9,8 +9,11 @@
  *
  *     fold      dv along the curve is 0: a multiplier is +1, and two orbits meet
  *     flip      a multiplier is -1: an orbit of twice the period begins
+ *     pitchfork a multiplier is +1, and the curve does not turn: the orbit loses its mirror symmetry, and two that are
+ *               each other's mirror image begin
  *     Neimark   a pair of multipliers is on the unit circle: a torus begins
- *     touching  the largest force begins: beyond, the orbit is without contact
+ *     touching  a turn of the motion reaches a stop or leaves it: the number of contacts of the orbit changes, and the
+ *               multipliers may jump; the branch bends, but does not break where the force begins at 0
  *
  * Where an orbit begins to touch, the derivative changes so quickly that no stable step may lead on: then the curve is
  * lost there, and the point is a touching one, too: the end of the branch without contact. */
@@ -28,9 +31,17 @@ typedef struct FollowFamily {
                 double value); /* which is valid until the next call; given NULL: the value is impossible */
     void *context;
     double from, to; /* least and greatest value */
+    bool rough; /* the cycles at two values differ by more than rounding besides, as where modes are computed anew */
 } FollowFamily;
 
-typedef enum FollowKind { FOLLOW_STEP, FOLLOW_FOLD, FOLLOW_FLIP, FOLLOW_NEIMARK, FOLLOW_TOUCH } FollowKind;
+typedef enum FollowKind {
+    FOLLOW_STEP,
+    FOLLOW_FOLD,
+    FOLLOW_FLIP,
+    FOLLOW_PITCHFORK,
+    FOLLOW_NEIMARK,
+    FOLLOW_TOUCH
+} FollowKind;
 
 /* "fold", "flip", ... ; "" for a step */
 const char *follow_kind_name(FollowKind kind);
@@ -42,6 +53,8 @@ typedef struct FollowPoint {
     double re, im;  /* of the multiplier of a located point nearest to the circle, or of the largest */
     double largest; /* |multiplier| */
     bool stable;
+    size_t switches; /* of the orbit, between contact and none */
+    size_t state;    /* of its state: see follow_state */
 } FollowPoint;
 
 typedef enum FollowEnd {
@@ -57,6 +70,8 @@ typedef struct FollowBranch {
     FollowPoint *points;           /* (count) along the curve */
     size_t count, capacity, start; /* start: index of the orbit that was followed */
     size_t period;
+    double *memory; /* of the states, in the order in which they were found */
+    size_t states, memory_count, memory_capacity;
     FollowEnd below, above; /* how the curve ended in either direction */
 } FollowBranch;
 
@@ -64,4 +79,16 @@ typedef struct FollowBranch {
  * share of the range. Returns false if it is no orbit; follow_clear releases the branch. */
 bool follow_run(FollowBranch *branch, const FollowFamily *family, double value, const double *point, size_t period,
                 double step, const Stop *stop);
+
+/* Follows the orbit that begins at a flip, of twice the period, or at a pitchfork, the point `at` of a branch of the
+ * family, whether it is stable or not: along the direction in which motions leave there. Returns false if there is none
+ * in reach. */
+bool follow_branch_off(FollowBranch *begun, const FollowFamily *family, const FollowBranch *branch, size_t at,
+                       double step, const Stop *stop);
+
+/* Returns the state (states) at the cycle's end of a point. */
+static inline const double *follow_state(const FollowBranch *branch, size_t point) {
+    return branch->memory + branch->points[point].state * branch->states;
+}
+
 void follow_clear(FollowBranch *branch);

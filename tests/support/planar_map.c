@@ -149,6 +149,13 @@ void planar_map_logistic(const void *numbers, double *point, double *derivative)
     put(derivative, r * (1 - 2 * x), 1, 0, 0);
 }
 
+void planar_map_cubic(const void *numbers, double *point, double *derivative) {
+    double r = ((const double *)numbers)[0], x = point[0];
+    point[0] = r * x - x * x * x;
+    point[1] = x;
+    put(derivative, r - 3 * x * x, 1, 0, 0);
+}
+
 void planar_map_henon(const void *numbers, double *point, double *derivative) {
     const double *n = numbers;
     double x = point[0];

@@ -17,6 +17,9 @@ Cycle planar_map_cycle(const PlanarMap *map);
 /* x' = r x (1 - x); y follows x at once. numbers: r. */
 void planar_map_logistic(const void *numbers, double *point, double *derivative);
 
+/* x' = r x - x^3; y follows x at once. numbers: r. */
+void planar_map_cubic(const void *numbers, double *point, double *derivative);
+
 /* Henon's map x' = 1 - a x^2 + y, y' = b x. numbers: a, b. */
 void planar_map_henon(const void *numbers, double *point, double *derivative);
 

@@ -51,8 +51,8 @@ static const char *const over[] = {"drive.frequency", "drive.force",     "joint.
 static const char *const over_words[] = {"excitation frequency", "force",          "gap", "length",
                                          "contact stiffness",    "contact damping"};
 
-static bool decide(const Machine *machine, MachineFacts *facts, const Stop *stop) {
-    const Beam *beam = &machine->beam;
+/* Runs a beam from rest, where `task` is given with a confirmation of what is not periodic, and tells the facts. */
+static bool respond(const Beam *beam, MachineFacts *facts, const SurvivalTask *task, const Stop *stop) {
     Rig rig;
     Fault fault = {0};
     if (!rig_build(&rig, beam, beam->name, &fault)) {
@@ -61,15 +61,31 @@ static bool decide(const Machine *machine, MachineFacts *facts, const Stop *stop
     }
     Response response;
     beam_cycle_respond(&response, &rig, beam, NULL, stop);
+    if (task)
+        response_confirm(&response, beam_cycle_of(&rig), task);
     *facts = (MachineFacts){response.verdict,
                             response.orbit.period,
                             response.peaks,
                             response.exponent,
                             result_beam_motion(beam, &response),
-                            result_beam_forces(&rig, &response)};
+                            result_beam_forces(&rig, &response),
+                            response_is_quick(&response)};
     response_clear(&response);
     rig_clear(&rig);
     return facts->verdict != RESPONSE_INTERRUPTED;
+}
+
+static bool decide(const Machine *machine, MachineFacts *facts, const Stop *stop) {
+    return respond(&machine->beam, facts, NULL, stop);
+}
+
+static bool confirm(const Machine *machine, MachineFacts *facts, int jobs, const Stop *stop) {
+    SurvivalTask task = {SURVIVAL_LANES, SURVIVAL_CYCLES, jobs, stop};
+    return respond(&machine->beam, facts, &task, stop) && !facts->quick;
+}
+
+static void be_thorough(Experiment *experiment) {
+    beam_experiment_be_thorough(experiment, BEAM_EXPERIMENT_LANES, BEAM_EXPERIMENT_CYCLES);
 }
 
 static int cycles_of(const Machine *machine) {
@@ -114,10 +130,11 @@ const MachineKind beam_machine = {
     .window = beam_experiment_window,
     .window_count = BEAM_EXPERIMENT_WINDOW,
     .decide = decide,
+    .confirm = confirm,
     .cycles = cycles_of,
     .open_experiment = open_experiment,
     .close_experiment = beam_experiment_close,
-    .be_thorough = beam_experiment_be_thorough,
+    .be_thorough = be_thorough,
     .run_on = run_on,
     .clear_carry = clear_carry,
 };

@@ -64,7 +64,8 @@ static bool decide(const Machine *machine, MachineFacts *facts, const Stop *stop
                             response.peaks,
                             response.exponent,
                             result_crank_motion(crank, &response),
-                            result_crank_forces(&tree, &response, crank_cycle_ideal_force(crank))};
+                            result_crank_forces(&tree, &response, crank_cycle_ideal_force(crank)),
+                            false};
     response_clear(&response);
     return facts->verdict != RESPONSE_INTERRUPTED;
 }

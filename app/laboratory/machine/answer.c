@@ -46,7 +46,8 @@ static void title_verdict(MachineAnswer *answer, const MachineVerdict *verdict) 
     if (verdict->facts.verdict == RESPONSE_PERIODIC)
         title_periodic(answer->title, sizeof answer->title, verdict->facts.period, verdict->facts.peaks.count);
     else
-        snprintf(answer->title, sizeof answer->title, "%s", titles[verdict->facts.verdict]);
+        snprintf(answer->title, sizeof answer->title, verdict->facts.quick ? "%s (quick)" : "%s",
+                 titles[verdict->facts.verdict]);
 }
 
 static void peaks_words(const SectionPeaks *peaks, char *text, size_t size) {
@@ -204,6 +205,8 @@ void machine_answer_note_doing(MachineAnswer *answer, const MachineKind *kind, c
     } else if (done < all) {
         snprintf(answer->doing, size, "orbit diagram: %zu of %zu values", done, all);
         answer->result.part = (double)done / (double)all;
+    } else if (news->confirming) {
+        snprintf(answer->doing, size, "verdict: %d motions are watched", SURVIVAL_LANES);
     } else {
         *answer->doing = 0;
         answer->result.doing = NULL;

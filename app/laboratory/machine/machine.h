@@ -53,6 +53,7 @@ typedef struct MachineFacts {
     SectionPeaks peaks;
     ChaosExponent exponent;
     ResultTable motion, forces;
+    bool quick; /* not confirmed, though it could be */
 } MachineFacts;
 
 typedef struct MachineKind {
@@ -85,6 +86,10 @@ typedef struct MachineKind {
     /* Simulates a machine from its start and tells its motion. False: a fault, or it was stopped. */
     bool (*decide)(const Machine *machine, MachineFacts *facts, const Stop *stop);
     int (*cycles)(const Machine *machine); /* of one run */
+
+    /* Does the same and confirms a quick verdict by watching motions. False: it is not confirmed, or it was stopped.
+     * Only kinds whose facts may be quick have it. */
+    bool (*confirm)(const Machine *machine, MachineFacts *facts, int jobs, const Stop *stop);
 
     /* The machine's experiment, see experiment/beam_experiment.h; the machine must outlive it. */
     bool (*open_experiment)(Experiment *experiment, const Machine *machine, Fault *fault);

@@ -46,6 +46,20 @@ bool machine_verdict_tell_type(MachineVerdict *verdict, int jobs, const Stop *st
     return decided;
 }
 
+bool machine_verdict_confirm(MachineVerdict *verdict, int jobs, const Stop *stop) {
+    MachineFacts facts = {.quick = false};
+    bool confirmed =
+        verdict->kind->confirm(&verdict->machine, &facts, jobs, stop) && facts.verdict != RESPONSE_INTERRUPTED;
+    if (confirmed) {
+        MachineFacts quick = verdict->facts;
+        verdict->facts = facts;
+        facts = quick;
+    }
+    result_clear(&facts.motion);
+    result_clear(&facts.forces);
+    return confirmed;
+}
+
 MachineVerdict machine_verdict_copy(const MachineVerdict *verdict) {
     MachineVerdict copy = *verdict;
     copy.facts.motion = result_copy(&verdict->facts.motion);

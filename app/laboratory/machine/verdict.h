@@ -23,6 +23,10 @@ bool machine_verdict_decide(MachineVerdict *verdict, const MachineKind *kind, co
 bool machine_verdict_tell_type(MachineVerdict *verdict, int jobs, const Stop *stop,
                                void (*progress)(void *context, size_t done, size_t all), void *context);
 
+/* Confirms a quick verdict by motions that are watched (survival.h), and replaces it. False: stopped, or a fault, and
+ * the verdict is unchanged. */
+bool machine_verdict_confirm(MachineVerdict *verdict, int jobs, const Stop *stop);
+
 /* Returns a copy with its own rows and advice. */
 MachineVerdict machine_verdict_copy(const MachineVerdict *verdict);
 

@@ -31,6 +31,7 @@ struct MachineWorker {
     Machine machine;
     MachineSweepTask task;
     bool decided, typed; /* the verdict is known, and its type */
+    bool confirmed;      /* the verdict needs no confirmation, or it was tried */
     bool deciding;
     MachineNews news;
 
@@ -63,7 +64,7 @@ static void publish_verdict(MachineWorker *worker) {
 static void tell_verdict(MachineWorker *worker) {
     Machine machine = worker->machine;
     take_up(&worker->verdict);
-    worker->decided = worker->typed = false;
+    worker->decided = worker->typed = worker->confirmed = false;
     worker->deciding = true;
     pthread_mutex_unlock(&worker->lock);
     machine_verdict_clear(&worker->own);
@@ -92,6 +93,19 @@ static void tell_type(MachineWorker *worker) {
     bool stopped = worker->verdict.asked || worker->sweep.asked || worker->quit;
     worker->typed = typed || !stopped; /* a type that cannot be determined is not tried again */
     if (typed && !worker->verdict.asked)
+        publish_verdict(worker);
+}
+
+/* Replaces the quick verdict; the lock must be held, and is released during the computation. */
+static void confirm_verdict(MachineWorker *worker) {
+    stop_withdraw(&worker->stop_type);
+    worker->news.confirming = true;
+    pthread_mutex_unlock(&worker->lock);
+    bool confirmed = machine_verdict_confirm(&worker->own, worker->jobs, &worker->stop_type);
+    pthread_mutex_lock(&worker->lock);
+    worker->news.confirming = false;
+    worker->confirmed = confirmed || !(worker->verdict.asked || worker->sweep.asked || worker->quit);
+    if (confirmed && !worker->verdict.asked)
         publish_verdict(worker);
 }
 
@@ -158,6 +172,11 @@ static bool wants_type(const MachineWorker *worker) {
     return worker->decided && !worker->typed && !worker->verdict.asked && !worker->sweep.asked;
 }
 
+static bool wants_confirmation(const MachineWorker *worker) {
+    return worker->typed && worker->own.facts.quick && !worker->confirmed && !worker->verdict.asked &&
+           !worker->sweep.asked;
+}
+
 /* Works until the worker is stopped. Threads started by this one inherit its low priority. */
 static void *work(void *context) {
     MachineWorker *worker = context;
@@ -173,6 +192,8 @@ static void *work(void *context) {
             go_on_sweeping(worker);
         else if (wants_type(worker))
             tell_type(worker);
+        else if (wants_confirmation(worker))
+            confirm_verdict(worker);
         else
             wait_for_questions(worker);
     }

@@ -1,5 +1,6 @@
 /* Computes for a running machine, on a thread of low priority: the verdict, the orbit diagram
- * coarsely, the type, the rest of the diagram. The newest question wins. */
+ * coarsely, the type, the rest of the diagram, and whether a motion that is not periodic lasts. The newest question
+ * wins. */
 #pragma once
 
 #include "laboratory/machine/sweep.h"
@@ -28,6 +29,7 @@ typedef struct MachineNews {
     MachineSweepPoints points[MACHINE_SWEEP_PASSES]; /* the taker must clear them */
     size_t sweep_done, sweep_all;                    /* number of values of the orbit diagram */
     size_t types_done, types_all;                    /* runs while the type is being determined; otherwise 0 */
+    bool confirming;                                 /* motions are watched to confirm the verdict */
     bool deciding;                                   /* the verdict is being computed */
 } MachineNews;
 void machine_worker_take(MachineWorker *worker, MachineNews *news);

@@ -1,5 +1,6 @@
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "beam/beam_cycle.h"
 #include "check.h"
@@ -41,7 +42,7 @@ static void check_point(const FollowBranch *branch, FollowKind kind, size_t whic
 /* The fixed point 1 - 1/r of r x (1 - x) flips at r = 3; its orbit of period 2 flips at 1 + sqrt 6. */
 TEST(flips_of_the_logistic_map_are_located) {
     Numbered numbered = {.map = {planar_map_logistic, NULL, 0}};
-    FollowFamily family = {map_at, &numbered, 2.2, 3.8};
+    FollowFamily family = {.at = map_at, .context = &numbered, .from = 2.2, .to = 3.8};
     FollowBranch branch;
     CHECK(follow_run(&branch, &family, 2.7, (double[]){1 - 1 / 2.7, 1 - 1 / 2.7}, 1, 0.02, NULL));
     check_point(&branch, FOLLOW_FLIP, 0, 3, 1e-6);
@@ -58,7 +59,7 @@ TEST(flips_of_the_logistic_map_are_located) {
 /* Henon's map with b = 0.3: two fixed points meet at a = -(1 - b)^2 / 4, the stable one flips at 3 (1 - b)^2 / 4. */
 TEST(a_fold_is_gone_round_to_the_unstable_orbit) {
     Numbered numbered = {.map = {planar_map_henon, NULL, 0}, .numbers = {0, 0.3}};
-    FollowFamily family = {map_at, &numbered, -0.5, 0.5};
+    FollowFamily family = {.at = map_at, .context = &numbered, .from = -0.5, .to = 0.5};
     const double b = 0.3, a = 0.2, x = (b - 1 + sqrt((1 - b) * (1 - b) + 4 * a)) / (2 * a);
     FollowBranch branch;
     CHECK(follow_run(&branch, &family, a, (double[]){x, b * x}, 1, 0.02, NULL));
@@ -100,13 +101,91 @@ TEST(the_free_branch_of_set_b_ends_by_touching_where_its_amplitude_is_the_cleara
     beam_at(&driven, 50);
     regime_state(&driven.own.free, driven.own.steady_free.cosine, state);
     double edge = 50 * driven.clearance / rig_free_amplitude(&driven.own);
-    FollowFamily family = {beam_at, &driven, 20, 80};
+    FollowFamily family = {.at = beam_at, .context = &driven, .from = 20, .to = 80};
     FollowBranch branch;
     CHECK(follow_run(&branch, &family, 50, state, 1, 0.1, NULL));
     printf("     touches at %.4f N, %zu points\n", edge, branch.count);
     CHECK_NEAR(edge, 63.0773, 1e-4);
     check_point(&branch, FOLLOW_TOUCH, 0, edge,
                 3e-6 * (family.to - family.from)); /* the difference by force crosses it */
+    follow_clear(&branch);
+    end(&driven);
+}
+
+/* The fixed point 0 of r x - x^3 loses its symmetry at r = 1; the points +-sqrt(r - 1), which begin there, flip at 2.
+ */
+TEST(a_pitchfork_is_located_and_the_orbit_that_begins_there_is_followed) {
+    Numbered numbered = {.map = {planar_map_cubic, NULL, 0}};
+    FollowFamily family = {.at = map_at, .context = &numbered, .from = 0.5, .to = 2.5};
+    FollowBranch branch, begun, doubled;
+    CHECK(follow_run(&branch, &family, 0.8, (double[]){0, 0}, 1, 0.02, NULL));
+    check_point(&branch, FOLLOW_PITCHFORK, 0, 1, 1e-6);
+    CHECK(!find_point(&branch, FOLLOW_FOLD, 0));
+    const FollowPoint *fork = find_point(&branch, FOLLOW_PITCHFORK, 0);
+    CHECK(fork && follow_branch_off(&begun, &family, &branch, (size_t)(fork - branch.points), 0.02, NULL));
+    check_point(&begun, FOLLOW_FLIP, 0, 2, 1e-6);
+    CHECK(begun.period == 1 && begun.points[0].stable);
+    for (size_t i = 0; i < begun.count; i++) {
+        double x = follow_state(&begun, i)[0];
+        CHECK_NEAR(x * x, begun.points[i].value - 1, 1e-8);
+    }
+    const FollowPoint *flip = find_point(&begun, FOLLOW_FLIP, 0);
+    CHECK(flip && follow_branch_off(&doubled, &family, &begun, (size_t)(flip - begun.points), 0.02, NULL));
+    CHECK(doubled.period == 2 && doubled.count > 5 && doubled.points[1].stable && doubled.points[1].value > 2);
+    follow_clear(&doubled);
+    follow_clear(&begun);
+    follow_clear(&branch);
+}
+
+/* Carries a motion on at this value for so many cycles and returns the largest force of the last one. */
+static double carry_on(Driven *driven, double value, double *state, int cycles) {
+    Cycle cycle = beam_at(driven, value);
+    CycleMotion motion = cycle_create(cycle, 0);
+    cycle.kind->set_state(motion.own, state);
+    double *peak = cycle.kind->peaks(motion.own);
+    for (int i = 0; i < cycles; i++) {
+        peak[0] = peak[1] = 0;
+        CHECK(cycle_run(&motion) == CYCLE_GOOD);
+    }
+    double largest = fmax(peak[0], peak[1]);
+    cycle.kind->state(motion.own, state);
+    cycle_destroy(&motion);
+    return largest;
+}
+
+/* Sweeps from a value on in steps and returns the first value at which the force jumps by more than 5 N. */
+static double find_jump(Driven *driven, double from, double step, double *state) {
+    double before = carry_on(driven, from, state, 3000);
+    for (int i = 1; i < 30; i++) {
+        double force = carry_on(driven, from + i * step, state, 3000);
+        if (fabs(force - before) > 5)
+            return from + i * step;
+        before = force;
+    }
+    return NAN;
+}
+
+/* Two stable orbits of period 1 of set B overlap near 276.6 Hz: a sweep leaves either at its fold, within the sweep's
+ * step. */
+LONG_TEST(sweeps_jump_at_the_folds) {
+    const double step = 0.004;
+    Driven driven = {.rig = oscillator_beam_rig("ibs", NULL)};
+    driven.force = driven.rig.force;
+    driven.clearance = driven.rig.clearance;
+    double state[128] = {0};
+    carry_on(&driven, 276.5, state, 2000);
+    FollowFamily family = {.at = beam_at, .context = &driven, .from = 276, .to = 277};
+    FollowBranch branch;
+    CHECK(follow_run(&branch, &family, 276.5, state, 1, 0.02, NULL));
+    check_point(&branch, FOLLOW_FOLD, 0, 276.65797, 1e-4);
+    check_point(&branch, FOLLOW_FOLD, 1, 276.63227, 1e-4);
+    double folds[2] = {NAN, NAN};
+    for (size_t i = 0; i < 2; i++)
+        folds[i] = find_point(&branch, FOLLOW_FOLD, i) ? find_point(&branch, FOLLOW_FOLD, i)->value : (double)NAN;
+    double up = find_jump(&driven, 276.624, step, state), down = find_jump(&driven, 276.664, -step, state);
+    printf("     sweeps jump at %.4f and %.4f Hz, folds at %.5f and %.5f Hz\n", up, down, folds[0], folds[1]);
+    CHECK(up > folds[0] && up - folds[0] < step);
+    CHECK(down < folds[1] && folds[1] - down < step);
     follow_clear(&branch);
     end(&driven);
 }
