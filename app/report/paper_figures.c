@@ -1,7 +1,11 @@
 #include "report/paper_figures.h"
 
 #include <assert.h>
+#include <math.h>
 #include <string.h>
+
+#include "visual/study/study_axes.h"
+#include "visual/study/type_bands.h"
 
 /* The source of a figure's plot: a run, or a study. */
 typedef struct Source {
@@ -25,14 +29,15 @@ static const Source sources[PAPER_FIGURES] = {
      "spectrum"},
     {"figure-8-peaks", "Figures 7 and 8",
      "Largest force of each of 100 cycles against the drive's frequency: each from rest, and swept upwards and "
-     "downwards; where these differ, motions coexist.",
+     "downwards; where these differ, motions coexist. Along the foot: the types I, II and III there.",
      false, PAPER_FREQUENCIES, "peaks"},
     {"figure-9-map", "Figure 9",
      "Responses over frequency and clearance, from rest; on the right the clearance over the static deflection of the "
      "tip under the drive's amplitude, without the joint.",
      false, PAPER_MAP, "map-period"},
-    {"figure-10-length", "Figure 10", "Largest force of each of 100 cycles at 290 Hz against the length of the beam.",
-     false, PAPER_LENGTHS, "peaks"},
+    {"figure-10-length", "Figure 10",
+     "Largest force of each of 100 cycles at 290 Hz against the length of the beam; along the foot its types.", false,
+     PAPER_LENGTHS, "peaks"},
 };
 
 static const Plot *find_beam_plot(const BeamPlots *plots, const char *name) {
@@ -49,6 +54,20 @@ static const Plot *find_study_plot(const StudyPlots *plots, const char *name) {
     return NULL;
 }
 
+/* Adds types, at so many values times `factor`, along the foot of the plot of peaks. */
+static void add_types(StudyPlots *plots, const double *values, const Types *types, size_t count, double factor) {
+    Arena *arena = &plots->arena;
+    double *at = arena_allocate(arena, count * sizeof *at), *kinds = arena_allocate(arena, count * sizeof *kinds);
+    for (size_t i = 0; i < count; i++) {
+        at[i] = factor * values[i];
+        kinds[i] = types[i].kind >= TYPES_I && types[i].kind <= TYPES_III ? (double)types[i].kind : (double)NAN;
+    }
+    for (size_t i = 0; i < plots->count; i++)
+        if (strcmp(plots->plots[i].name, "peaks") == 0)
+            type_bands_add(&plots->plots[i].plot, at, kinds, count, at[1] - at[0],
+                           type_bands_height(&plots->plots[i].plot), arena);
+}
+
 PaperFigures *paper_figures_make(const Paper *paper) {
     PaperFigures *figures = memory_zeroed(1, sizeof *figures);
     char fault[PLOT_CHOICE_FAULT];
@@ -60,6 +79,11 @@ PaperFigures *paper_figures_make(const Paper *paper) {
         figures->responses[i] = beam_plots_make(&paper->responses[i], &paper->beams[i], NULL, &choice);
     for (size_t i = 0; i < PAPER_STUDIES; i++)
         figures->studies[i] = study_plots_make(&paper->studies[i], NULL);
+    add_types(
+        &figures->studies[PAPER_FREQUENCIES], paper->frequency, paper->types, PAPER_TYPES,
+        study_axes_parameter(&paper->studies[PAPER_FREQUENCIES], 0, &figures->studies[PAPER_FREQUENCIES].arena).factor);
+    add_types(&figures->studies[PAPER_LENGTHS], paper->length, paper->length_types, PAPER_LENGTH_TYPES,
+              study_axes_parameter(&paper->studies[PAPER_LENGTHS], 0, &figures->studies[PAPER_LENGTHS].arena).factor);
     for (size_t i = 0; i < PAPER_FIGURES; i++) {
         const Source *source = &sources[i];
         figures->figures[i] =

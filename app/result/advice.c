@@ -237,6 +237,8 @@ static void add_reason(Advice *advice) {
         break;
     case TYPES_NOT_REGULAR:
         add_starts(advice, &sentences->irregular, worst->irregular);
+        if (worst->verdict)
+            text_format(advice->text, " The motion that was analysed fully there is %s.", worst->verdict);
         break;
     case TYPES_FLIPS:
         add_answers(advice, "Its period doubles within 1 %% of here; right here it has %s.",

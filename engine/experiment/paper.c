@@ -140,30 +140,43 @@ static bool make_studies(Paper *paper, const PaperOptions *options, Fault *fault
     return good;
 }
 
+/* Classifies a variant of the beam. */
+static bool make_type(Types *types, const Beam *beam, bool window_only, const PaperOptions *options, Fault *fault) {
+    Experiment quick, thorough;
+    if (!beam_experiment_of(&quick, beam, options->path, fault))
+        return false;
+    bool good = beam_experiment_of(&thorough, beam, options->path, fault);
+    if (good) {
+        beam_experiment_be_thorough(&thorough, BEAM_EXPERIMENT_LANES, BEAM_EXPERIMENT_CYCLES);
+        good = types_classify(types,
+                              &(TypesTask){.experiment = &quick,
+                                           .thorough = &thorough,
+                                           .names = beam_experiment_window,
+                                           .name_count = BEAM_EXPERIMENT_WINDOW,
+                                           .window_only = window_only,
+                                           .jobs = options->jobs,
+                                           .stop = options->stop},
+                              fault);
+        beam_experiment_close(&thorough);
+    }
+    beam_experiment_close(&quick);
+    return good;
+}
+
 static bool make_types(Paper *paper, const PaperOptions *options, Fault *fault) {
     bool good = true;
     for (size_t i = 0; i < PAPER_TYPES && good && !stopped(options); i++) {
         Beam beam = paper->beam;
-        Experiment quick, thorough;
         paper->frequency[i] = beam.frequency = TYPES_FROM + TYPES_STEP * (double)i;
         tell(options, text_in_arena(&paper->arena, "types at %.0f Hz", beam.frequency));
-        good = beam_experiment_of(&quick, &beam, options->path, fault);
-        if (!good)
-            break;
-        good = beam_experiment_of(&thorough, &beam, options->path, fault);
-        if (good) {
-            beam_experiment_be_thorough(&thorough, BEAM_EXPERIMENT_LANES, BEAM_EXPERIMENT_CYCLES);
-            good = types_classify(&paper->types[i],
-                                  &(TypesTask){.experiment = &quick,
-                                               .thorough = &thorough,
-                                               .names = beam_experiment_window,
-                                               .name_count = BEAM_EXPERIMENT_WINDOW,
-                                               .jobs = options->jobs,
-                                               .stop = options->stop},
-                                  fault);
-            beam_experiment_close(&thorough);
-        }
-        beam_experiment_close(&quick);
+        good = make_type(&paper->types[i], &beam, false, options, fault);
+    }
+    for (size_t i = 0; i < PAPER_LENGTH_TYPES && good && !stopped(options); i++) {
+        Beam beam = paper->beams[PAPER_NOMINAL];
+        double part = (double)i / (PAPER_LENGTH_TYPES - 1);
+        paper->length[i] = beam.length *= LENGTH_FROM + (LENGTH_TO - LENGTH_FROM) * part;
+        tell(options, text_in_arena(&paper->arena, "types at %.1f mm", 1000 * beam.length));
+        good = make_type(&paper->length_types[i], &beam, true, options, fault);
     }
     return good;
 }

@@ -27,7 +27,7 @@ typedef enum PaperStudy {
     PAPER_STUDIES,
 } PaperStudy;
 
-enum { PAPER_TYPES = 15 /* number of classified frequencies */ };
+enum { PAPER_TYPES = 15 /* classified frequencies */, PAPER_LENGTH_TYPES = 13 /* and lengths, at 290 Hz */ };
 
 typedef struct Paper {
     const char *path;       /* path of the beam file */
@@ -38,6 +38,8 @@ typedef struct Paper {
     Study studies[PAPER_STUDIES];
     double frequency[PAPER_TYPES]; /* Hz */
     Types types[PAPER_TYPES];
+    double length[PAPER_LENGTH_TYPES]; /* m */
+    Types length_types[PAPER_LENGTH_TYPES];
     Arena arena;
 } Paper;
 

@@ -169,6 +169,9 @@ static void gather_answers(const Work *work, size_t at) {
         point->possible &= !trial->fault;
         point->irregular += regular == 0;
         point->undecided += isnan(regular) ? 1 : 0;
+        if (regular == 0 && !point->verdict && experiment->verdict_count &&
+            trial->observed[experiment->verdict] < (double)experiment->verdict_quick)
+            point->verdict = trial_verdict(trial, experiment);
         if (regular == 1)
             found[count++] =
                 (TypesAnswer){trial->observed[experiment->outcome], trial->observed[experiment->measure], 1};

@@ -60,6 +60,7 @@ typedef struct TypesPoint {
     TypesAnswer answers[TYPES_ANSWERS_MOST];
     size_t answer_count;
     size_t irregular, undecided; /* starts */
+    const char *verdict;         /* of an irregular start, as the full analysis told it; NULL: it was not made */
 } TypesPoint;
 
 typedef struct TypesParameter {

@@ -7,6 +7,7 @@
 #include "visual/study/measured_marks.h"
 #include "visual/study/study_axes.h"
 #include "visual/study/study_maps.h"
+#include "visual/study/type_bands.h"
 #include "study/montecarlo.h"
 
 /* Design points. */
@@ -52,7 +53,7 @@ static Plot *add_plot(StudyPlots *plots, const Study *study, const char *name, s
     added->name = name;
     added->plot.series = arena_allocate(&plots->arena, (2 * study->pass_count + MARKS_MOST) * sizeof(PlotSeries));
     added->plot.guides = arena_allocate(&plots->arena, (GUIDES_MOST + bands) * sizeof(PlotGuide));
-    added->plot.areas = arena_allocate(&plots->arena, (areas + 1) * sizeof(PlotArea));
+    added->plot.areas = arena_allocate(&plots->arena, (areas + 1 + TYPE_BANDS) * sizeof(PlotArea));
     return &added->plot;
 }
 
@@ -131,6 +132,22 @@ static void lay_measured_series(Sweep *sweep) {
     }
 }
 
+/* Adds the types of the first run of each value, if they were classified. */
+static void add_types(Sweep *sweep) {
+    const Study *study = sweep->study;
+    size_t type = study_axes_find(study, "type"), count = steps_of(study);
+    if (type == study->experiment->observable_count)
+        return;
+    double *values = arena_allocate(sweep->arena, count * sizeof *values),
+           *types = arena_allocate(sweep->arena, count * sizeof *types);
+    for (size_t i = 0; i < count; i++) {
+        values[i] = sweep->scale.factor * study_value(&study->axes[0], i);
+        types[i] = study_axes_value(study_trial(study, 0, 0, 0, i), type);
+    }
+    double step = count > 1 ? (values[count - 1] - values[0]) / (double)(count - 1) : 1;
+    type_bands_add(sweep->plot, values, types, count, step, type_bands_height(sweep->plot), sweep->arena);
+}
+
 static void add_orbit_diagram(StudyPlots *plots, Sweep sweep) {
     const Observable *listed = sweep.study->experiment->series;
     sweep.plot = add_plot(plots, sweep.study, text_in_arena(sweep.arena, "%ss", listed->name), 0);
@@ -139,6 +156,7 @@ static void add_orbit_diagram(StudyPlots *plots, Sweep sweep) {
     sweep.plot->y = study_axes_observable(listed).axis;
     for (size_t pass = 0; pass < sweep.study->pass_count; pass++)
         add_dots(&sweep, pass);
+    add_types(&sweep);
     lay_measured_series(&sweep);
 }
 
