@@ -14,6 +14,8 @@ static const double DIFFERENCE = 1e-6, DIFFERENCE_ROUGH = 1e-3; /* of the range,
 static const double BEYOND = 1e-4;    /* of the largest step, at which a lost curve is looked beyond */
 static const double LOCATED = 1e-6;   /* of a multiplier, from the circle */
 static const double ON_CIRCLE = 1e-9; /* of a located point's test */
+static const double PART =
+    0.47; /* of a chord: not its middle, which may be the point itself, where no system is regular */
 enum { CORRECTIONS = 8, QUICK = 3 /* corrections, below which the next step is longer */, HALVINGS = 60 };
 
 const char *follow_kind_name(FollowKind kind) {
@@ -250,7 +252,7 @@ static void add_point(FollowBranch *branch, const Walk *walk, FollowKind kind, c
                                                     .state = branch->memory_count++};
 }
 
-/* Locates an event between two places by halving, from the middle of the chord each time: where two curves cross, it
+/* Locates an event between two places by halving, from a place on the chord each time: where two curves cross, it
  * keeps to the one that both are on. */
 static bool locate(Walk *walk, FollowKind kind, const Place *from, const Place *to, Place *at) {
     size_t n = walk->states;
@@ -261,7 +263,7 @@ static bool locate(Walk *walk, FollowKind kind, const Place *from, const Place *
     bool good = true;
     for (int i = 0; i < HALVINGS && good; i++) {
         for (size_t k = 0; k <= n; k++)
-            at->at[k] = low.at[k] + (high.at[k] - low.at[k]) / 2;
+            at->at[k] = low.at[k] + PART * (high.at[k] - low.at[k]);
         good = correct(walk, from->tangent, at) > 0;
         if (good)
             copy_place(is_between(kind, &low, at, n) ? &high : &low, at, n);

@@ -41,7 +41,7 @@ app/paint           draw
 app/plot            draw paint
 app/document        draw paint
 app/result          beam crank cycle document draw experiment house inquiry plan rules study
-app/visual/study    exchange plot study
+app/visual/study    cycle exchange plot study
 app/visual/house    draw experiment house plan plot result route rules space study visual/study
 app/visual/machine  draw
 app/visual/crank    crank cycle draw mechanics plot visual/machine visual/study

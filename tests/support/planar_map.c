@@ -150,9 +150,9 @@ void planar_map_logistic(const void *numbers, double *point, double *derivative)
 }
 
 void planar_map_cubic(const void *numbers, double *point, double *derivative) {
-    double r = ((const double *)numbers)[0], x = point[0];
-    point[0] = r * x - x * x * x;
-    point[1] = x;
+    double r = ((const double *)numbers)[0], x = point[0] - 1;
+    point[1] = point[0];
+    point[0] = 1 + r * x - x * x * x;
     put(derivative, r - 3 * x * x, 1, 0, 0);
 }
 

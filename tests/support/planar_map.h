@@ -17,7 +17,7 @@ Cycle planar_map_cycle(const PlanarMap *map);
 /* x' = r x (1 - x); y follows x at once. numbers: r. */
 void planar_map_logistic(const void *numbers, double *point, double *derivative);
 
-/* x' = r x - x^3; y follows x at once. numbers: r. */
+/* x' = 1 + r (x - 1) - (x - 1)^3; y follows x at once. numbers: r. */
 void planar_map_cubic(const void *numbers, double *point, double *derivative);
 
 /* Henon's map x' = 1 - a x^2 + y, y' = b x. numbers: a, b. */

@@ -112,13 +112,13 @@ TEST(the_free_branch_of_set_b_ends_by_touching_where_its_amplitude_is_the_cleara
     end(&driven);
 }
 
-/* The fixed point 0 of r x - x^3 loses its symmetry at r = 1; the points +-sqrt(r - 1), which begin there, flip at 2.
- */
+/* The fixed point 1 of 1 + r (x - 1) - (x - 1)^3 loses its symmetry at r = 1; the points 1 +- sqrt(r - 1), which begin
+ * there, flip at 2. */
 TEST(a_pitchfork_is_located_and_the_orbit_that_begins_there_is_followed) {
     Numbered numbered = {.map = {planar_map_cubic, NULL, 0}};
     FollowFamily family = {.at = map_at, .context = &numbered, .from = 0.5, .to = 2.5};
     FollowBranch branch, begun, doubled;
-    CHECK(follow_run(&branch, &family, 0.8, (double[]){0, 0}, 1, 0.02, NULL));
+    CHECK(follow_run(&branch, &family, 0.8, (double[]){1, 1}, 1, 0.02, NULL));
     check_point(&branch, FOLLOW_PITCHFORK, 0, 1, 1e-6);
     CHECK(!find_point(&branch, FOLLOW_FOLD, 0));
     const FollowPoint *fork = find_point(&branch, FOLLOW_PITCHFORK, 0);
@@ -126,7 +126,7 @@ TEST(a_pitchfork_is_located_and_the_orbit_that_begins_there_is_followed) {
     check_point(&begun, FOLLOW_FLIP, 0, 2, 1e-6);
     CHECK(begun.period == 1 && begun.points[0].stable);
     for (size_t i = 0; i < begun.count; i++) {
-        double x = follow_state(&begun, i)[0];
+        double x = follow_state(&begun, i)[0] - 1;
         CHECK_NEAR(x * x, begun.points[i].value - 1, 1e-8);
     }
     const FollowPoint *flip = find_point(&begun, FOLLOW_FLIP, 0);
