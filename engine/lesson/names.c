@@ -13,7 +13,7 @@ bool names_open_experiment(Experiment *experiment, const Lesson *lesson, const c
     if (lesson->laboratory == LESSON_BEAM) {
         if (!beam_experiment_open(experiment, lesson->file, settings, count, fault))
             return false;
-        beam_experiment_be_thorough(experiment);
+        beam_experiment_be_thorough(experiment, BEAM_EXPERIMENT_LANES, BEAM_EXPERIMENT_CYCLES);
         return true;
     }
     if (!crank_experiment_open(experiment, lesson->file, settings, count, fault))
