@@ -120,6 +120,11 @@ const char *ui_focus_pane(const Ui *ui);
 bool ui_focus_is_pane(const Ui *ui);
 void ui_focus(Ui *ui, const char *pane);
 
+/* Moves the focus to a widget of a pane, by its id, as a key would; false: the last frame had none. And whether that
+ * widget has the focus. */
+bool ui_focus_on(Ui *ui, const char *pane, const char *id);
+bool ui_focus_is_on(const Ui *ui, const char *pane, const char *id);
+
 /* Returns the tooltip of the focused widget, for Shift+F1; NULL: none. */
 const char *ui_focus_help(const Ui *ui);
 

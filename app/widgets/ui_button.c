@@ -235,7 +235,7 @@ static double draw_cells(Ui *ui, Box box, UiTextStyle style, const char *const *
 
 /* Returns the box of a row: rows of a list have no gap between them. */
 static Box next_row(Ui *ui) {
-    if (!ui->at_given && ui->y == ui->list_y)
+    if (!ui->at_given && ui->row_count <= 1 && ui->y == ui->list_y)
         ui->y -= UI_GAP;
     Box box = ui_pane_next(ui, ROW_HEIGHT);
     ui->list_y = ui->y;
@@ -245,12 +245,12 @@ static Box next_row(Ui *ui) {
 bool ui_list_row(Ui *ui, const UiRow *row) {
     UiId id = ui_state_id(ui, row->id ? row->id : row->cells[0]);
     Box box = next_row(ui);
-    UiTouch touch = row->usable ? ui_state_touch(ui, id, box, false) : (UiTouch){0};
+    UiTouch touch = row->usable || row->help ? ui_state_touch(ui, id, box, false) : (UiTouch){0};
     Box wide = {{box.low.x - 6, box.low.y}, {box.high.x + 6, box.high.y}};
     /* keeps the frame of the focus off the neighbouring rows */
     bool focused = row->usable && ui_stop_make(ui, id, UI_IS_ROW, box_expand(wide, -UI_FRAME - UI_RIM));
     bool used = row->usable && (ui_stop_used(ui, id) || touch.clicked);
-    if (row->selected || touch.hovered)
+    if (row->selected || (touch.hovered && row->usable))
         ui_painter_box(ui->painter, wide, ui_state_ink(ui, ROLE_SHADE, row->selected ? 1 : 0.6));
     if (row->selected)
         ui_painter_box(ui->painter, (Box){wide.low, {wide.low.x + 4, wide.high.y}}, ui_state_ink(ui, ROLE_CHAIR, 1));

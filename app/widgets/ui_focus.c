@@ -87,6 +87,21 @@ void ui_focus(Ui *ui, const char *pane) {
         give(ui, stop);
 }
 
+static UiId id_in(const char *pane, const char *id) {
+    return digest_text(digest_text(DIGEST_START, pane), id);
+}
+
+bool ui_focus_on(Ui *ui, const char *pane, const char *id) {
+    const UiStop *stop = ui_stop_find(ui, id_in(pane, id));
+    if (stop)
+        give_by_key(ui, stop);
+    return stop;
+}
+
+bool ui_focus_is_on(const Ui *ui, const char *pane, const char *id) {
+    return ui->focus && ui->focus == id_in(pane, id);
+}
+
 const char *ui_focus_pane(const Ui *ui) {
     const UiPlace *place = ui_pane_find(ui, ui->focus_pane);
     return place ? place->name : "";

@@ -133,9 +133,7 @@ static void escape(Window *window, Tab *tab) {
         dialog_pane_close(window);
     else if (pane && pane->box.corner)
         pane->box.corner = 0;
-    else if (messages_last(&window->messages) && messages_last(&window->messages)->number > window->dismissed)
-        window->dismissed = messages_last(&window->messages)->number;
-    else if (tab->session)
+    else if (!notice_dismiss(window) && tab->session)
         tab_select(tab, (Item){0});
 }
 
@@ -167,7 +165,12 @@ static bool do_dialog(Window *window, Action action) {
     case ACTION_MESSAGES:
         dialog_pane_show(window, DIALOG_MESSAGES);
         return true;
+    case ACTION_HISTORY:
+        if (window_tab(window)->session && tab_editor(window_tab(window)))
+            dialog_pane_show(window, DIALOG_HISTORY);
+        return true;
     case ACTION_HELP:
+        *window->field = 0;
         dialog_pane_show(window, DIALOG_KEYS);
         return true;
     case ACTION_EXPLAIN:

@@ -7,6 +7,7 @@
 #include "base/stopwatch.h"
 #include "window/act.h"
 #include "window/menu.h"
+#include "window/notice.h"
 #include "window/plan_input.h"
 
 /* Design points. */
@@ -255,27 +256,60 @@ static bool show_gesture(Window *window, Box box) {
     return true;
 }
 
-void bars_show_message(Window *window) {
-    const Message *last = messages_last(&window->messages);
-    bool pending = last && last->number > window->dismissed;
-    Box box = window->frame.strip; /* without a strip: above the timeline */
+/* True while a tool is in hand, whose next step the strip says. */
+static bool has_tool(Window *window) {
+    Editor *editor = tab_editor(window_tab(window));
+    return editor && editor_tool(editor) != TOOL_SELECT;
+}
+
+/* Returns the box of messages: the strip, or its right half while a tool is in hand; above the timeline if there is no
+ * strip. */
+static Box message_box(Window *window, bool fault) {
+    Box box = window->frame.strip;
     if (box_height(box) <= 0)
-        box = (Box){{window->frame.view.low.x, window->frame.timeline.low.y - MESSAGE_HEIGHT},
-                    {window->frame.page.x, window->frame.timeline.low.y}};
-    if (show_gesture(window, box) || (!pending && !window->export))
+        return (Box){{window->frame.view.low.x, window->frame.timeline.low.y - MESSAGE_HEIGHT},
+                     {window->frame.page.x, window->frame.timeline.low.y}};
+    if (!fault && has_tool(window))
+        box.low.x = middle_of(box).x;
+    return box;
+}
+
+/* Shows the button that undoes the edit which the message tells of; returns the left edge of what is taken. */
+static double show_undo(Window *window, Box box, double right) {
+    double width = ui_extent(window->ui, UI_BODY, "Undo").x + BUTTON_PAD;
+    ui_at(window->ui, (Box){{right - width, box.low.y + 2}, {right, box.high.y - 2}});
+    if (ui_button(window->ui, &(UiButton){.label = "Undo", .help = keys_help(&window->arena, ACTION_UNDO)}))
+        act_do(window, ACTION_UNDO, 0, 0);
+    return right - width - GAP;
+}
+
+void bars_show_message(Window *window) {
+    size_t faults;
+    const Message *shown = notice_shown(window, &faults);
+    bool fault = shown && shown->kind == MESSAGE_FAULT;
+    Box box = message_box(window, fault);
+    if (show_gesture(window, box) || (!shown && !window->export))
         return;
     ui_pane_begin(window->ui, &(UiPane){.name = "message", .box = box, .ground = ROLE_PANEL});
-    ui_draw_frame(window->ui, box, pending && last->kind == MESSAGE_FAULT ? ROLE_ERROR : ROLE_GRID, 2);
-    if (pending) {
-        bool fault = last->kind == MESSAGE_FAULT;
-        const char *text = text_in_arena(&window->arena, "%s%s", fault ? "\u26a0 " : "", last->text);
-        show_text(window, UI_BODY, fault ? ROLE_ERROR : ROLE_TEXT, box.low.x + MARGIN, box.high.x - 40,
-                  middle_of(box).y, text);
+    ui_draw_frame(window->ui, box, fault ? ROLE_ERROR : ROLE_GRID, 2);
+    if (shown) {
+        Editor *editor = tab_editor(window_tab(window));
+        bool undoes = shown->number == window->undo_message && editor && editor_undo_name(editor);
+        const char *text = fault ? text_in_arena(&window->arena, "\u26a0 %s", shown->text) : shown->text;
+        double right = box.high.x - 40;
+        if (faults > 1) {
+            const char *count = text_in_arena(&window->arena, "1 of %zu", faults);
+            ui_draw_text(window->ui, UI_BODY, ROLE_DIM_TEXT, vec2(right, middle_of(box).y), 1, count);
+            right -= ui_extent(window->ui, UI_BODY, count).x + GAP;
+        }
+        if (undoes)
+            right = show_undo(window, box, right);
+        show_text(window, UI_BODY, fault ? ROLE_ERROR : ROLE_TEXT, box.low.x + MARGIN, right, middle_of(box).y, text);
         ui_at(window->ui, (Box){{box.high.x - 34, box.low.y + 2}, {box.high.x - 6, box.high.y - 2}});
         if (ui_button(window->ui, &(UiButton){.id = "dismiss",
                                               .label = "\u00d7",
                                               .help = "Dismiss (Escape): Hide this message; F7 shows all messages"}))
-            window->dismissed = last->number;
+            notice_dismiss(window);
     } else {
         show_export(window, box);
     }

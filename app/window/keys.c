@@ -31,6 +31,8 @@ static const KeyRow table[] = {
     {ACTION_UNDO, KEY_ANYWHERE, "Ctrl+Z", MENU_EDIT, "Undo", "Undo the last edit", NULL},
     {ACTION_REDO, KEY_ANYWHERE, "Ctrl+Shift+Z", MENU_EDIT, "Redo", "Redo the last undone edit", NULL},
     {ACTION_REDO, KEY_ANYWHERE, "Ctrl+Y", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_HISTORY, KEY_ANYWHERE, "Ctrl+Shift+H", MENU_EDIT, "Undo history ...",
+     "List the last edits, and go back to just after one of them", NULL},
     {ACTION_CUT, KEY_PLAN, "Ctrl+X", MENU_EDIT, "Cut", "Copy the selection and remove it", NULL},
     {ACTION_COPY, KEY_PLAN, "Ctrl+C", MENU_EDIT, "Copy",
      "Copy the selection, or the command line if nothing is selected", NULL},
@@ -199,6 +201,17 @@ KeyRow keys_at(size_t i) {
                     .key = row->key,
                     .name = row->laboratory->name,
                     .help = row->help};
+}
+
+bool keys_begins_group(Action action) {
+    static const Action first[] = {ACTION_SAVE,         ACTION_PICTURE,    ACTION_QUIT,   ACTION_UNDO,  ACTION_CUT,
+                                   ACTION_EDIT_NUMBERS, ACTION_KEEP,       ACTION_TOPPLE, ACTION_SNAP,  ACTION_RAISED,
+                                   ACTION_PANEL,        ACTION_THEME,      ACTION_SLOWER, ACTION_AGAIN, ACTION_SWEEP,
+                                   ACTION_TRY,          ACTION_FULLSCREEN, ACTION_LOOP,   ACTION_ABOUT};
+    for (size_t i = 0; i < sizeof first / sizeof *first; i++)
+        if (first[i] == action)
+            return true;
+    return false;
 }
 
 KeyRow keys_row(Action action) {

@@ -32,6 +32,7 @@ typedef enum Action {
     ACTION_TOOL_IMAGE,
     ACTION_UNDO,
     ACTION_REDO,
+    ACTION_HISTORY,
     ACTION_CUT,
     ACTION_COPY,
     ACTION_PASTE,
@@ -140,6 +141,9 @@ size_t keys_count(void);
 KeyRow keys_at(size_t i);
 
 extern const char *const keys_menus[MENUS];
+
+/* True if a line divides the action from those above it in its menu. */
+bool keys_begins_group(Action action);
 
 /* Returns the row of an action that has its name; the name is NULL if there is none. */
 KeyRow keys_row(Action action);

@@ -1,5 +1,6 @@
 #include "window/menu.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <string.h>
 
@@ -7,6 +8,7 @@
 #include "window/act.h"
 #include "window/dialog_pane.h"
 #include "window/files.h"
+#include "window/menu_reason.h"
 #include "window/plan_input.h"
 
 /* Design points. */
@@ -14,6 +16,7 @@
 #define ROW 28.0
 #define MARGIN 6.0
 #define WORD_PAD 20.0
+#define GROUP_GAP 9.0 /* with a line, between two groups of rows */
 
 enum { RECENT_SHOWN = 5 };
 
@@ -84,9 +87,8 @@ double menu_show_bar(Window *window, Box bar) {
 
 /* Rows ------------------------------------------------------------------------------------------------------------- */
 
-/* True if the row belongs to the menu; rows for plans only where a plan can be edited. */
-static bool is_there(Window *window, const KeyRow *row, KeyMenu menu) {
-    return row->menu == menu && row->name && (row->place != KEY_PLAN || tab_editor(window_tab(window)));
+static bool is_there(const KeyRow *row, KeyMenu menu) {
+    return row->menu == menu && row->name;
 }
 
 /* True if the row's key has this meaning while the view has the focus. */
@@ -128,10 +130,18 @@ static bool is_on(Window *window, Action action) {
     }
 }
 
-/* Returns the place of the n-th row. */
-static Box row_box(Box pane, size_t row) {
-    double top = pane.low.y + MARGIN + ROW * (double)row;
-    return (Box){{pane.low.x + 2 * MARGIN, top}, {pane.high.x - 2 * MARGIN, top + ROW}};
+/* Returns the place of the next row below `top`, which moves down. */
+static Box row_box(Box pane, double *top) {
+    Box box = {{pane.low.x + 2 * MARGIN, *top}, {pane.high.x - 2 * MARGIN, *top + ROW}};
+    *top += ROW;
+    return box;
+}
+
+/* Draws the line between two groups. */
+static void show_group_line(Window *window, Box pane, double *top) {
+    double y = *top + GROUP_GAP / 2;
+    ui_draw_line(window->ui, vec2(pane.low.x + 2 * MARGIN, y), vec2(pane.high.x - 2 * MARGIN, y), ROLE_GRID, 1.5);
+    *top += GROUP_GAP;
 }
 
 /* Shows a row; true if it was chosen: by a click, a key, or where a press that opened the menu ends. */
@@ -143,18 +153,17 @@ static bool show_row(Window *window, Box box, const UiRow *row) {
 }
 
 static bool show_action(Window *window, Box box, const KeyRow *row) {
-    Tab *tab = window_tab(window);
-    Editor *editor = tab_editor(tab);
-    bool undoes = row->action == ACTION_UNDO, steps = undoes || row->action == ACTION_REDO;
-    bool can = !steps || (editor && (undoes ? editor_undo_name(editor) : editor_redo_name(editor)));
+    bool steps = row->action == ACTION_UNDO || row->action == ACTION_REDO;
+    const char *reason = menu_reason(window, row->action);
     const char *name = steps ? plan_input_step_label(window, row->action) : row->name;
     UiRow shown = {
         .id = row->name,
         .shape = ROW_PLAIN,
         .cells = {text_in_arena(&window->arena, "%s%s", is_on(window, row->action) ? "\u2713 " : "    ", name),
                   is_meant(window, row) ? row->key : NULL},
-        .dim = !can,
-        .usable = can};
+        .help = reason,
+        .dim = reason,
+        .usable = !reason};
     if (!show_row(window, box, &shown))
         return false;
     dialog_pane_close(window);
@@ -162,14 +171,14 @@ static bool show_action(Window *window, Box box, const KeyRow *row) {
     return true;
 }
 
-static bool show_recent(Window *window, Box pane, size_t row, const char *path) {
+static bool show_recent(Window *window, Box box, const char *path) {
     const char *name = strrchr(path, '/');
     UiRow shown = {.id = path,
                    .shape = ROW_PLAIN,
                    .cells = {text_in_arena(&window->arena, "    %s", name ? name + 1 : path)},
                    .help = path,
                    .usable = true};
-    if (!show_row(window, row_box(pane, row), &shown))
+    if (!show_row(window, box, &shown))
         return false;
     dialog_pane_close(window);
     files_leave(window, LEAVE_OPEN, path);
@@ -183,17 +192,42 @@ static size_t recent_files(Window *window, const char **paths) {
 
 /* The open menu ---------------------------------------------------------------------------------------------------- */
 
-static Box pane_box(Window *window) {
-    size_t rows = 0;
-    const char *paths[SETTINGS_RECENT_MOST];
+static const char *pane_name(Window *window) {
+    return text_in_arena(&window->arena, "menu %d", (int)window->menu);
+}
+
+/* Returns the height of the lines between the groups of a menu. */
+static double gaps_of(KeyMenu menu, size_t recent) {
+    bool any = false;
+    double gaps = recent ? GROUP_GAP : 0;
     for (size_t i = 0; i < keys_count(); i++) {
         KeyRow row = keys_at(i);
-        rows += is_there(window, &row, window->menu);
+        if (!is_there(&row, menu))
+            continue;
+        gaps += any && keys_begins_group(row.action) ? GROUP_GAP : 0;
+        any = true;
     }
-    rows += recent_files(window, paths) + window->frame.compact;
+    return gaps;
+}
+
+static double height_of(Window *window) {
+    const char *paths[SETTINGS_RECENT_MOST];
+    size_t recent = recent_files(window, paths), rows = recent + window->frame.compact;
+    for (size_t i = 0; i < keys_count(); i++) {
+        KeyRow row = keys_at(i);
+        rows += is_there(&row, window->menu);
+    }
+    return (double)rows * ROW + gaps_of(window->menu, recent) + 2 * MARGIN;
+}
+
+Box menu_box(Window *window) {
     double left = fmin(word_box(window, window->menu).low.x, fmax(0, window->frame.page.x - WIDTH));
-    double top = window->frame.menu.high.y, height = (double)rows * ROW + 2 * MARGIN;
-    return (Box){{left, top}, {fmin(left + WIDTH, window->frame.page.x), fmin(top + height, window->frame.page.y)}};
+    double top = window->frame.menu.high.y, foot = top + height_of(window);
+    return (Box){{left, top}, {fmin(left + WIDTH, window->frame.page.x), fmin(foot, window->frame.page.y)}};
+}
+
+bool menu_scrolls(Window *window) {
+    return window->frame.menu.high.y + height_of(window) > window->frame.page.y;
 }
 
 /* In a small window the other menus are words at the top of the open one. */
@@ -207,14 +241,21 @@ static void show_words(Window *window) {
 
 static bool show_rows(Window *window, Box box) {
     const char *paths[SETTINGS_RECENT_MOST];
-    size_t shown = window->frame.compact, recent = recent_files(window, paths);
+    double first = box.low.y + MARGIN + (window->frame.compact ? ROW : 0), top = first;
+    size_t recent = recent_files(window, paths);
     for (size_t i = 0; i < keys_count(); i++) {
         KeyRow row = keys_at(i);
-        if (is_there(window, &row, window->menu) && show_action(window, row_box(box, shown++), &row))
+        if (!is_there(&row, window->menu))
+            continue;
+        if (top > first && keys_begins_group(row.action))
+            show_group_line(window, box, &top);
+        if (show_action(window, row_box(box, &top), &row))
             return true;
     }
+    if (recent)
+        show_group_line(window, box, &top);
     for (size_t i = 0; i < recent; i++)
-        if (show_recent(window, box, shown++, paths[i]))
+        if (show_recent(window, row_box(box, &top), paths[i]))
             return true;
     return false;
 }
@@ -223,13 +264,9 @@ void menu_show(Window *window) {
     KeyMenu pointed = pointed_menu(window);
     if (pointed < MENUS)
         window->menu = pointed;
-    Box box = pane_box(window);
-    UiPane pane = {.name = text_in_arena(&window->arena, "menu %d", (int)window->menu),
-                   .box = box,
-                   .ground = ROLE_PANEL,
-                   .scrolls = true,
-                   .modal = true,
-                   .clear = true};
+    Box box = menu_box(window);
+    UiPane pane = {
+        .name = pane_name(window), .box = box, .ground = ROLE_PANEL, .scrolls = true, .modal = true, .clear = true};
     bool pressed = window->input.down[SDL_WINDOW_EVENT_LEFT] && !window->menu_press.down;
     bool inside = box_holds(box, pointer_of(window)), on_bar = pointed < MENUS;
     ui_pane_begin(window->ui, &pane);
@@ -252,4 +289,30 @@ void menu_walk(Window *window, int across, int down) {
         break;
     }
     window->dirty = true;
+}
+
+bool menu_jump(Window *window, char letter) {
+    const char *pane = pane_name(window), *first = NULL, *next = NULL;
+    bool behind = false;
+    for (size_t i = 0; i < keys_count(); i++) {
+        KeyRow row = keys_at(i);
+        if (!is_there(&row, window->menu) || menu_reason(window, row.action))
+            continue;
+        if (tolower((unsigned char)*row.name) == letter) {
+            first = first ? first : row.name;
+            next = !next && behind ? row.name : next;
+        }
+        behind |= ui_focus_is_on(window->ui, pane, row.name);
+    }
+    next = next ? next : first;
+    return next && ui_focus_on(window->ui, pane, next);
+}
+
+const char *menu_focused(Window *window) {
+    for (size_t i = 0; i < keys_count(); i++) {
+        KeyRow row = keys_at(i);
+        if (is_there(&row, window->menu) && ui_focus_is_on(window->ui, pane_name(window), row.name))
+            return row.name;
+    }
+    return "";
 }

@@ -12,3 +12,12 @@ void menu_show(Window *window);
 
 /* Goes to the next menu to the right or left, or to the next row below or above. */
 void menu_walk(Window *window, int across, int down);
+
+/* Goes to the next row of the open menu whose name begins with a small letter; false: there is none. */
+bool menu_jump(Window *window, char letter);
+
+/* Returns the box of the open menu, design points; whether its rows do not fit; and the name of its row that has the
+ * focus, "": none. */
+Box menu_box(Window *window);
+bool menu_scrolls(Window *window);
+const char *menu_focused(Window *window);

@@ -61,6 +61,18 @@ const Message *messages_last(const Messages *messages) {
     return messages->total ? &messages->ring[(messages->total - 1) % MESSAGES_MOST] : NULL;
 }
 
+const Message *messages_fault(const Messages *messages, size_t after, size_t *count) {
+    const Message *oldest = NULL;
+    *count = 0;
+    for (size_t i = messages_count(messages); i-- > 0 && messages_at(messages, i)->number > after;) {
+        if (messages_at(messages, i)->kind != MESSAGE_FAULT)
+            continue;
+        oldest = messages_at(messages, i);
+        ++*count;
+    }
+    return oldest;
+}
+
 void messages_clear(Messages *messages) {
     for (size_t i = 0; i < MESSAGES_MOST; i++)
         memory_free(messages->ring[i].text);

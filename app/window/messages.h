@@ -34,4 +34,7 @@ void messages_add_fault(Messages *messages, Fault *fault, double time);
 size_t messages_count(const Messages *messages);
 const Message *messages_at(const Messages *messages, size_t i);
 const Message *messages_last(const Messages *messages); /* NULL: none */
+
+/* Returns the oldest fault whose number is above `after`, and how many there are; NULL: none. */
+const Message *messages_fault(const Messages *messages, size_t after, size_t *count);
 void messages_clear(Messages *messages);

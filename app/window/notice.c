@@ -14,6 +14,43 @@ void notice_post(Window *window, const char *format, ...) {
     window->dirty = true;
 }
 
+const Message *notice_shown(Window *window, size_t *faults) {
+    const Message *fault = messages_fault(&window->messages, window->fault_dismissed, faults);
+    const Message *last = messages_last(&window->messages);
+    if (fault)
+        return fault;
+    return last && last->kind == MESSAGE_NOTE && last->number > window->dismissed ? last : NULL;
+}
+
+bool notice_dismiss(Window *window) {
+    size_t faults;
+    const Message *shown = notice_shown(window, &faults);
+    if (!shown)
+        return false;
+    if (shown->kind == MESSAGE_FAULT)
+        window->fault_dismissed = shown->number;
+    else
+        window->dismissed = shown->number;
+    window->dirty = true;
+    return true;
+}
+
+void notice_edit(Window *window) {
+    Editor *editor = window_tab(window)->session ? tab_editor(window_tab(window)) : NULL;
+    const Message *last = messages_last(&window->messages);
+    if (editor && editor_next_step(editor)) {
+        bool said = last && last->kind == MESSAGE_NOTE && last->number > window->message_before;
+        if (!said && editor_undo_name(editor))
+            notice_post(window, "%s", editor_undo_name(editor));
+        last = messages_last(&window->messages);
+        window->undo_message = last ? last->number : 0;
+        window->dismissed = last && last->number == window->dismissed ? last->number - 1 : window->dismissed;
+        window->noted = 0; /* it stays for its whole time */
+        window->dirty = true;
+    }
+    window->message_before = last ? last->number : 0;
+}
+
 void notice_fault(Window *window, Fault *fault, double time) {
     if (fault->count)
         messages_add_fault(&window->messages, fault, time);

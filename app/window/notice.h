@@ -6,6 +6,15 @@
 /* Posts a line that disappears by itself after a while. */
 void notice_post(Window *window, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* Returns the message that is shown, the oldest fault first, and how many faults there are; NULL: none. */
+const Message *notice_shown(Window *window, size_t *faults);
+
+/* Dismisses it; false: there was none. */
+bool notice_dismiss(Window *window);
+
+/* Says what was edited, with a button that undoes it; called once a frame. */
+void notice_edit(Window *window);
+
 /* Posts the lines of a fault, if there are any, which stay until they are dismissed, and releases it; `time`: the
  * simulated moment they are about, s, or NAN. */
 void notice_fault(Window *window, Fault *fault, double time);

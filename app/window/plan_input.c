@@ -142,8 +142,7 @@ static bool decide_proposals(Window *window, Editor *editor, int32_t key) {
         return editor_drop_proposals(editor);
     if (!enter || !count)
         return false;
-    if (editor_accept(editor, 0, &fault))
-        notice_post(window, "Used: %s", editor_undo_name(editor));
+    editor_accept(editor, 0, &fault);
     notice_fault(window, &fault, NAN);
     return true;
 }

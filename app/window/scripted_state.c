@@ -4,6 +4,8 @@
 #include <stdio.h>
 
 #include "draw/caption.h"
+#include "window/menu.h"
+#include "window/notice.h"
 #include "window/plan_input.h"
 
 static json_t *json_box(const Window *window, Box box) {
@@ -274,9 +276,17 @@ static void add_tab(json_t *state, Window *window) {
     add_editor(state, window, tab);
 }
 
+static void add_menu(json_t *state, Window *window) {
+    json_object_set_new(state, "menu", json_string(keys_menus[window->menu]));
+    json_object_set_new(state, "menu_box", json_box(window, menu_box(window)));
+    json_object_set_new(state, "menu_scrolls", json_boolean(menu_scrolls(window)));
+    json_object_set_new(state, "focus_row", json_string(menu_focused(window)));
+}
+
 json_t *scripted_state_of(Window *window) {
-    static const char *const dialogs[DIALOGS] = {"none",   "menu",     "keys",    "gallery", "open",  "save",
-                                                 "export", "messages", "explain", "about",   "leave", "recovered"};
+    static const char *const dialogs[DIALOGS] = {"none",    "menu",   "keys",     "gallery", "open",
+                                                 "save",    "export", "messages", "explain", "about",
+                                                 "history", "leave",  "recovered"};
     const Message *last = messages_last(&window->messages);
     json_t *state = json_object();
     json_object_set_new(state, "laboratory", json_string(window_tab(window)->laboratory->word));
@@ -286,7 +296,7 @@ json_t *scripted_state_of(Window *window) {
     json_object_set_new(state, "theme", json_string(window->theme == THEME_BOARD ? "board" : "paper"));
     json_object_set_new(state, "sheet", json_string(dialogs[window->dialog]));
     if (window->dialog == DIALOG_MENU)
-        json_object_set_new(state, "menu", json_string(keys_menus[window->menu]));
+        add_menu(state, window);
     json_object_set_new(state, "panel", json_boolean(window->panel));
     json_object_set_new(state, "plots", json_boolean(window->plots_shown));
     json_object_set_new(state, "editing", json_boolean(window->editing));
@@ -311,6 +321,10 @@ json_t *scripted_state_of(Window *window) {
     json_object_set_new(state, "message", last ? json_string(last->text) : json_null());
     json_object_set_new(state, "mouse", json_pack("[ff]", window->mouse.x, window->mouse.y));
     json_object_set_new(state, "inputs", json_integer((json_int_t)window->inputs));
+    size_t faults;
+    const Message *shown = notice_shown(window, &faults);
+    json_object_set_new(state, "said", text_or_null(shown ? shown->text : NULL));
+    json_object_set_new(state, "faults", json_integer((json_int_t)faults));
     json_object_set_new(state, "messages", json_integer((json_int_t)window->messages.total));
     json_object_set_new(state, "frame", frame_state(window));
     if (window_tab(window)->session)

@@ -130,7 +130,8 @@ static bool walk_menu(Window *window, const SdlWindowEvent *event) {
             menu_walk(window, ways[i].across, ways[i].down);
             return true;
         }
-    return false;
+    bool letter = !event->mods && event->key >= 'a' && event->key <= 'z';
+    return window->dialog == DIALOG_MENU && letter && menu_jump(window, (char)event->key);
 }
 
 /* Handles a key; a gesture comes first. */
@@ -395,6 +396,7 @@ static void update(Window *window, double seconds) {
     end_export(window);
     if (tab->session)
         show_title(window);
+    notice_edit(window);
     autosave_update(window);
     dismiss_old_note(window);
 }

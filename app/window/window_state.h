@@ -31,6 +31,7 @@ typedef enum Dialog {
     DIALOG_MESSAGES,
     DIALOG_EXPLAIN,
     DIALOG_ABOUT,
+    DIALOG_HISTORY,   /* of the edits */
     DIALOG_LEAVE,     /* edits are not saved */
     DIALOG_RECOVERED, /* a program that crashed has left edits */
     DIALOGS,
@@ -82,7 +83,10 @@ typedef struct Window {
     Ui *ui;
     Settings settings;
     Messages messages;
-    size_t dismissed;                     /* number of the last dismissed message */
+    size_t dismissed;                     /* number of the last dismissed message, and */
+    size_t fault_dismissed;               /* of the last dismissed fault */
+    size_t undo_message;                  /* number of the message with a button that undoes; 0: none, */
+    size_t message_before;                /* of the last message of the frame before */
     size_t noted;                         /* number of the last message noticed, */
     double noted_at;                      /* s of wall time, since that state */
     Gallery *gallery;                     /* NULL: not opened yet */

@@ -212,6 +212,18 @@ size_t draft_step_count(const Draft *draft) {
     return draft->done;
 }
 
+size_t draft_step_total(const Draft *draft) {
+    return draft->step_count;
+}
+
+const char *draft_step_name(const Draft *draft, size_t index) {
+    return draft->steps[index].name;
+}
+
+uint64_t draft_step_revision(const Draft *draft, size_t index) {
+    return draft->steps[index].revision;
+}
+
 /* Elements -------------------------------------------------------------------------------------------------------- */
 
 DraftList draft_find(const Draft *draft, const char *id, size_t *index) {

@@ -80,8 +80,13 @@ bool draft_redo(Draft *draft);
 const char *draft_undo_name(const Draft *draft);
 const char *draft_redo_name(const Draft *draft);
 
-/* Returns the number of steps that can be undone. */
+/* Return the number of steps that can be undone, and of all remembered ones, of which the later ones are undone. */
 size_t draft_step_count(const Draft *draft);
+size_t draft_step_total(const Draft *draft);
+
+/* Return the name of a remembered step, from the oldest, and the plan's revision after it. */
+const char *draft_step_name(const Draft *draft, size_t index);
+uint64_t draft_step_revision(const Draft *draft, size_t index);
 
 /* Elements, in an open step ---------------------------------------------------------------------------------------- */
 

@@ -16,6 +16,7 @@
 #include "laboratory/edit/scale.h"
 #include "laboratory/edit/select.h"
 #include "laboratory/edit/shake.h"
+#include "laboratory/edit/steps.h"
 #include "laboratory/edit/text.h"
 #include "laboratory/edit/tool_items.h"
 
@@ -96,6 +97,7 @@ const char *editor_path(const Editor *edit) {
 bool editor_next_change(Editor *edit) {
     bool changed = edit->changed;
     edit->changed = false;
+    edit_steps_note(edit);
     return changed;
 }
 

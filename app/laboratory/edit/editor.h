@@ -13,6 +13,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <time.h>
 
 #include "plan/draft.h"
 #include "laboratory/house_items.h"
@@ -119,6 +120,16 @@ typedef struct Proposal {
     const char *text;   /* "Widen door d2 from 0.75 m to 0.79 m" */
     const char *answer; /* "all people are out in 21.3 s" */
 } Proposal;
+
+enum { EDITOR_STEPS_MOST = 20 };
+
+/* An undo step. */
+typedef struct EditStep {
+    const char *name; /* valid until the next edit */
+    size_t number;    /* steps in effect just after it */
+    time_t at;        /* when it was made; 0: unknown */
+    bool done;        /* it is in effect, not undone */
+} EditStep;
 
 /* The picture to trace over (the trace image). */
 typedef struct TraceImage {
@@ -239,6 +250,15 @@ bool editor_undo(Editor *editor);
 bool editor_redo(Editor *editor);
 const char *editor_undo_name(const Editor *editor);
 const char *editor_redo_name(const Editor *editor);
+
+/* Writes the last steps, oldest first, of which the later ones may be undone; returns how many. */
+size_t editor_steps(const Editor *editor, EditStep steps[EDITOR_STEPS_MOST]);
+
+/* Undoes or redoes steps until the first `number` of them are in effect. */
+void editor_go_to_step(Editor *editor, size_t number);
+
+/* True once after each new step. */
+bool editor_next_step(Editor *editor);
 
 /* Texts, catalogue, proposals, picture ---------------------------------------------------------------------------- */
 

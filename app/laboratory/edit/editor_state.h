@@ -99,6 +99,12 @@ typedef struct EditPreview {
     bool warns;   /* the click does it, but the item touches something */
 } EditPreview;
 
+/* When the step was made that led to a revision of the plan. */
+typedef struct EditStepTime {
+    uint64_t revision;
+    time_t at;
+} EditStepTime;
+
 struct Editor {
     Draft *draft;       /* the edited house; belongs to the owner */
     Arena option_texts; /* holds the texts of the options */
@@ -107,7 +113,11 @@ struct Editor {
     bool changed;        /* the draft has changed since the owner's last request */
     bool shook;          /* an earthquake was made since the owner's last request */
     bool number_dragged; /* a number is being dragged: its undo step is open */
-    Item selected;       /* the last item of the selection, in the displayed house */
+    EditStepTime step_times[EDITOR_STEPS_MOST];
+    size_t step_time_count; /* of all steps so far */
+    uint64_t newest_step;   /* the newest step's revision */
+    bool has_new_step;      /* a step was made since the owner's last request */
+    Item selected;          /* the last item of the selection, in the displayed house */
 
     EditTool tool;
     Pointer pointer; /* the last position of the pointer */

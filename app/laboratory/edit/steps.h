@@ -1,0 +1,7 @@
+/* The list of undo steps with the times of the clock at which they were made. */
+#pragma once
+
+#include "laboratory/edit/editor.h"
+
+/* Notes the time of a new step; called after each change. */
+void edit_steps_note(Editor *edit);

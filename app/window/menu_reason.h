@@ -1,0 +1,8 @@
+/* Which actions of the menus cannot be done now, and why. */
+#pragma once
+
+#include "window/window_state.h"
+
+/* Returns a sentence that says why an action cannot be done now; NULL: it can. The sentence lives as long as the frame
+ * or longer. */
+const char *menu_reason(Window *window, Action action);
