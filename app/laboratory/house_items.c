@@ -100,7 +100,8 @@ void house_item_name(const House *house, const Observation *observation, Item it
     Arena arena = {0};
     if (item.kind == HOUSE_HAZARD)
         snprintf(name, size, "tight place %zu: %s", item.index + 1,
-                 names_text(house, house_item_hazard(observation, item.index)->what, &arena));
+                 names_thing(house, house_item_hazard(observation, item.index)->what,
+                             house_item_hazard(observation, item.index)->at, &arena));
     else if (item.kind == HOUSE_STOP)
         snprintf(name, size, "%s stops at %s", names_person(house, item.index, &arena),
                  names_text(house, observation->people[item.index].blockage.what, &arena));

@@ -1,5 +1,6 @@
 #include "result/names.h"
 
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -7,8 +8,9 @@
 #include "plan/plan_geometry.h"
 #include "result/census.h"
 
-#define BESIDE 0.25 /* m, from a wall's face to the place that must lie in a room */
-#define OUTSIDE 1.0 /* m, from a door to the exit that it leads to */
+#define BESIDE 0.25     /* m, from a wall's face to the place that must lie in a room */
+#define BESIDE_WALL 0.6 /* m, from a contact with a wall to the room that the wall belongs to */
+#define OUTSIDE 1.0     /* m, from a door to the exit that it leads to */
 #define LETTERS 26
 
 /* Doors ------------------------------------------------------------------------------------------------------------ */
@@ -244,4 +246,27 @@ const char *names_text(const House *house, const char *text, Arena *arena) {
     const char *kept = text_in_arena(arena, "%s", named.text ? named.text : "");
     memory_free(named.text);
     return kept;
+}
+
+/* Returns the side of a room, as the plan is drawn, at which a place lies. */
+static const char *side_of(const Plan *plan, const char *room, Vec2 at) {
+    Box box = box_empty();
+    for (size_t i = 0; i < plan->room_count; i++)
+        for (size_t p = 0; strcmp(plan->rooms[i].name, room) == 0 && p < plan->rooms[i].outline.count; p++)
+            box = box_include(box, plan->rooms[i].outline.at[p]);
+    double left = fabs(at.x - box.low.x), right = fabs(at.x - box.high.x);
+    double lower = fabs(at.y - box.low.y), upper = fabs(at.y - box.high.y);
+    if (fmin(left, right) < fmin(lower, upper))
+        return left < right ? "left" : "right";
+    return lower < upper ? "lower" : "upper";
+}
+
+const char *names_thing(const House *house, const char *thing, Vec2 at, Arena *arena) {
+    enum { WAYS = 8 };
+    const char *name = names_text(house, thing, arena), *room = names_room(&house->plan, at);
+    for (int way = 0; way < WAYS && !room; way++)
+        room = names_room(&house->plan, vec2_along(at, BESIDE_WALL, vec2_heading(2 * M_PI * way / WAYS)));
+    if (strcmp(name, "wall") != 0 || !room)
+        return name;
+    return text_in_arena(arena, "%s wall of %s", side_of(&house->plan, room, at), room);
 }

@@ -18,5 +18,8 @@ const char *names_person(const House *house, size_t person, Arena *arena);
 /* Returns the word for a profile, "wheelchair" for "manual-chair", or its own name if there is none. */
 const char *names_profile(const char *profile);
 
+/* Returns the name of a thing at a place, m, in a few words: "bedroom door", "left wall of shop 3". */
+const char *names_thing(const House *house, const char *thing, Vec2 at, Arena *arena);
+
 /* Returns a text with the names in place of the ids of doors, walls, furniture, people and profiles. */
 const char *names_text(const House *house, const char *text, Arena *arena);

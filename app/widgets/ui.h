@@ -120,6 +120,9 @@ const char *ui_focus_pane(const Ui *ui);
 bool ui_focus_is_pane(const Ui *ui);
 void ui_focus(Ui *ui, const char *pane);
 
+/* Moves the focus to the first number of a pane, as soon as it is made; to the pane if it has none. */
+void ui_focus_number(Ui *ui, const char *pane);
+
 /* Moves the focus to a widget of a pane, by its id, as a key would; false: the last frame had none. And whether that
  * widget has the focus. */
 bool ui_focus_on(Ui *ui, const char *pane, const char *id);

@@ -8,6 +8,8 @@
 
 /* Stops ------------------------------------------------------------------------------------------------------------ */
 
+enum { NUMBER_FRAMES = 3 /* in which a pane may make the number that is to have the focus */ };
+
 static bool reaches(const Ui *ui, const UiStop *stop) {
     return !ui->modal || stop->pane == ui->modal;
 }
@@ -85,6 +87,26 @@ void ui_focus(Ui *ui, const char *pane) {
     ui->focus_pane = id;
     if (stop)
         give(ui, stop);
+}
+
+void ui_focus_number(Ui *ui, const char *pane) {
+    ui_focus(ui, pane);
+    ui->wants_number = digest_text(DIGEST_START, pane);
+    ui->wants_frames = NUMBER_FRAMES;
+}
+
+/* Gives the focus to the first number of the pane that should have it. */
+static void find_number(Ui *ui) {
+    if (!ui->wants_number)
+        return;
+    for (size_t i = 0; i < ui->old_stop_count && ui->wants_number; i++)
+        if (ui->old_stops[i].pane == ui->wants_number && ui->old_stops[i].kind == UI_IS_SLIDER) {
+            give(ui, &ui->old_stops[i]);
+            ui->wants_number = 0;
+        }
+    if (ui->wants_number && --ui->wants_frames <= 0)
+        ui->wants_number = 0;
+    ui_state_stir(ui);
 }
 
 static UiId id_in(const char *pane, const char *id) {
@@ -179,6 +201,7 @@ void ui_focus_frame_end(Ui *ui) {
         ui->editor.id = 0;
     handle_modal(ui);
     handle_gone_stop(ui);
+    find_number(ui);
 }
 
 /* Keys ------------------------------------------------------------------------------------------------------------- */

@@ -109,6 +109,8 @@ struct Ui {
     UiId focus, focus_pane;
     UiId kept, kept_pane; /* the focus before a modal pane was opened */
     bool keeps;
+    UiId wants_number; /* the pane whose first number is to have the focus, in at most */
+    int wants_frames;
     bool by_key; /* moved by a key: shows its tooltip */
     bool reveal; /* must be scrolled into view */
     Box focus_box;

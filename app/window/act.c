@@ -279,7 +279,10 @@ static bool do_tab(Window *window, Tab *tab, Action action) {
         return true;
     case ACTION_EDIT_NUMBERS:
         window->panel = window->drawer = true;
-        ui_focus(window->ui, "panel");
+        if (tab->laboratory->selected(tab->session).kind)
+            ui_focus_number(window->ui, "panel");
+        else
+            ui_focus(window->ui, "panel");
         return true;
     default:
         return false;

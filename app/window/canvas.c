@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/stopwatch.h"
 #include "window/act.h"
 #include "window/act_plot.h"
 #include "window/plan_input.h"
@@ -16,7 +17,10 @@
 #define EDIT_HEIGHT 32.0
 #define SCALE_WIDTH 150.0 /* of the view's scale bar, at the right */
 
-enum { NOTE_LINES = 4 };
+#define RING 34.0     /* across, of the pointer in presentation mode */
+#define ECHO_STAY 1.5 /* s */
+
+enum { NOTE_LINES = 4, RING_POINTS = 36 };
 
 #define WHEEL_ZOOM 1.15
 #define READ_OUT_FOOT 56.0 /* from the foot of a plot to its read-out, above axis and title */
@@ -42,6 +46,7 @@ void canvas_paint(Window *window) {
     if (!tab->session || width < LEAST_SIDE || height < LEAST_SIDE)
         return;
     view_layers_fit(&tab->view_layers, sdl_window_gl(window->sdl_window), width, height, window->unit, window->theme);
+    tab->view_layers.first_danger = window->present;
     if (tab->view_layers.paint)
         view_layers_show(&tab->view_layers, tab->laboratory, tab->session, tab->player.time);
     window->dirty |= tab->plot_panes_stale; /* the next frame lays them out */
@@ -165,6 +170,29 @@ static void use_mouse(Window *window, Tab *tab) {
         pick(window, tab, grab.at);
 }
 
+/* Shows where the pointer is, to a room that looks at a wall. */
+static void show_ring(Window *window) {
+    Vec2 at = vec2_scale(window->mouse, 1 / window->unit), ring[RING_POINTS];
+    if (!window->present || !box_holds(window->frame.view, at))
+        return;
+    for (int i = 0; i < RING_POINTS; i++)
+        ring[i] = vec2_along(at, RING / 2, vec2_heading(2 * M_PI * i / RING_POINTS));
+    ui_draw_polyline(window->ui, ring, RING_POINTS, true, ROLE_PAPER, 6);
+    ui_draw_polyline(window->ui, ring, RING_POINTS, true, ROLE_TEXT, 3);
+}
+
+/* Shows the last key for a moment, so that others can follow. */
+static void show_echo(Window *window) {
+    if (!window->present || !*window->echo || stopwatch_now() - window->echo_at > ECHO_STAY)
+        return;
+    Box view = window->frame.view;
+    Vec2 size = ui_extent(window->ui, UI_DETAIL, window->echo), low = {view.low.x + MARGIN, view.high.y - MARGIN};
+    Box box = {{low.x, low.y - size.y - MARGIN}, {low.x + size.x + 2 * MARGIN, low.y}};
+    ui_draw_box(window->ui, box, ROLE_TEXT, 1);
+    ui_draw_text(window->ui, UI_DETAIL, ROLE_PAPER, middle_of(box), 0.5, window->echo);
+    window->dirty = true;
+}
+
 static void show_view(Window *window, Tab *tab) {
     Box view = window->frame.view;
     ui_pane_begin(window->ui, &(UiPane){.name = "view", .box = view, .ground = ROLE_COUNT, .stop = true});
@@ -175,6 +203,8 @@ static void show_view(Window *window, Tab *tab) {
             show_edit_button(window);
         show_view_text(window, tab);
         plan_overlay_show(window);
+        show_ring(window);
+        show_echo(window);
     }
     ui_pane_end(window->ui);
 }

@@ -36,6 +36,7 @@
 #define FIRST_ROW 1.4     /* times the height of the other rows */
 #define BESIDE_WIDTH 0.38 /* of the place, for plots to the right of the view */
 #define BESIDE_MOST 352.0
+#define PRESENT_PLOT 0.4 /* of the place: one plot as high as the view */
 #define BELOW_HEIGHT 0.36
 #define BELOW_MOST 144.0 /* of a drawer of plots, on pages that are not wide */
 #define SAME_SCALE 0.95  /* plots open beside the view if its scale falls by less */
@@ -114,6 +115,13 @@ static void divide(Frame *frame, Box place, const FrameWish *wish) {
     if (wish->aspect > WIDE_VIEW)
         below.low.y =
             place.low.y + fmin(fmax(box_width(place) / wish->aspect, WIDE_LEAST), WIDE_MOST * box_height(place));
+    if (wish->present) {
+        beside.low.x = place.high.x - PRESENT_PLOT * box_width(place);
+        place_panes(frame, beside, 1);
+        if (frame->pane_count)
+            frame->view.high.x = beside.low.x;
+        return;
+    }
     Box left = place, upper = place;
     left.high.x = beside.low.x;
     upper.high.y = below.low.y;

@@ -154,7 +154,7 @@ static bool show_row(Window *window, Box box, const UiRow *row) {
 
 static bool show_action(Window *window, Box box, const KeyRow *row) {
     bool steps = row->action == ACTION_UNDO || row->action == ACTION_REDO;
-    const char *reason = menu_reason(window, row->action);
+    const char *reason = menu_reason_of(window, row->action);
     const char *name = steps ? plan_input_step_label(window, row->action) : row->name;
     UiRow shown = {
         .id = row->name,
@@ -296,7 +296,7 @@ bool menu_jump(Window *window, char letter) {
     bool behind = false;
     for (size_t i = 0; i < keys_count(); i++) {
         KeyRow row = keys_at(i);
-        if (!is_there(&row, window->menu) || menu_reason(window, row.action))
+        if (!is_there(&row, window->menu) || menu_reason_of(window, row.action))
             continue;
         if (tolower((unsigned char)*row.name) == letter) {
             first = first ? first : row.name;

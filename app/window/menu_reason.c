@@ -44,7 +44,7 @@ static const char *why_no_edit(const Tab *tab, Editor *editor, Action action) {
     }
 }
 
-const char *menu_reason(Window *window, Action action) {
+const char *menu_reason_of(Window *window, Action action) {
     const Tab *tab = window_tab(window);
     if (!tab->session)
         return needs_file(action) ? "No file is open" : NULL;

@@ -5,4 +5,4 @@
 
 /* Returns a sentence that says why an action cannot be done now; NULL: it can. The sentence lives as long as the frame
  * or longer. */
-const char *menu_reason(Window *window, Action action);
+const char *menu_reason_of(Window *window, Action action);

@@ -27,12 +27,13 @@ bool notice_dismiss(Window *window) {
     const Message *shown = notice_shown(window, &faults);
     if (!shown)
         return false;
-    if (shown->kind == MESSAGE_FAULT)
+    bool fault = shown->kind == MESSAGE_FAULT;
+    if (fault)
         window->fault_dismissed = shown->number;
     else
         window->dismissed = shown->number;
     window->dirty = true;
-    return true;
+    return fault;
 }
 
 void notice_edit(Window *window) {

@@ -9,7 +9,7 @@ void notice_post(Window *window, const char *format, ...) __attribute__((format(
 /* Returns the message that is shown, the oldest fault first, and how many faults there are; NULL: none. */
 const Message *notice_shown(Window *window, size_t *faults);
 
-/* Dismisses it; false: there was none. */
+/* Dismisses it; true if it was a fault, which stays until then. */
 bool notice_dismiss(Window *window);
 
 /* Says what was edited, with a button that undoes it; called once a frame. */

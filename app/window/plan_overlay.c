@@ -1,6 +1,8 @@
 #include "window/plan_overlay.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <string.h>
 
 #include "window/plan_input.h"
 
@@ -330,6 +332,27 @@ static const char *preview_words(const Window *window, const GestureView *gestur
     return !has_pointer(window) ? NULL : gesture->active ? gesture->refusal : gesture->preview;
 }
 
+/* True if the picture has this name already. */
+static bool is_written(const Layout *layout, const char *name) {
+    for (size_t i = 0; i < layout->caption_count; i++)
+        if (strcmp(layout->captions[i].text, name) == 0)
+            return true;
+    return false;
+}
+
+/* Returns the name of the thing under the pointer while nothing is being done; NULL: none, or it is written there. */
+static const char *hovered_name(const Window *window, Tab *tab, const GestureView *gesture) {
+    const int left = SDL_WINDOW_EVENT_LEFT;
+    if (!has_pointer(window) || window->dialog != DIALOG_NONE || gesture->active || window->input.down[left] ||
+        editor_tool(tab_editor(tab)) != TOOL_SELECT || !tab->view_layers.painted)
+        return NULL;
+    Vec2 at = vec2_sub(vec2_scale(window->mouse, 1 / window->unit), window->frame.view.low);
+    Item item =
+        tab->laboratory->pick(tab->session, view_layers_floor(&tab->view_layers, at), tab->player.time, (Item){0});
+    const char *name = item.kind ? tab->laboratory->item_name(tab->session, item) : NULL;
+    return name && !is_written(&tab->view_layers.still, name) ? name : NULL;
+}
+
 void plan_overlay_show(Window *window) {
     Tab *tab = window_tab(window);
     Editor *editor = tab_editor(tab);
@@ -340,6 +363,9 @@ void plan_overlay_show(Window *window) {
     const GestureView *gesture = editor_gesture(editor);
     show_read_out(window, gesture, &labels); /* reserves its place before labels are placed */
     const char *words = preview_words(window, gesture);
+    const char *name = words ? NULL : hovered_name(window, tab, gesture);
+    snprintf(window->hovered, sizeof window->hovered, "%s", name ? name : "");
+    words = words ? words : name;
     Vec2 above = vec2_add(vec2_scale(window->mouse, 1 / window->unit), vec2(0, -HAND)); /* never under the pointer */
     Box box = words ? label_box(window, &labels, above, words) : box_empty();
     show_marks(window, tab, gesture, &labels);

@@ -301,6 +301,8 @@ json_t *scripted_state_of(Window *window) {
     json_object_set_new(state, "plots", json_boolean(window->plots_shown));
     json_object_set_new(state, "editing", json_boolean(window->editing));
     json_object_set_new(state, "unit", json_real(window->unit));
+    json_object_set_new(state, "hovered", json_string(window->hovered));
+    json_object_set_new(state, "echo", json_string(window->echo));
     json_object_set_new(state, "present", json_boolean(window->present));
     json_object_set_new(state, "fullscreen", json_boolean(window->fullscreen));
     json_object_set_new(state, "sound", json_boolean(window->sound != NULL));

@@ -72,7 +72,7 @@ static void select_door(Window *window, Tab *tab) {
     if (least < HUGE_VAL)
         tab_select(tab, (Item){HOUSE_DOOR, narrowest});
     window->panel = true;
-    ui_focus(window->ui, "panel");
+    ui_focus_number(window->ui, "panel");
 }
 
 static void begin(Window *window, Tab *tab, int bit) {

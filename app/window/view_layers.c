@@ -25,10 +25,31 @@ void view_layers_invalidate(ViewLayers *view_layers) {
     view_layers->painted = false;
 }
 
+/* Removes the discs of all dangerous places but the first. */
+static void drop_dangers(Layout *layout) {
+    size_t kept = 0;
+    for (size_t i = 0; i < layout->caption_count; i++) {
+        const Caption *caption = &layout->captions[i];
+        bool later = caption->shape == LABEL_DISC && *caption->text >= '2' && *caption->text <= '9';
+        if (!later)
+            layout->captions[kept++] = *caption;
+    }
+    layout->caption_count = kept;
+}
+
+/* Lays a scene out over the still layer. */
+static void lay_over(ViewLayers *view_layers, Layout *layout, const Scene *scene) {
+    layout_make_over(layout, &view_layers->still, scene);
+    if (view_layers->first_danger)
+        drop_dangers(layout);
+}
+
 static void paint_still(ViewLayers *view_layers, const Scene *scene) {
     layout_clear(&view_layers->still);
     layout_make(&view_layers->still, scene,
                 vec2(view_layers->width / view_layers->unit, view_layers->height / view_layers->unit));
+    if (view_layers->first_danger)
+        drop_dangers(&view_layers->still);
     paint_gl_still(view_layers->paint, (Layer){scene, &view_layers->still});
     view_layers->painted = true;
 }
@@ -37,7 +58,7 @@ static void paint_still(ViewLayers *view_layers, const Scene *scene) {
 static void add_more(ViewLayers *view_layers, const Scene *scene) {
     if (!scene->count)
         return;
-    layout_make_over(&view_layers->added, &view_layers->still, scene);
+    lay_over(view_layers, &view_layers->added, scene);
     paint_gl_add(view_layers->paint, (Layer){scene, &view_layers->added});
 }
 
@@ -53,7 +74,7 @@ void view_layers_show(ViewLayers *view_layers, const Laboratory *laboratory, voi
     if (!laboratory->show(session, time))
         paint_gl_rewind(view_layers->paint);
     add_more(view_layers, laboratory->added(session));
-    layout_make_over(&view_layers->moving, &view_layers->still, laboratory->moving(session));
+    lay_over(view_layers, &view_layers->moving, laboratory->moving(session));
     paint_gl_frame(view_layers->paint, (Layer){laboratory->moving(session), &view_layers->moving});
 }
 

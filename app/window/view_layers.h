@@ -10,7 +10,8 @@ typedef struct ViewLayers {
     int width, height;
     double unit; /* pixels a design point */
     Theme theme;
-    bool painted; /* the static layer is painted */
+    bool painted;      /* the static layer is painted */
+    bool first_danger; /* only the most dangerous place has its disc */
     Layout still, added, moving;
 } ViewLayers;
 

@@ -113,6 +113,10 @@ static void do_key(Window *window, const SdlWindowEvent *event) {
         return;
     bool single_keys = !types && place != KEY_ANYWHERE && window->settings.preferences.single_keys;
     Action action = keys_find(event->key, event->mods, place, single_keys);
+    if (action) {
+        snprintf(window->echo, sizeof window->echo, "%s   %s", keys_row(action).key, keys_row(action).name);
+        window->echo_at = stopwatch_now();
+    }
     if (action && !(types && is_of_field(action)))
         act_do(window, action, event->key, event->mods);
     else

@@ -131,8 +131,11 @@ typedef struct Window {
     char leave_path[WINDOW_PATH]; /* of LEAVE_OPEN */
     Recovery *recovery;           /* the recovery file; NULL: there is no folder for it */
     Watch watch;
-    char title[WINDOW_TITLE]; /* in the system's frame */
-    RecoveryFound *found;     /* (found_count) recovery files of earlier runs */
+    char hovered[WINDOW_TITLE]; /* the name shown at the pointer, "": none */
+    char echo[WINDOW_TITLE];    /* the last key and its name, for presentation mode, */
+    double echo_at;             /* s of wall time */
+    char title[WINDOW_TITLE];   /* in the system's frame */
+    RecoveryFound *found;       /* (found_count) recovery files of earlier runs */
     size_t found_count;
 
     FrameTimer frame_timer;

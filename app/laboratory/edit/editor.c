@@ -347,6 +347,18 @@ const char *editor_redo_name(const Editor *edit) {
     return draft_redo_name(edit->draft);
 }
 
+size_t editor_steps(const Editor *edit, EditStep steps[EDITOR_STEPS_MOST]) {
+    return edit_steps_list(edit, steps);
+}
+
+void editor_go_to_step(Editor *edit, size_t number) {
+    edit_steps_go_to(edit, number);
+}
+
+bool editor_next_step(Editor *edit) {
+    return edit_steps_next(edit);
+}
+
 /* Texts, catalogue, proposals, picture ---------------------------------------------------------------------------- */
 
 const EditText *editor_texts(Editor *edit, size_t *count) {

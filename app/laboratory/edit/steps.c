@@ -12,7 +12,7 @@ void edit_steps_note(Editor *edit) {
     edit->step_times[edit->step_time_count++ % EDITOR_STEPS_MOST] = (EditStepTime){revision, time(NULL)};
 }
 
-bool editor_next_step(Editor *edit) {
+bool edit_steps_next(Editor *edit) {
     bool is_new = edit->has_new_step;
     edit->has_new_step = false;
     return is_new;
@@ -25,7 +25,7 @@ static time_t time_of(const Editor *edit, uint64_t revision) {
     return 0;
 }
 
-size_t editor_steps(const Editor *edit, EditStep steps[EDITOR_STEPS_MOST]) {
+size_t edit_steps_list(const Editor *edit, EditStep steps[EDITOR_STEPS_MOST]) {
     size_t all = draft_step_total(edit->draft), done = draft_step_count(edit->draft);
     size_t first = all > EDITOR_STEPS_MOST ? all - EDITOR_STEPS_MOST : 0;
     for (size_t i = first; i < all; i++)
@@ -36,7 +36,7 @@ size_t editor_steps(const Editor *edit, EditStep steps[EDITOR_STEPS_MOST]) {
     return all - first;
 }
 
-void editor_go_to_step(Editor *edit, size_t number) {
+void edit_steps_go_to(Editor *edit, size_t number) {
     while (draft_step_count(edit->draft) > number && editor_undo(edit))
         continue;
     while (draft_step_count(edit->draft) < number && editor_redo(edit))

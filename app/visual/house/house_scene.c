@@ -49,7 +49,8 @@ static const char *most_lost(Scene *scene, const House *house, const Observation
     Tight tight[TIGHT_MOST];
     if (!tight_places(observation, tight))
         return "no tight place";
-    const char *name = names_text(house, observation->hazards[tight->hazard].what, &scene->arena);
+    const char *name = names_thing(house, observation->hazards[tight->hazard].what,
+                                   observation->hazards[tight->hazard].at, &scene->arena);
     if (tight->peak_force > 0)
         return scene_text(scene, "touches the %s, %.0f N", name, tight->peak_force);
     if (tight->lost_time >= LOST_LEAST)
@@ -95,7 +96,7 @@ static void list_hazards(Scene *scene, const House *house, const Observation *ob
         const char *cost =
             pushed ? scene_text(scene, "%.0f N", tight[i].peak_force) : scene_text(scene, "%.1f s", tight[i].lost_time);
         const char *gap = to_spare(scene, tight[i].clearance);
-        SceneRow *row = scene_add_row(scene, ROW_DISC, names_text(house, hazard->what, &scene->arena));
+        SceneRow *row = scene_add_row(scene, ROW_DISC, names_thing(house, hazard->what, hazard->at, &scene->arena));
         row->role = people_scene_danger(hazard);
         row->mark = mark;
         row->cells[1] = crowd || !gap ? cost : gap;
