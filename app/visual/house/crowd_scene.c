@@ -1,5 +1,6 @@
 #include "visual/house/crowd_scene.h"
 
+#include "result/names.h"
 #include "visual/house/people_scene.h"
 #include "visual/house/silhouette.h"
 #include "visual/house/trail.h"
@@ -265,7 +266,7 @@ static void list_profile(Scene *scene, const House *house, const Party *sum) {
     LocusLook look = crowd_scene_look(house, sum->profile);
     const char *out = scene_text(scene, "%zu/%zu", sum->out, sum->people);
     const char *last = sum->out ? scene_text(scene, "%.0f", sum->last) : "-";
-    SceneRow *row = scene_add_row(scene, ROW_LINE, sum->profile->name);
+    SceneRow *row = scene_add_row(scene, ROW_LINE, names_profile(sum->profile->name));
     row->role = look.role;
     row->style = look.style;
     row->width = look.width;

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "result/census.h"
@@ -14,6 +15,7 @@
 #include "result/names.h"
 #include "result/tight.h"
 
+#define MOST 0.95       /* share of a crowd that is most of it */
 #define LOST_LEAST 0.05 /* s: less lost time is not told */
 
 /* The word in the note of a plan that was not measured: such a note must be shown wherever the plan is. */
@@ -59,6 +61,27 @@ static const char *most_lost(Scene *scene, const House *house, const Observation
     return gap ? scene_text(scene, "tightest: %s, %s to spare", name, gap) : "no tight place";
 }
 
+static int compare_times(const void *a, const void *b) {
+    double left = *(const double *)a, right = *(const double *)b;
+    return (left > right) - (left < right);
+}
+
+/* Returns when most of a crowd that leaves is out: its last one may be one walking frame. "" if somebody stays. */
+static const char *most_out(Scene *scene, const Observation *observation, const Census *census) {
+    size_t count = 0;
+    if (!census->people || census->stuck != SIZE_MAX || census->interrupted)
+        return "";
+    double *times = memory_zeroed(observation->person_count, sizeof *times);
+    for (size_t i = 0; i < observation->person_count; i++)
+        if (observation->people[i].completed)
+            times[count++] = observation->people[i].time;
+    qsort(times, count, sizeof *times, compare_times);
+    size_t most = (size_t)ceil(MOST * (double)count);
+    const char *text = most ? scene_text(scene, "%.0f %% out in %.1f s \u00b7 ", 100 * MOST, times[most - 1]) : "";
+    memory_free(times);
+    return text;
+}
+
 static void format_answer(Scene *scene, const House *house, const Observation *observation, const Census *census) {
     scene->name = arena_text(&scene->arena, *house->plan.name ? house->plan.name : "house");
     scene->note = house_scene_is_assumed(&house->plan) ? arena_text(&scene->arena, house->plan.note) : "";
@@ -68,7 +91,8 @@ static void format_answer(Scene *scene, const House *house, const Observation *o
     bool alone = few && census->people > 1 && house->plan.run.routes == ROUTES_ALONE && house->plan.route_count > 1;
     scene->title =
         alone ? scene_text(scene, "All %zu get out", census->people) : names_text(house, headline.title, &scene->arena);
-    scene->detail = !few    ? names_text(house, headline.detail, &scene->arena)
+    scene->detail = !few    ? scene_text(scene, "%s%s", most_out(scene, observation, census),
+                                         names_text(house, headline.detail, &scene->arena))
                     : alone ? scene_text(scene, "each alone, slowest %.1f s \u00b7 %s", observation->time,
                                          most_lost(scene, house, observation))
                             : most_lost(scene, house, observation);

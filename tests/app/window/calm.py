@@ -3,6 +3,7 @@
 1920x1080. The numbers are those of the window's acceptance checks."""
 
 import itertools
+import json
 import re
 
 import stage
@@ -66,6 +67,25 @@ for name in HOUSES:
         first = next(row for row in state["rows"][1:] if row[2])
         check(first[0] == detail.group(1) and first[2] in state["answer"]["detail"],
               f"12: {name}: the headline's place is the first row", (first, state["answer"]["detail"]))
+
+    check("wall" not in cells, f"12: {name}: a wall is named by its room", cells)
+
+# a crowd is told by when most are out, and its people by their words
+crowd = stage.folder / "crowd.json"
+crowd.write_text(json.dumps({
+    "format": "clearance-house", "version": 1, "name": "hall",
+    "walls": [{"id": "w1", "points": [[8, 2], [8, 0], [0, 0], [0, 8], [8, 8], [8, 4]], "thickness": 0.12}],
+    "exits": [{"id": "e1", "from": [8, 2], "to": [8, 4]}],
+    "people": [{"id": "chair", "profile": "manual-chair", "at": [1, 1], "heading": 0}] +
+              [{"id": f"n{i}", "profile": "adult", "at": [2 + i % 8 * 0.7, 1.5 + i // 8 * 0.9], "heading": 0}
+               for i in range(40)]}))
+state = act("crowd", "until answered", "wait 5", "state STATE", arguments=[crowd, "--size", "1280x720"])[0]
+told = re.match(r"95 % out in ([0-9.]+) s \u00b7 ", state["answer"]["detail"] or "")
+last = re.search(r"in ([0-9.]+) s", state["answer"]["title"])
+check(told and last and float(told.group(1)) <= float(last.group(1)), "a crowd: when 95 % are out, and when all",
+      state["answer"])
+check(["wheelchair", "adult"] == [row[0] for row in state["rows"] if "/" in row[1]], "a crowd: kinds by their words",
+      state["rows"])
 
 # 9, 10, 11: a change during a run
 lines = []
