@@ -35,3 +35,19 @@ TEST(a_fault_gives_its_lines_and_the_same_is_not_said_twice) {
     CHECK_TEXT(messages_last(&messages)->text, "two lines");
     messages_clear(&messages);
 }
+
+TEST(faults_wait_for_one_another) {
+    static Messages messages;
+    size_t count;
+    messages_add(&messages, MESSAGE_FAULT, NAN, "first");
+    messages_add(&messages, MESSAGE_NOTE, NAN, "note");
+    messages_add(&messages, MESSAGE_FAULT, NAN, "second");
+    const Message *shown = messages_fault(&messages, 0, &count);
+    CHECK_TEXT(shown->text, "first");
+    CHECK(count == 2);
+    shown = messages_fault(&messages, shown->number, &count);
+    CHECK_TEXT(shown->text, "second");
+    CHECK(count == 1);
+    CHECK(!messages_fault(&messages, shown->number, &count) && !count);
+    messages_clear(&messages);
+}

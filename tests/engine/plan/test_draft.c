@@ -41,6 +41,9 @@ TEST(a_step_is_undone_and_redone_to_the_same_bytes) {
     char *last = strdup(draft_text(draft));
     CHECK(strcmp(first, last) != 0);
     CHECK_TEXT(draft_undo_name(draft), "Widen door d1");
+    size_t all = draft_step_total(draft);
+    CHECK(all == draft_step_count(draft) && draft_step_revision(draft, all - 1) == draft_revision(draft));
+    CHECK_TEXT(draft_step_name(draft, all - 1), "Widen door d1");
     CHECK(draft_undo(draft));
     CHECK_TEXT(draft_text(draft), first);
     CHECK(!draft_undo(draft) && !draft_undo_name(draft));
