@@ -352,7 +352,10 @@ size_t editor_steps(const Editor *edit, EditStep steps[EDITOR_STEPS_MOST]) {
 }
 
 void editor_go_to_step(Editor *edit, size_t number) {
-    edit_steps_go_to(edit, number);
+    while (draft_step_count(edit->draft) > number && editor_undo(edit))
+        continue;
+    while (draft_step_count(edit->draft) < number && editor_redo(edit))
+        continue;
 }
 
 bool editor_next_step(Editor *edit) {

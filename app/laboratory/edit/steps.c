@@ -35,10 +35,3 @@ size_t edit_steps_list(const Editor *edit, EditStep steps[EDITOR_STEPS_MOST]) {
                                       .done = i < done};
     return all - first;
 }
-
-void edit_steps_go_to(Editor *edit, size_t number) {
-    while (draft_step_count(edit->draft) > number && editor_undo(edit))
-        continue;
-    while (draft_step_count(edit->draft) < number && editor_redo(edit))
-        continue;
-}

@@ -6,7 +6,6 @@
 /* Notes the time of a new step; called after each change. */
 void edit_steps_note(Editor *edit);
 
-/* As editor_next_step, editor_steps and editor_go_to_step. */
+/* As editor_next_step and editor_steps. */
 bool edit_steps_next(Editor *edit);
 size_t edit_steps_list(const Editor *edit, EditStep steps[EDITOR_STEPS_MOST]);
-void edit_steps_go_to(Editor *edit, size_t number);
