@@ -1,5 +1,6 @@
 #include <stdint.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "beam/beam.h"
 #include "command/answer.h"
@@ -12,7 +13,12 @@
 #include "command/run_beam.h"
 #include "command/run_crank.h"
 #include "crank/crank.h"
+#include "experiment/drivers.h"
 #include "exchange/jupedsim.h"
+#include "laboratory/shipped.h"
+#include "result/drivers.h"
+#include "result/json.h"
+#include "result/text.h"
 #include "visual/house/house_scene.h"
 
 static int write_summary(const House *house, const Observation *observation, const char *path) {
@@ -70,8 +76,34 @@ static void report_divergence(const House *house, const Observation *observation
     }
 }
 
-static void print_json(const House *house, const Observation *observation, bool interrupted) {
+/* Reads the population of the command line: an id of the shipped ones, or a file. */
+static bool read_population(Population *population, const Options *options, Fault *fault) {
+    const char *name = options->population ? options->population : "manual-jp";
+    char path[OUTPUT_PATH];
+    size_t length = strlen(name);
+    bool file = strchr(name, '/') || (length > 5 && strcmp(name + length - 5, ".json") == 0);
+    snprintf(path, sizeof path, file ? "%s%s" : "%s/%s.json", file ? "" : shipped_places()->populations, name);
+    return population_read(population, path, fault);
+}
+
+static void print_drivers(const House *house, const Observation *observation, const Drivers *drivers,
+                          const Population *population) {
+    Text text = {0};
+    text_format(&text, "\ndrivers of the population %s: %s\n", population->id, population->title);
+    result_drivers_say(&text, house, observation, drivers);
+    result_text_take(&text, "", result_drivers_table(house, observation, drivers));
+    fputs(text.text, stdout);
+    memory_free(text.text);
+}
+
+static void print_json(const House *house, const Observation *observation, const Drivers *drivers,
+                       const Population *population, bool interrupted) {
     json_t *answer = answer_house(house, observation);
+    if (drivers->count)
+        json_object_set_new(answer, "drivers",
+                            json_pack("{s:s, s:I, s:o}", "population", population->id, "count",
+                                      (json_int_t)drivers->count, "people",
+                                      result_json_take_list(result_drivers_table(house, observation, drivers))));
     answer_mark_interrupted(answer, interrupted);
     answer_print(answer);
 }
@@ -104,25 +136,41 @@ int command_run(const Options *options) {
         house_free(&house);
         return house_file_report(&fault);
     }
+    Population population = {0};
+    if (options->drivers && !read_population(&population, options, &fault)) {
+        observed_free(&observed);
+        house_free(&house);
+        return house_file_report(&fault);
+    }
     Observation observation;
+    Drivers drivers = {0};
     house_file_run(&observation, &house, options, route);
+    if (options->drivers && !observation.interrupted)
+        drivers_run(&drivers, &house, &population, (size_t)options->drivers, route, options->jobs, &progress_stop);
     report_divergence(&house, &observation);
-    bool told = observation.interrupted;
-    if (told)
+    bool told = observation.interrupted || drivers.interrupted;
+    if (drivers.interrupted) {
+        fprintf(stderr, "clearance: interrupted before all drivers had run; the answer is that of the nominal one\n");
+        drivers_free(&drivers);
+    } else if (told)
         fprintf(stderr, "clearance: interrupted at %.2f s of simulated time; the results up to there are kept\n",
                 observation.time);
     bool written = write_results(&house, &observation, &observed, options, route);
     bool interrupted = output_tell_interrupted(told);
     if (options->json)
-        print_json(&house, &observation, interrupted);
+        print_json(&house, &observation, &drivers, &population, interrupted);
     else
         answer_text_print(&house, &observation);
+    if (drivers.count && !options->json)
+        print_drivers(&house, &observation, &drivers, &population);
     if (options->out && written && !options->json)
         printf(options->report ? "\nreport.html, report.pdf, pictures and data are in %s\n"
                                : "\npictures and data are in %s\n",
                options->out);
     bool whole = observation.completed && !interrupted;
     int code = !written ? EXIT_WRONG_INPUT : whole ? EXIT_ANSWERED : EXIT_ANSWER_NO;
+    drivers_free(&drivers);
+    population_free(&population);
     observation_free(&observation);
     observed_free(&observed);
     house_free(&house);

@@ -11,12 +11,12 @@
 enum { PATH_MOST = 4096, OWN_MOST = 8 };
 
 static char assets[PATH_MOST], looked[4 * PATH_MOST], missing[5 * PATH_MOST];
-static char profiles[(OWN_MOST + 1) * (PATH_MOST + 32)], furniture[PATH_MOST + 32], beams[PATH_MOST + 32],
-    cranks[PATH_MOST + 32], houses[PATH_MOST + 32], help[PATH_MOST + 32], rules[PATH_MOST + 32],
+static char profiles[(OWN_MOST + 1) * (PATH_MOST + 32)], populations[PATH_MOST + 32], furniture[PATH_MOST + 32],
+    beams[PATH_MOST + 32], cranks[PATH_MOST + 32], houses[PATH_MOST + 32], help[PATH_MOST + 32], rules[PATH_MOST + 32],
     lessons[PATH_MOST + 32];
 static char own[OWN_MOST][PATH_MOST + 32];
 static size_t own_count;
-static Shipped shipped = {profiles, furniture, beams, cranks, houses, help, rules, lessons, NULL};
+static Shipped shipped = {profiles, populations, furniture, beams, cranks, houses, help, rules, lessons, NULL};
 
 /* Adds a folder to the list of searched folders, once. */
 static void add_looked(const char *folder) {
@@ -33,6 +33,7 @@ static bool consider(const char *folder) {
     snprintf(assets, sizeof assets, "%s", whole ? whole : folder);
     free(whole);
     snprintf(profiles, sizeof profiles, "%s/profiles", assets);
+    snprintf(populations, sizeof populations, "%s/populations", assets);
     return access(profiles, R_OK | X_OK) == 0;
 }
 

@@ -16,7 +16,7 @@
 
 typedef struct Shipped {
     const char *profiles; /* folders, one a line, the shipped one first */
-    const char *furniture, *beams, *cranks, *houses, *help, *rules, *lessons; /* folders */
+    const char *populations, *furniture, *beams, *cranks, *houses, *help, *rules, *lessons; /* folders */
     const char *missing; /* one line that names the searched places if none contains profiles; NULL otherwise */
 } Shipped;
 

@@ -154,6 +154,13 @@ const Option option_rows[] = {
     {"--seed", OPTION_WHOLE, FIELD(seed), 0, (double)INT64_MAX, "N", "seed of all random numbers (default 1)",
      GROUP_SIMULATION, FOR_HOUSES | FOR_CASES | FOR_OPEN, NULL, NULL},
 
+    {"--drivers", OPTION_WHOLE, FIELD(drivers), 1, STUDY_RUNS_MOST, "N",
+     "run the house with N drivers of a population, too: their times, how many get out, and how many touch something",
+     GROUP_SIMULATION, FOR_RUN, NULL, NULL},
+    {"--population", OPTION_TEXT, FIELD(population), NO_RANGE, "ID|FILE",
+     "population of the drivers: one of assets/populations, or a file (default: manual-jp)", GROUP_SIMULATION, FOR_RUN,
+     NULL, NULL},
+
     {"--vary", OPTION_NAME, NO_FIELD, NO_RANGE, "NAME=FROM:TO:STEPS",
      "vary a parameter from FROM to TO in STEPS values, both ends included, for instance door.d1.width=0.7:1:31 (at "
      "most "

@@ -35,7 +35,9 @@ typedef struct Options {
     const char *out;   /* directory or file, or NULL */
     const char *route; /* id, or NULL */
     uint64_t seed;
-    int driving; /* Driving, or -1 */
+    int driving;            /* Driving, or -1 */
+    int drivers;            /* number of drivers; 0: the nominal one alone */
+    const char *population; /* id or file, or NULL */
     int jobs;
     bool json, quiet;
     int width, height; /* pixels */

@@ -1,6 +1,7 @@
 #include "result/house.h"
 
 #include "base/text.h"
+#include "house/touch.h"
 
 static const char *exit_id(const House *house, size_t exit) {
     return exit < house->plan.exit_count ? house->plan.exits[exit].id : NULL;
@@ -124,6 +125,65 @@ static void add_narrowest(ResultTable *table, const House *house, size_t i, cons
                (ResultRow){.label = "narrowest at", .text = named ? nearest_name(arena, house, i, person) : NULL});
 }
 
+/* How hard a chair ran into something: speed and energy do not depend on the contact law. */
+static void add_impact(ResultTable *table, const PersonObservation *person) {
+    bool hit = person->impact > 0;
+    result_add(table, (ResultRow){.key = "impact.speed",
+                                  .label = "fastest impact",
+                                  .head = "impact",
+                                  .kind = RESULT_NUMBER,
+                                  .number = person->impact,
+                                  .unit = "m/s",
+                                  .decimals = 2,
+                                  .unknown = !hit,
+                                  .omitted = !hit});
+    result_add(table, (ResultRow){.key = "impact.part", .text = touch_part(person->impact_part), .omitted = !hit});
+    result_add(table, (ResultRow){.key = "impact.energy",
+                                  .label = "energy of that impact",
+                                  .head = "energy",
+                                  .kind = RESULT_NUMBER,
+                                  .number = person->impact_energy,
+                                  .unit = "J",
+                                  .decimals = 1,
+                                  .unknown = !hit,
+                                  .omitted = !hit});
+    result_add(table, (ResultRow){.key = "impact.energy_of_all",
+                                  .kind = RESULT_NUMBER,
+                                  .number = person->energy,
+                                  .unit = "J",
+                                  .omitted = !hit});
+    result_add(table, (ResultRow){.key = "squeeze",
+                                  .label = "squeezed for half a second by",
+                                  .head = "squeeze",
+                                  .kind = RESULT_NUMBER,
+                                  .number = person->squeeze,
+                                  .unit = "N",
+                                  .unknown = !(person->squeeze > 0),
+                                  .omitted = !hit});
+}
+
+static void add_backing(ResultTable *table, const PersonObservation *person) {
+    bool backs = person->back_times > 0;
+    result_add(table, (ResultRow){.key = "backwards.distance",
+                                  .label = "driven backwards",
+                                  .head = "backwards",
+                                  .kind = RESULT_NUMBER,
+                                  .number = person->back_length,
+                                  .unit = "m",
+                                  .decimals = 2,
+                                  .unknown = !backs,
+                                  .omitted = !backs});
+    result_add(
+        table,
+        (ResultRow){.key = "backwards.times", .kind = RESULT_COUNT, .number = person->back_times, .omitted = !backs});
+    result_add(table, (ResultRow){.key = "backwards.out",
+                                  .label = "exit crossed backwards",
+                                  .kind = RESULT_FLAG,
+                                  .number = person->back_out,
+                                  .text = person->back_out ? "backwards" : "forwards",
+                                  .omitted = !person->back_out});
+}
+
 void result_house_add_person(ResultTable *table, const House *house, const Observation *observation, size_t i) {
     const PersonObservation *person = &observation->people[i];
     const Profile *profile = house->people[i].profile;
@@ -169,6 +229,8 @@ void result_house_add_person(ResultTable *table, const House *house, const Obser
                                   .unit = "N s",
                                   .decimals = 1,
                                   .unknown = !touched});
+    add_impact(table, person);
+    add_backing(table, person);
     result_add(table, (ResultRow){.key = "ring_time",
                                   .label = "personal space entered",
                                   .head = "space entered",

@@ -1,9 +1,11 @@
 #include "house/drive.h"
 
+#include "base/random.h"
 #include "base/real.h"
 #include "house/track.h"
 #include "house/yield.h"
 #include "route/pace.h"
+#include "route/search.h"
 
 /* All constants below are assumed; numbers for users are in the profile. */
 
@@ -142,19 +144,30 @@ static double way_to_door(const World *world, size_t i, int *door) {
     return point->s - world->drive[i].s;
 }
 
+/* True if the personal space is a stimulus of steering, which is no force: house_ring. */
+static bool steers(const World *world, size_t i) {
+    return house_ring(world->house) == RING_STEERS && world->house->people[i].profile->driving == DRIVING_DRIVER;
+}
+
 /* Returns the highest speed at which the person can still stop before a shut door, and before an exit that is not open.
  */
 static double speed_to_barriers(const World *world, size_t i, Drive *drive) {
     const Journey *journey = &world->journeys[i];
     const Exit *exit = &world->house->plan.exits[journey->route.exit];
-    double time = clock_time(&world->clock), braking = 2 * PACE_PLANNED * world->house->people[i].profile->deceleration;
+    const Profile *profile = world->house->people[i].profile;
+    double time = clock_time(&world->clock);
+    double braking = 2 * pace_braking(profile, journey->track.points[drive->index].clearance);
     int door = -1;
     double way = way_to_door(world, i, &door);
     if (time < exit->opens || time > exit->closes)
         way = real_min(way, journey->track.exit_s - STAND_OFF - drive->s);
     if (time < exit->opens)
         drive->stalled = 0; /* the exit will open */
-    return sqrt(braking * real_max(way, 0));
+    double speed = sqrt(braking * real_max(way, 0));
+    if (!steers(world, i))
+        return speed;
+    double before_obstacle = sqrt(braking * real_max(drive->free_way - drive->s, 0));
+    return real_min(speed, drive->barred ? before_obstacle : real_max(before_obstacle, pace_creep(profile)));
 }
 
 /* Returns the track's speed, limited by doors and exits; 0 at the end of the track. */
@@ -174,13 +187,14 @@ int drive_door_at_hand(const World *world, size_t i) {
 
 /* Returns F3: towards the target speed along a direction, limited by a_0, a_d and the push; `others` is the sum of
  * other forces along the direction. The paper's element knows only its speed and yields to forces; a driver feels them
- * (`holding` is 1) and pushes against them. */
-static double driving_force(const Profile *profile, double target, double speed, double others, double holding) {
+ * (`holding` is 1) and pushes against them, with `most` N. */
+static double driving_force(const Profile *profile, double most, double target, double speed, double others,
+                            double holding) {
     double wanted = profile->mass * (target - speed) / profile->speed_response - holding * others;
     bool faster = fabs(target) > fabs(speed) && target * speed >= 0;
     double limit = profile->mass * (faster ? profile->acceleration : profile->deceleration);
     wanted = real_clamp(wanted, -limit - others, limit - others);
-    return real_clamp(wanted, -profile->push, profile->push);
+    return real_clamp(wanted, -most, most);
 }
 
 /* Returns the moment towards the turn rate `target`, rad/s, which itself changes at `rate`, rad/s2, against the moment
@@ -211,10 +225,141 @@ static Effort exert(const World *world, size_t i, double speed, double turn, dou
     Vec2 axis = world->axis[i];
     Effort effort = overcome(world, i);
     double others = vec2_dot(vec2_add(world->force[i], effort.force), axis), load = world->moment[i] + effort.moment;
-    double push = driving_force(profile, speed, vec2_dot(world->velocity[i], axis), others, 1);
+    bool tucked = world->journeys[i].track.points[world->drive[i].index].clearance < profile->hands;
+    double most = (tucked ? PACE_TUCKED_PUSH : 1) * profile->push;
+    double push = driving_force(profile, most, speed, vec2_dot(world->velocity[i], axis), others, 1);
     effort.force = vec2_along(effort.force, push, axis);
     effort.moment += turning_moment(profile, turn, change, world->turn[i], load);
     return effort;
+}
+
+/* The aimed line ---------------------------------------------------------------------------------------------------
+ * A driver aims with the feet. The front edge, l_f ahead of the axle, is a to the left of where the plan has it; s is
+ * the way. c_L and c_R are the clearances on the left and right of what is ahead of the axle, up to the reach of the
+ * personal space, e_L = c_plan,L - a and e_R = c_plan,R + a the expected ones, clipped alike, and
+ * u = (min(0, c_R - e_R) - min(0, c_L - e_L)) / 2 is what is nearer than the plan says. Then
+ *
+ *     a'' + 2 sqrt(K) a' + K_p a + K_r (g a + u) = n(s)       K_r = 1 / l_r^2, K_p = 1 / l_p^2, K = K_r + K_p
+ *     y'  = (a - y) / l_f                                     the axle: a tractrix, without side-slip
+ *
+ * so that the personal space is a stimulus: on its own plan, and between walls that press alike, it is silent. Where it
+ * pushes the body instead (house_ring), u is left out; where it is off, K_r is.
+ * g = clamp((reach - c_ahead) / 0.1 m, 0, 1), with c_ahead the least planned clearance of the next TRACK_FORESIGHT:
+ * near walls the line is held as tightly as the personal space asks, in the open room only by sight. The term with K_r
+ * lags by the driver's reaction time. n is the error of steering, white by way and constant over ERROR_LENGTH, with
+ * the intensity with which the front edge errs by alpha v (pace.h) near walls: 4 K^(3/2) (alpha v)^2 without a lag. */
+
+/* m: by which clearances near the reach tighten the line. */
+static const double TIGHTENING = 0.1;
+/* m: of way, over which an error of steering is constant. */
+static const double ERROR_LENGTH = 0.05;
+/* 1: largest slope of the aim. */
+static const double STEEPEST_AIM = 0.6;
+/* m: something is in the way if the body would sink this deep into it, and where it stops before it. */
+static const double IN_THE_WAY = 0.01, STOP_SHORT = 0.05;
+
+static double aim_ahead(const Profile *profile) {
+    return profile->length - profile->axle;
+}
+
+/* Returns the variance of a, 1/m3 times the intensity of a white n, where the term with K_r lags by `lag` m of way:
+ * a / n = (lag s + 1) / (lag s^3 + (1 + 2 lag sqrt(K)) s^2 + (2 sqrt(K) + lag K_p) s + K), whose square is integrated
+ * by the formula of Newton, Gould and Kaiser (1957). Without a lag it is 1 / (4 K^(3/2)). */
+static double variance_of_aim(double stiffness, double by_sight, double lag) {
+    double root = sqrt(stiffness), d2 = 1 + 2 * lag * root, d1 = 2 * root + lag * by_sight;
+    return (lag * lag * stiffness + d2) / (2 * stiffness * (d1 * d2 - stiffness * lag));
+}
+
+/* Returns n in the present length of way. */
+static double steering_error(const World *world, size_t i, const Profile *profile, double stiffness, double speed,
+                             double gone) {
+    uint64_t stream = ((uint64_t)i << 32) + (uint64_t)(gone / ERROR_LENGTH);
+    Random random = random_seed(world->house->seed + ((uint64_t)world->house->driver << 32), stream);
+    double by_sight = 1 / (profile->sight * profile->sight);
+    double variance = variance_of_aim(stiffness, by_sight, speed * profile->reaction);
+    return random_normal(&random, 0, pace_error(profile) * speed / sqrt(variance * ERROR_LENGTH));
+}
+
+/* Finds the first place ahead, up to where the chair could stop twice, at which the body, shifted as it is, would meet
+ * something: what the plan passes is no obstacle. Where only the shift is in the way, the chair creeps, since it comes
+ * back to its line by driving. */
+static bool is_in_something(const World *world, const Rectangle *body, const TrackPoint *point, double shift) {
+    Vec2 axis = vec2_heading(point->heading);
+    Vec2 at = vec2_along(vec2_along(point->at, shift, vec2_left(axis)), body->ahead, axis);
+    return freespace_clearance(&world->house->space, at, axis, body->half_length, body->half_width, 0, NULL) <
+           -IN_THE_WAY;
+}
+
+static void look_for_obstacles(const World *world, size_t i, Drive *drive, double shift, double speed) {
+    const Profile *profile = world->house->people[i].profile;
+    const Track *track = &world->journeys[i].track;
+    Rectangle body = search_body(profile);
+    double braking = pace_braking(profile, 0), end = drive->s + speed * speed / braking + STOP_SHORT;
+    for (size_t k = drive->index + 1; k < track->count && track->points[k].direction > 0; k++) {
+        const TrackPoint *point = &track->points[k];
+        if (is_in_something(world, &body, point, shift)) {
+            drive->free_way = point->s - STOP_SHORT;
+            drive->barred = is_in_something(world, &body, point, 0);
+            return;
+        }
+        if (point->s > end)
+            break;
+    }
+    drive->free_way = HUGE_VAL;
+}
+
+/* Returns u, m, to the left. */
+static double nearer_than_planned(const World *world, size_t i, const Drive *drive, const Place *place) {
+    const Sense *sense = &world->sense[i];
+    double aside = drive->aside + drive->aim, reach = world->house->people[i].profile->space_reach;
+    double left = real_min(sense->left - real_min(place->here->left - aside, reach), 0);
+    double right = real_min(sense->right - real_min(place->here->right + aside, reach), 0);
+    return (right - left) / 2;
+}
+
+/* The nominal driver makes no errors: without a stimulus the aim is the plan. */
+static bool keeps_to_plan(const House *house) {
+    return house->driver == 0 && house_ring(house) != RING_STEERS;
+}
+
+static void take_aim(const World *world, size_t i, Drive *drive, const Place *place, int direction) {
+    const House *house = world->house;
+    if (keeps_to_plan(house))
+        return;
+    const Profile *profile = house->people[i].profile;
+    double near = 1 / (profile->space_centring * profile->space_centring);
+    double stiffness = near + 1 / (profile->sight * profile->sight), reach = profile->space_reach;
+    double speed = real_max(direction * vec2_dot(world->velocity[i], world->axis[i]), 0);
+    double moved = speed * world->clock.dt, before = drive->gone;
+    drive->gone += moved;
+    if (direction != drive->aimed) { /* a new piece begins where the last one has ended */
+        drive->aim = drive->axle = drive->offset - drive->aside;
+        drive->aim_slope = drive->felt = 0;
+        drive->aimed = direction;
+    }
+    if (direction < 0) { /* backwards only the axle is steered */
+        drive->axle -= real_min(moved / aim_ahead(profile), 1) * drive->axle;
+        drive->aim = drive->axle;
+        drive->free_way = HUGE_VAL;
+        return;
+    }
+    if (house->driver > 0 && house->plan.run.wander == SWITCH_ON &&
+        floor(drive->gone / ERROR_LENGTH) > floor(before / ERROR_LENGTH))
+        drive->error = steering_error(world, i, profile, stiffness, speed, drive->gone);
+    double wanted = 0;
+    if (house_ring(house) != RING_OFF)
+        wanted = near * (real_clamp((reach - place->here->narrow) / TIGHTENING, 0, 1) * drive->aim);
+    if (house_ring(house) == RING_STEERS)
+        wanted += near * nearer_than_planned(world, i, drive, place);
+    double noticed = profile->reaction > 0 ? real_min(world->clock.dt / profile->reaction, 1) : 1;
+    drive->felt += noticed * (wanted - drive->felt);
+    double bend = drive->error - 2 * sqrt(stiffness) * drive->aim_slope -
+                  drive->aim / (profile->sight * profile->sight) - drive->felt;
+    drive->aim_slope = real_clamp(drive->aim_slope + moved * bend, -STEEPEST_AIM, STEEPEST_AIM);
+    drive->aim += moved * drive->aim_slope;
+    drive->axle += moved * (drive->aim - drive->axle) / aim_ahead(profile);
+    if (steers(world, i) && (world->clock.step + i) % world->decision_steps == 0)
+        look_for_obstacles(world, i, drive, drive->aside + drive->axle, speed);
 }
 
 /* Turns on the spot, heading by heading of the track, and ends at rest. */
@@ -236,6 +381,7 @@ static Effort turn_on_the_spot(const World *world, size_t i, Drive *drive, const
              : (left - planned) * planned < 0 &&
                    fabs(left) < fabs(planned) - fabs(vec2_wrap_angle(place->next->heading - place->here->heading)))
         pass_point(track, profile, drive);
+    drive->aimed = 0;
     if (fabs(left) < drive->best_turn - PROGRESS) {
         drive->best_turn = fabs(left);
         drive->stalled = 0;
@@ -258,6 +404,7 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
         return turn_on_the_spot(world, i, drive, place);
     double target = wanted_speed(world, i, drive, place);
     target = yield_speed(world, i, drive, vec2_scale(axis, direction), target);
+    take_aim(world, i, drive, place, direction);
     if (drive->pause > 0) {
         drive->pause -= world->clock.dt;
         target = 0;
@@ -271,9 +418,11 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
     }
     /* Offsets and turns in the body's own frame: its left, its heading, also when it goes backwards. */
     double speed = vec2_dot(world->velocity[i], axis);
-    double offset = direction * (drive->offset - drive->aside);
+    double offset = direction * (drive->offset - drive->aside - drive->axle);
     double pace = real_max(fabs(speed), SLOWEST) * (target > 0);
     double swerve = drive->swerve; /* 1: the slope of the swerve itself */
+    if (direction > 0)
+        swerve += (drive->aim - drive->axle) / aim_ahead(profile);
     double slant = vec2_wrap_angle(world->heading[i] - place->heading) - swerve;
     double bend = sense * place->next->curvature * pace;
     /* Return to the path at an angle in proportion to the offset, with an upper bound, so that no chair turns round
@@ -290,20 +439,25 @@ static Effort drive_miura(const World *world, size_t i, Drive *drive, const Plac
     const Track *track = &world->journeys[i].track;
     const Profile *profile = world->house->people[i].profile;
     Vec2 way = place->along, velocity = world->velocity[i], centripetal = {0, 0};
+    const RunSettings *run = &world->house->plan.run;
     if (place->here->corner >= 0 && place->next->corner >= 0) {
         const TrackCorner *corner = &track->corners[place->here->corner];
         Vec2 from = vec2_sub(world->centre[i], corner->centre);
         double radius = real_max(vec2_length(from), SMALLEST_RADIUS);
         way = vec2_scale(vec2_left(vec2_unit(from)), corner->turn > 0 ? 1 : -1);
         double speed = vec2_dot(velocity, way);
-        centripetal = vec2_scale(vec2_unit(from), -profile->mass * speed * speed / radius);
+        if (run->centripetal == SWITCH_ON)
+            centripetal = vec2_scale(vec2_unit(from), -profile->mass * speed * speed / radius);
     }
     double target = wanted_speed(world, i, drive, place);
-    double push = driving_force(profile, target, vec2_dot(velocity, way), vec2_dot(world->force[i], way), 0);
+    double push =
+        driving_force(profile, profile->push, target, vec2_dot(velocity, way), vec2_dot(world->force[i], way), 0);
     Vec2 across = vec2_left(way);
     double back = real_clamp(-drive->offset / ROUND_RETURN_TIME, -ROUND_RETURN_SPEED, ROUND_RETURN_SPEED);
     double sideways =
         real_clamp((back - vec2_dot(velocity, across)) / profile->speed_response, -ROUND_LATERAL, ROUND_LATERAL);
+    if (run->lateral == SWITCH_OFF)
+        sideways = 0;
     Vec2 force = vec2_along(vec2_scale(way, push), profile->mass * sideways, across);
     return (Effort){vec2_add(force, centripetal), 0};
 }

@@ -48,6 +48,8 @@ static bool gather_stretch(void *context, int item) {
     hazard->clearance = fmin(hazard->clearance, stretch->clearance);
     hazard->peak_force = fmax(hazard->peak_force, stretch->peak_force);
     hazard->lost_time += fmax(stretch->lost_time, 0);
+    hazard->impact = fmax(hazard->impact, stretch->impact);
+    hazard->energy += stretch->energy;
     double score = score_of(gathering->ranking->run, stretch->clearance, stretch->peak_force, stretch->lost_time);
     bool worse = score > candidate->worst_score || (score == candidate->worst_score && (size_t)item < candidate->worst);
     if (worse) {

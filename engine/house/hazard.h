@@ -27,6 +27,8 @@ typedef struct Stretch {
     double clearance;  /* m */
     double peak_force; /* N */
     double lost_time;  /* s */
+    double impact;     /* m/s, fastest contact begun, of a chair */
+    double energy;     /* J, of all of them */
 } Stretch;
 
 typedef struct Hazard {
@@ -36,6 +38,8 @@ typedef struct Hazard {
     double clearance;  /* m, least; infinite: nothing came near */
     double peak_force; /* N, largest contact */
     double lost_time;  /* s, lost here by all people together */
+    double impact;     /* m/s, fastest contact begun, of a chair */
+    double energy;     /* J, of all of them */
 } Hazard;
 
 /* Ranks the hazards among `count` stretches, worst first; returns their number, at most HAZARDS_MOST. */

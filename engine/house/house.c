@@ -117,6 +117,8 @@ static void check_profile(const House *house, size_t i, Fault *fault) {
     char place[512];
     snprintf(place, sizeof place, "%.400sprofile %.60s", place_of(house, profile), profile->name);
     profile_check(profile, house->plan.run.dt, place, fault);
+    if (house->plan.run.hands == SWITCH_OFF)
+        house->profiles[i].hands = 0;
 }
 
 /* Lists the obstacles for the widest walker. */

@@ -37,11 +37,18 @@ typedef struct House {
     Inhabitant *people; /* (person_count) ordered by id, so that the order in the file does not matter */
     size_t person_count;
     uint64_t seed;
+    size_t driver; /* 0: the nominal one, who makes no errors of steering */
     Outline outline;
     FreeSpace space;
     ObstacleGrid obstacles; /* empty without walkers */
     Arena arena;
 } House;
+
+/* Returns what the personal space does to drivers: RING_PUSHES, RING_STEERS or RING_OFF. */
+static inline int house_ring(const House *house) {
+    int ring = house->plan.run.ring;
+    return ring != RING_AUTO ? ring : house->driver ? RING_STEERS : RING_PUSHES;
+}
 
 typedef struct HouseOptions {
     const char *profiles; /* directories of profiles, one a line, the first that has NAME.json decides; that in the

@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "base/stop.h"
 #include "house/shake.h"
+#include "route/search.h"
 
 /* m: radius of a route's point for walkers, so that a crowd can pass it side by side. Assumed. */
 static const double VIA_RADIUS = 1.5;
@@ -86,6 +87,7 @@ typedef struct Planning {
     bool failed;            /* True if a person has no path */
     bool interrupted;       /* True if the path of a person is not known; both are set only with all_or_none */
     size_t first_itinerary; /* index of the first itinerary without fields */
+    const Journeys *known;  /* routes for drivers to follow; NULL: none */
 } Planning;
 
 /* m: largest overlap of a moving chair with an obstacle. */
@@ -147,6 +149,29 @@ static void plan_walk(const Planning *planning, const Whereabouts *place, Journe
         journey->route.answer = ROUTE_CANNOT_PASS;
 }
 
+/* Follows a known route with another body, which is no larger. */
+static void follow(const Planning *planning, const Whereabouts *place, Journey *journey) {
+    const House *house = planning->house;
+    const Inhabitant *person = &house->people[place->person];
+    Rectangle body = search_body(person->profile);
+    journey->route = planning->known->of[place->person].route;
+    Route *route = &journey->route;
+    Pose *poses = memory_zeroed(route->count, sizeof *poses);
+    route->narrowest = ROUTE_CLEARANCE_REACH;
+    for (size_t p = 0; p < route->count; p++) {
+        poses[p] = route->poses[p];
+        poses[p].clearance =
+            search_clearance(&house->space, &body, poses[p].at, poses[p].heading, ROUTE_CLEARANCE_REACH, NULL);
+        if (poses[p].clearance < route->narrowest) {
+            route->narrowest = poses[p].clearance;
+            route->narrowest_at = poses[p].at;
+        }
+    }
+    route->poses = poses;
+    if (route->answer == ROUTE_FOUND)
+        track_build_driver(&journey->track, house, person, route);
+}
+
 static void plan_ride(const Planning *planning, const Whereabouts *place, Journey *journey) {
     const House *house = planning->house;
     const Inhabitant *person = &house->people[place->person];
@@ -193,6 +218,8 @@ static void plan_journey(void *context, size_t k) {
         journey->route = shake_route(&planning->house->plan, person);
     else if (person->profile->driving == DRIVING_WALKER)
         plan_walk(planning, place, journey);
+    else if (planning->known && person->profile->driving == DRIVING_DRIVER)
+        follow(planning, place, journey);
     else
         plan_ride(planning, place, journey);
     bool keeps = planning->keep && former.track.count && journey->route.answer == ROUTE_CANNOT_PASS;
@@ -318,6 +345,10 @@ Journeys journey_plan_all(const House *house, const bool *part, int jobs, const 
 
 Journeys journey_plan_briefly(const House *house, const bool *part, int jobs, const Stop *stop) {
     return plan_from_start(&(Planning){.house = house, .stop = stop}, part, true, jobs);
+}
+
+Journeys journey_follow(const Journeys *known, const House *house, const bool *part, int jobs, const Stop *stop) {
+    return plan_from_start(&(Planning){.house = house, .stop = stop, .known = known}, part, true, jobs);
 }
 
 JourneyAnswer journey_possible(const House *house, const bool *part, const Stop *stop) {

@@ -29,6 +29,8 @@ const char *observation_reason(Reason reason);
 /* Returns the reason of a person with this answer: none with a path. */
 Reason observation_reason_of(RouteAnswer answer);
 
+#define OBSERVATION_SQUEEZE 0.5 /* s */
+
 typedef struct PersonObservation {
     bool took_part;     /* True if the person is in this run: a run of one route excludes the others */
     bool completed;     /* True if the person has crossed an exit */
@@ -47,6 +49,16 @@ typedef struct PersonObservation {
     double peak_force;        /* N, largest contact force on the body */
     Vec2 peak_at;             /* m */
     double impulse;           /* N s, of body contacts */
+    double impact;            /* m/s, greatest speed along the normal with which a contact of a chair began */
+    double impact_energy;     /* J, of that contact */
+    int impact_part;          /* BodyPart, of that contact */
+    Vec2 impact_at;           /* m, the contact point */
+    double energy;            /* J, of all contacts that a chair began */
+    double squeeze;           /* N, greatest mean of the contact force over OBSERVATION_SQUEEZE, of a chair */
+    double back_length;       /* m, driven backwards */
+    double back_time;         /* s, driving backwards */
+    int back_times;           /* number of times that the chair began to drive backwards */
+    bool back_out;            /* True if the chair crossed the exit backwards */
     double ring_time;         /* s, with the personal space compressed */
     double ring_peak;         /* m, its greatest compression */
     double lost_time;         /* s, relative to the free speed */

@@ -214,6 +214,50 @@ static void watch_contact(PersonObservation *person, Stretch *stretch, Watched *
     }
 }
 
+/* Notes an impact, and how hard the chair is squeezed. */
+static void watch_touch(PersonObservation *person, Stretch *stretch, Watched *watched, const Sense *sense,
+                        double elapsed) {
+    Squeeze *squeeze = &watched->squeeze;
+    squeeze->elapsed += elapsed;
+    if (squeeze->elapsed >= OBSERVATION_SQUEEZE / SQUEEZE_PARTS) {
+        squeeze->part = (squeeze->part + 1) % SQUEEZE_PARTS;
+        squeeze->parts[squeeze->part] = squeeze->elapsed = 0;
+    }
+    if (sense->body_force > 0) {
+        squeeze->parts[squeeze->part] += sense->body_force * elapsed;
+        double sum = 0;
+        for (int p = 0; p < SQUEEZE_PARTS; p++)
+            sum += squeeze->parts[p];
+        person->squeeze = real_max(person->squeeze, sum / OBSERVATION_SQUEEZE);
+    }
+    if (!(sense->impact > 0))
+        return;
+    person->energy += sense->energy;
+    stretch->energy += sense->energy;
+    stretch->impact = real_max(stretch->impact, sense->impact);
+    if (sense->impact > person->impact) {
+        person->impact = sense->impact;
+        person->impact_energy = sense->energy;
+        person->impact_part = sense->part;
+        person->impact_at = sense->contact_at;
+    }
+}
+
+/* m/s: a chair that rolls back more slowly does not drive backwards. */
+static const double ROLLS_BACK = 0.05;
+
+static void watch_backing(PersonObservation *person, Watched *watched, const World *world, size_t i, double moved,
+                          double elapsed) {
+    bool backs = vec2_dot(world->velocity[i], world->axis[i]) < -ROLLS_BACK;
+    if (backs) {
+        person->back_length += moved;
+        person->back_time += elapsed;
+        person->back_times += !watched->backs;
+        person->back_out = world->phase[i] == PHASE_OUT;
+    }
+    watched->backs = backs;
+}
+
 /* Records a departure at once, so that it can be displayed while others are still moving. */
 static void note_out(Observer *observer, size_t i) {
     PersonObservation *person = &observer->people[i];
@@ -235,6 +279,10 @@ static void watch_person(Observer *observer, size_t i) {
     person->path_length += moved;
     watch_clearance(person, stretch, world, i, at);
     watch_contact(person, stretch, watched, sense, elapsed);
+    if (world_rides(world, i)) {
+        watch_touch(person, stretch, watched, sense, elapsed);
+        watch_backing(person, watched, world, i, moved, elapsed);
+    }
     watch_extremes(&watched->extremes, sense);
     watched->leapt |= fabs(change) > moved + OFFSET_ROUNDING;
     person->ring_time += sense->ring > FELT ? elapsed : 0;

@@ -14,6 +14,15 @@ typedef struct Extremes {
     Vec2 contact;                  /* m, point of the hardest contact */
 } Extremes;
 
+enum { SQUEEZE_PARTS = 10 };
+
+/* The contact force over the last OBSERVATION_SQUEEZE, in equal parts of time. */
+typedef struct Squeeze {
+    double parts[SQUEEZE_PARTS]; /* N s, each; the present one is at `part` */
+    int part;
+    double elapsed; /* s, of the present part */
+} Squeeze;
+
 /* State of a person that is stored between steps. */
 typedef struct Watched {
     Vec2 at;          /* m, the reference point one step ago */
@@ -23,6 +32,8 @@ typedef struct Watched {
     size_t stretch;   /* index of the present stretch, plus 1; 0: none yet */
     double time;      /* s */
     Extremes extremes;
+    Squeeze squeeze;
+    bool backs; /* True while the chair drives backwards */
     bool leapt; /* True if the offset has changed faster than the person moved since the last row: it belongs to another
                    part of the path */
     bool done;

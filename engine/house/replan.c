@@ -51,7 +51,12 @@ void replan_set_out(World *world, size_t i, bool strayed) {
     if (world->journeys[i].kept) /* back off and try again */
         drive->stalled = drive->retries = 0;
     else
-        *drive = (Drive){.best_turn = HUGE_VAL, .retreat_to = -1, .heeded = HUGE_VAL, .plans = drive->plans};
+        *drive = (Drive){.best_turn = HUGE_VAL,
+                         .retreat_to = -1,
+                         .heeded = HUGE_VAL,
+                         .free_way = HUGE_VAL,
+                         .gone = drive->gone,
+                         .plans = drive->plans};
     drive->plans += strayed;
     world->walk[i].leg = 0;
     world->walk[i].best = HUGE_VAL;
@@ -74,7 +79,7 @@ static bool has_strayed(const World *world, size_t i) {
     bool stuck = world->phase[i] == PHASE_STUCK && world->reason[i] == REASON_BLOCKED;
     if (!world_rides(world, i) || !(stuck || world->phase[i] == PHASE_MOVING) || drive->plans >= PLANS_MOST)
         return false;
-    bool off = fabs(drive->offset - drive->aside) > world->house->people[i].profile->width;
+    bool off = fabs(drive->offset - drive->aside - drive->axle) > world->house->people[i].profile->width;
     return (off && (stuck || drive->stalled > LOST_AFTER)) ||
            (world->sense[i].body_force > 0 && (stuck || drive->stalled > WEDGED_AFTER));
 }

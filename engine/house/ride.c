@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "house/touch.h"
 #include "house/world.h"
 #include "house/yield.h"
 
@@ -89,6 +90,20 @@ void ride_list(World *world) {
 
 /* Forces ------------------------------------------------------------------------------------------------------------*/
 
+/* True if obstacles push the body through its personal space: a driver's steers instead (drive.c). Between people it
+ * pushes in every model: a crowd makes way for those who press. */
+static bool is_pushed(const World *world, size_t i) {
+    return world->house->people[i].profile->driving != DRIVING_DRIVER || house_ring(world->house) == RING_PUSHES;
+}
+
+/* Notes on which side of the body a gap ahead of the axle is. */
+static void feel_side(Sense *sense, const Profile *profile, const Gap *gap, Vec2 axis) {
+    if (vec2_dot(gap->arm, axis) + profile->mass_centre < 0)
+        return;
+    double *side = vec2_cross(axis, gap->arm) > 0 ? &sense->left : &sense->right;
+    *side = real_min(*side, gap->gap);
+}
+
 /* Adds F2: body and personal space against walls, furniture and leaves. */
 static void force_of_obstacles(World *world, size_t i) {
     const House *house = world->house;
@@ -108,6 +123,7 @@ static void force_of_obstacles(World *world, size_t i) {
     size_t count = gap_to_obstacles(gaps, body, centre, world->axis[i], &world->neighbours[seat], held, held_count);
     Vec2 force = {0, 0}, rings = {0, 0};
     double moment = 0, ring_moment = 0;
+    bool pushes = is_pushed(world, i);
     for (size_t g = 0; g < count; g++) {
         const Gap *gap = &gaps[g];
         const Slip *before = gap_find_slip(slips, world->slip_count[seat], gap->key);
@@ -117,13 +133,18 @@ static void force_of_obstacles(World *world, size_t i) {
         double hard = 0, soft = 0;
         Vec2 ring = gap_force(&profile->space, gap, gap->gap - body->reach, rate, sliding, world->clock.dt,
                               &kept[g].ring, &soft);
-        Vec2 both = vec2_add(
-            ring, gap_force(&profile->contact, gap, gap->gap, rate, sliding, world->clock.dt, &kept[g].body, &hard));
+        Vec2 both = gap_force(&profile->contact, gap, gap->gap, rate, sliding, world->clock.dt, &kept[g].body, &hard);
+        if (pushes) {
+            both = vec2_add(ring, both);
+            rings = vec2_add(rings, ring);
+            ring_moment += vec2_cross(gap->arm, ring);
+        }
         kept[g].touches = gap->gap < 0;
+        if (kept[g].touches && !(before && before->touches))
+            touch_begin(&world->sense[i], profile, world->axis[i], gap->arm, gap->normal, rate);
         force = vec2_add(force, both);
         moment += vec2_cross(gap->arm, both);
-        rings = vec2_add(rings, ring);
-        ring_moment += vec2_cross(gap->arm, ring);
+        feel_side(&world->sense[i], profile, gap, world->axis[i]);
         world_feel(&world->sense[i], gap->gap, body->reach, hard, soft, vec2_add(centre, gap->arm), -1);
     }
     memcpy(slips, kept, count * sizeof *kept);
@@ -165,6 +186,12 @@ static void force_of_pair(World *world, RidePair *pair, bool senses) {
         Vec2 ring = gap_force(&space, gap, gap->gap - reach, rate, sliding, world->clock.dt, &slip.ring, &soft);
         Vec2 both =
             vec2_add(ring, gap_force(&contact, gap, gap->gap, rate, sliding, world->clock.dt, &slip.body, &hard));
+        slip.touches = gap->gap < 0;
+        if (slip.touches && !(known && known->touches)) {
+            touch_begin(&world->sense[i], a, world->axis[i], gap->arm, gap->normal, rate);
+            if (world_rides(world, j))
+                touch_begin(&world->sense[j], b, world->axis[j], arm_b, gap->normal, rate);
+        }
         if (pair->slip_count < RIDE_SLIPS)
             pair->slips[pair->slip_count++] = slip;
         total = vec2_add(total, both);
@@ -190,7 +217,8 @@ void ride_gather_forces(World *world, bool senses) {
         size_t i = world->riders[r];
         world->force[i] = vec2(0, 0);
         world->moment[i] = 0;
-        world->sense[i] = (Sense){.clearance = world->body[i].sight, .other = -1};
+        double reach = world->body[i].reach;
+        world->sense[i] = (Sense){.clearance = world->body[i].sight, .left = reach, .right = reach, .other = -1};
         if (world->was_clear[i])
             force_of_obstacles(world, i);
     }

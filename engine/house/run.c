@@ -257,8 +257,10 @@ static Reason run_world(World *world, Journeys *journeys, Observer *observer, Gr
 static void run_group(void *context, size_t index) {
     Group *group = (Group *)context + index;
     const RunOptions *options = group->options;
-    Journeys journeys = (options->brief ? journey_plan_briefly : journey_plan_all)(group->house, group->part,
-                                                                                   group->jobs, options->stop);
+    Journeys journeys = options->known
+                            ? journey_follow(options->known, group->house, group->part, group->jobs, options->stop)
+                            : (options->brief ? journey_plan_briefly : journey_plan_all)(group->house, group->part,
+                                                                                         group->jobs, options->stop);
     World world = world_create(group->house, journeys.of, group->part);
     world.team = parallel_team_create(world.present_count > TEAM_WORTH ? group->jobs : 1);
     observer_init(&group->observer, &world, group->people);

@@ -6,6 +6,7 @@
 
 #include "base/stop.h"
 #include "house/house.h"
+#include "house/journey.h"
 #include "house/observation.h"
 
 /* The plan from some time on, edited while people were in the house. */
@@ -38,6 +39,7 @@ typedef struct RunOptions {
     void *context;
     bool brief; /* True for quick results: if a person cannot pass, the blockage names the width for carrying the chair,
                    which may be less than for driving it */
+    const Journeys *known;    /* routes that drivers follow (journey_follow); NULL: they plan */
     const RunChange *changes; /* (change_count) by rising time; NULL: the plan does not change */
     size_t change_count;
 } RunOptions;

@@ -28,7 +28,7 @@ static TrackPoint *add_point(Track *track, size_t *capacity, TrackPoint point) {
 static double passage_speed(const Inhabitant *person, double width) {
     const Profile *profile = person->profile;
     double law = profile->steering_time > 0 ? (width - profile->width) / profile->steering_time : HUGE_VAL;
-    return fmin(person->speed, fmax(law, fmin(PACE_CREEP, person->speed)));
+    return fmin(person->speed, fmax(law, fmin(pace_creep(profile), person->speed)));
 }
 
 /* Lowers each width to the least within FORESIGHT. */
@@ -47,13 +47,15 @@ static void look_ahead(Track *track) {
 }
 
 /* Limits the speed from the end to the start: v^2 - v_c^2 = 2 a_d L. A change of direction ends at rest. */
-static void decelerate(Track *track, double deceleration) {
+static void decelerate(Track *track, const Profile *profile) {
     for (size_t i = track->count; i-- > 1;) {
         TrackPoint *here = &track->points[i - 1];
         const TrackPoint *next = &track->points[i];
         bool rest = i + 1 < track->count && track->points[i + 1].direction != next->direction;
         double end = rest || next->direction == 0 ? 0 : next->speed;
-        double reach = sqrt(end * end + 2 * deceleration * (next->s - here->s));
+        double braking =
+            profile->driving == DRIVING_DRIVER ? pace_braking(profile, here->clearance) : profile->deceleration;
+        double reach = sqrt(end * end + 2 * braking * (next->s - here->s));
         if (here->direction != 0 || next->direction != 0)
             here->speed = fmin(here->speed, fmax(reach, next->direction == 0 ? 0 : 1e-3));
     }
@@ -186,6 +188,31 @@ static double driver_speed(const Inhabitant *person, const TrackPoint *point, do
     return fmin(passage_speed(person, point->width), pace);
 }
 
+/* Returns the clearance of the part of the body ahead of the axle on its left (`side` 1) or its right (-1), m, up to
+ * the personal space's reach. */
+static double side_clearance(const House *house, const Profile *profile, const TrackPoint *point, int side) {
+    double ahead = profile->length - profile->axle, quarter = profile->width / 4;
+    Vec2 axis = vec2_heading(point->heading);
+    Vec2 middle = vec2_along(vec2_along(point->at, ahead / 2, axis), side * quarter, vec2_left(axis));
+    return freespace_clearance(&house->space, middle, axis, ahead / 2, quarter, profile->space_reach, NULL);
+}
+
+static void measure_sides(Track *track, const House *house, const Profile *profile) {
+    for (size_t i = 0; i < track->count; i++) {
+        track->points[i].left = side_clearance(house, profile, &track->points[i], 1);
+        track->points[i].right = side_clearance(house, profile, &track->points[i], -1);
+    }
+}
+
+static void look_for_necks(Track *track) {
+    for (size_t i = 0; i < track->count; i++) {
+        TrackPoint *point = &track->points[i];
+        point->narrow = point->clearance;
+        for (size_t k = i + 1; k < track->count && track->points[k].s <= point->s + TRACK_FORESIGHT; k++)
+            point->narrow = fmin(point->narrow, track->points[k].clearance);
+    }
+}
+
 void track_build_driver(Track *track, const House *house, const Inhabitant *person, const Route *route) {
     const Profile *profile = person->profile;
     size_t capacity = 0;
@@ -200,9 +227,14 @@ void track_build_driver(Track *track, const House *house, const Inhabitant *pers
     measure(track, house, profile->length / 2 - profile->axle);
     look_ahead(track);
     bend(track);
-    for (size_t i = 0; i < track->count; i++)
+    for (size_t i = 0; i < track->count; i++) {
+        track->points[i].clearance = route->poses[i].clearance;
         track->points[i].speed = driver_speed(person, &track->points[i], route->poses[i].clearance);
-    decelerate(track, PACE_PLANNED * profile->deceleration);
+    }
+    look_for_necks(track);
+    if (house_ring(house) == RING_STEERS)
+        measure_sides(track, house, profile);
+    decelerate(track, profile);
     mark_doors(track, &house->plan, person->profile);
     mark_exit(track, &house->plan.exits[route->exit]);
 }
@@ -480,7 +512,7 @@ void track_build_miura(Track *track, const House *house, const Inhabitant *perso
         if (point->corner >= 0) /* the floor of the paper; never faster than the legs */
             point->speed = fmin(person->profile->minimum_speed, point->speed);
     }
-    decelerate(track, person->profile->deceleration);
+    decelerate(track, person->profile);
     mark_doors(track, &house->plan, person->profile);
     mark_exit(track, &house->plan.exits[route->exit]);
 }

@@ -19,6 +19,8 @@
 #include "house/house.h"
 #include "route/route.h"
 
+#define TRACK_FORESIGHT 1.7 /* m, over which a driver looks how narrow the way is */
+
 typedef struct TrackPoint {
     Vec2 at;           /* m, position of the reference point */
     double heading;    /* rad, of the body (driver) or of the path (miura) */
@@ -27,6 +29,10 @@ typedef struct TrackPoint {
     double bending;    /* rad/m2, change of the curvature per m of the path */
     double speed;      /* m/s, limit */
     double width;      /* m, of the passage here */
+    double clearance;  /* m, of the body, up to ROUTE_CLEARANCE_REACH (driver) */
+    double left;       /* m, of the part of the body ahead of the axle, up to the reach of the personal space, on */
+    double right;      /* its left and on its right (driver, if house_ring is RING_STEERS) */
+    double narrow;     /* m, the least clearance from here on over TRACK_FORESIGHT (driver) */
     double room_left;  /* m, from the path to the nearest obstacle on the left, */
     double room_right; /* and on the right */
     int direction;     /* +1 forwards, -1 backwards, 0 a turn on the spot */

@@ -5,6 +5,7 @@
 
 #include "base/digest.h"
 #include "base/memory.h"
+#include "base/real.h"
 
 /* m, distance outside the house beyond which a person counts as thrown out. */
 static const double FARTHEST_OUT = 10;
@@ -65,7 +66,7 @@ static void place_person(World *world, size_t i, bool takes_part) {
     world->phase[i] = takes_part ? PHASE_WAITING : PHASE_ABSENT;
     world->drive[i].best_turn = HUGE_VAL;
     world->drive[i].retreat_to = -1;
-    world->drive[i].heeded = HUGE_VAL;
+    world->drive[i].heeded = world->drive[i].free_way = HUGE_VAL;
     world->walk[i] = (Walk){.best = HUGE_VAL, .door = -1};
 }
 
@@ -191,8 +192,24 @@ World world_place(const House *house, const bool *part) {
     return world;
 }
 
+/* A driver who starts off the planned line aims from there. */
+static void begin_aim(World *world, size_t i) {
+    const Track *track = &world->journeys[i].track;
+    const Profile *profile = world->house->people[i].profile;
+    if (!world->house->driver || profile->driving != DRIVING_DRIVER || !track->count || track->points[0].direction < 0)
+        return;
+    const TrackPoint *begin = &track->points[0];
+    Drive *drive = &world->drive[i];
+    drive->aimed = track->points[0].direction;
+    drive->axle = vec2_cross(vec2_heading(begin->heading), vec2_sub(world_reference(world, i), begin->at));
+    drive->aim =
+        drive->axle + (profile->length - profile->axle) * real_sin(vec2_wrap_angle(world->heading[i] - begin->heading));
+}
+
 void world_begin(World *world, const Journey *journeys) {
     world->journeys = journeys;
+    for (size_t i = 0; i < world->count; i++)
+        begin_aim(world, i);
     world_list_present(world);
     walkers_init(&world->walkers, world);
     ride_init(&world->rides, world);

@@ -25,15 +25,22 @@ typedef enum Phase {
     PHASE_OUT,   /* has crossed an exit and is removed */
 } Phase;
 
+/* Parts of a chair that touch. */
+typedef enum BodyPart { PART_FRONT, PART_SIDE, PART_TAIL } BodyPart;
+
 /* What surrounds and touches a person in this step. */
 typedef struct Sense {
-    double clearance;  /* m, to the nearest obstacle or person, up to the personal space's reach */
-    double ring;       /* m, greatest compression of the personal space */
-    double body_force; /* N, sum of the normal forces on the body */
-    double ring_force; /* N, sum of the normal forces on the personal space */
-    Vec2 nearest_at;   /* m, nearest point */
-    Vec2 contact_at;   /* m, point of the hardest contact */
-    int other;         /* the nearest person, or -1: an obstacle or nothing */
+    double clearance;   /* m, to the nearest obstacle or person, up to the personal space's reach */
+    double ring;        /* m, greatest compression of the personal space */
+    double left, right; /* m, from a driver to obstacles ahead of the axle on that side, up to the reach */
+    double body_force;  /* N, sum of the normal forces on the body */
+    double ring_force;  /* N, sum of the normal forces on the personal space */
+    Vec2 nearest_at;    /* m, nearest point */
+    Vec2 contact_at;    /* m, point of the hardest contact */
+    double impact; /* m/s, greatest speed along the normal of a chair's contact that begins in this step; 0: none */
+    double energy; /* J, of that impact (touch.h) */
+    int part;      /* BodyPart, of that impact */
+    int other;     /* the nearest person, or -1: an obstacle or nothing */
 } Sense;
 
 /* Progress of a person along the track. */
@@ -43,6 +50,14 @@ typedef struct Drive {
     double offset;     /* m, to the left of the track */
     double aside;      /* m, wanted offset, to let a person pass */
     double swerve;     /* m/s, rate of that offset */
+    double aim;        /* m, a: how far left of the plan the driver aims with the front edge (drive.c) */
+    double aim_slope;  /* 1, its change by way */
+    int aimed;         /* direction of the piece of the path that a and y belong to; 0: none */
+    double axle;       /* m, y: how far left of the plan the axle follows it */
+    double felt;       /* 1/m, what the personal space adds to the bend of the aim, noticed so far */
+    double gone;       /* m, way since the start, for the errors of steering */
+    double error;      /* 1/m, the present one */
+    double free_way;   /* m, s of the first place ahead where something is in the way; infinite: none */
     double pause;      /* s, remaining time of a change of direction */
     double best_s;     /* m, farthest s so far */
     double best_turn;  /* rad, least remaining part of a turn on the spot */
@@ -53,6 +68,7 @@ typedef struct Drive {
     int plans;         /* number of new plans after having been pushed off the path */
     double heeded;     /* m/s, speed limit due to the people ahead, when last updated */
     double around;     /* m, offset at which they are passed */
+    bool barred;       /* True if it is in the way of the plan itself */
     bool gives_way;    /* True if it stands in the way of a chair that goes first */
 } Drive;
 

@@ -107,6 +107,11 @@ typedef struct PlanRoute {
 
 typedef enum RunRoutes { ROUTES_TOGETHER, ROUTES_ALONE } RunRoutes;
 
+/* What the personal space does to a chair in `driver`: see drive.c. */
+typedef enum Ring { RING_AUTO, RING_PUSHES, RING_STEERS, RING_OFF } Ring;
+
+typedef enum Switch { SWITCH_ON, SWITCH_OFF } Switch;
+
 /* Settings of a run. */
 typedef struct RunSettings {
     double dt;                /* s, the step */
@@ -119,6 +124,9 @@ typedef struct RunSettings {
     double clearance_warning; /* m, a smaller clearance is a danger */
     double force_warning;     /* N, a harder contact is a danger */
     double loss_warning;      /* s, a place that costs more time is a hindrance */
+    int ring;                 /* Ring */
+    int wander, hands;        /* Switch, of drivers */
+    int centripetal, lateral; /* Switch, of the paper's chairs */
 } RunSettings;
 
 /* A profile parameter that this house changes. */

@@ -159,6 +159,15 @@ static const Parameter run_rows[] = {
     NUMBER(RunSettings, clearance_warning, "m", 0, 2, 0.05, "clearance below which a place is dangerous", "assumed"),
     NUMBER(RunSettings, force_warning, "N", 0, 1e6, 50, "contact force above which a place is dangerous", "assumed"),
     NUMBER(RunSettings, loss_warning, "s", 0, 1e4, 1, "lost time above which a place is a hindrance", "assumed"),
+    CHOICE(
+        RunSettings, ring, "auto|push|steer|off", RING_AUTO,
+        "what the personal space does to a driver: it pushes the body as in the paper, or steers; auto: it pushes the "
+        "nominal driver and steers those of a population"),
+    CHOICE(RunSettings, wander, "on|off", SWITCH_ON, "errors of steering, of all drivers but the nominal one"),
+    CHOICE(RunSettings, hands, "on|off", SWITCH_ON, "the space for hands at the rims"),
+    CHOICE(RunSettings, centripetal, "on|off", SWITCH_ON, "F4 of the paper's chairs"),
+    CHOICE(RunSettings, lateral, "on|off", SWITCH_ON,
+           "lateral control of the paper's chairs, which is not in the paper"),
 };
 
 const ParameterTable plan_tables_run = TABLE("run", run_rows);

@@ -10,7 +10,7 @@
 /* Driving models that use the row, and whether a file may leave it out. */
 enum { CHAIRS = 1, WALKERS = 2, ALL = CHAIRS | WALKERS, OPTIONAL = 4 };
 
-#define ROWS_OF_A_PROFILE(ROW)                                                                                         \
+#define ROWS_OF_A_PROFILE(ROW, MAY)                                                                                    \
     ROW(CHAIRS, "body.length", length, "m", 0.1, 3, "length of chair and driver")                                      \
     ROW(ALL, "body.width", width, "m", 0.1, 3, "width")                                                                \
     ROW(CHAIRS, "body.axle", axle, "m", 0, 3, "drive axle ahead of the rear edge")                                     \
@@ -18,6 +18,8 @@ enum { CHAIRS = 1, WALKERS = 2, ALL = CHAIRS | WALKERS, OPTIONAL = 4 };
     ROW(ALL, "body.mass", mass, "kg", 1, 1000, "mass of chair and driver")                                             \
     ROW(CHAIRS, "body.mass_centre", mass_centre, "m", -1, 1, "mass centre ahead of the drive axle")                    \
     ROW(CHAIRS, "body.radius_of_gyration", radius_of_gyration, "m", 0.05, 2, "radius of gyration in yaw")              \
+    MAY(CHAIRS, "body.hands", hands, "m", 0, 0.5, 0, "assumed: not given, so none",                                    \
+        "space for a hand at each rim; 0: none")                                                                       \
     ROW(ALL, "drive.free_speed", free_speed, "m/s", 0.05, 5, "free speed on the level, mean")                          \
     ROW(ALL, "drive.free_speed_deviation", free_speed_deviation, "m/s", 0, 2, "standard deviation of the free speed")  \
     ROW(CHAIRS, "drive.minimum_speed", minimum_speed, "m/s", 0.01, 2, "v_min, floor of the speed through corners")     \
@@ -35,9 +37,17 @@ enum { CHAIRS = 1, WALKERS = 2, ALL = CHAIRS | WALKERS, OPTIONAL = 4 };
     ROW(CHAIRS, "drive.side_friction", side_friction, "1", 0, 10, "friction of the wheels sideways")                   \
     ROW(CHAIRS, "drive.reversing_speed", reversing_speed, "m/s", 0.01, 5, "speed backwards")                           \
     ROW(CHAIRS, "drive.reversing_time", reversing_time, "s", 0, 60, "time to change direction")                        \
-    ROW(CHAIRS | OPTIONAL, "drive.skid_time", skid_time, "s/m", 0, 10000, "time to skid sideways; 0: no skids")        \
+    MAY(CHAIRS, "drive.skid_time", skid_time, "s/m", 0, 10000, 0, "assumed: not given, so none",                       \
+        "time to skid sideways; 0: no skids")                                                                          \
+    MAY(CHAIRS, "drive.creep", creep, "m/s", 0, 2, 0, "assumed: not given, so v_min",                                  \
+        "least speed through a gap; 0: v_min")                                                                         \
+    MAY(CHAIRS, "drive.caution", caution, "1", 0.1, 10, 3, "assumed", "z, errors kept from a wall")                    \
+    MAY(CHAIRS, "drive.sight", sight, "m", 0.1, 20, 2, "assumed", "l_p, way ahead by which the line is held")          \
+    MAY(CHAIRS, "drive.reaction", reaction, "s", 0, 2, 0.3, "assumed", "time to notice what is near")                  \
     ROW(WALKERS, "drive.time_gap", time_gap, "s", 0.05, 10, "a walker's time gap to the person ahead")                 \
     ROW(ALL, "space.reach", space_reach, "m", 0, 3, "personal space beyond the body")                                  \
+    MAY(CHAIRS, "space.centring", space_centring, "m", 0.05, 20, 0.6, "assumed",                                       \
+        "l_r, way in which what is near steers")                                                                       \
     ROW(ALL, "space.normal_stiffness", space.normal_stiffness, "N/m", 0, 1e7, "k_n' of the personal space")            \
     ROW(ALL, "space.normal_damping", space.normal_damping, "N s/m", 0, 1e6, "c_n' of the personal space")              \
     ROW(ALL, "space.tangential_stiffness", space.tangential_stiffness, "N/m", 0, 1e7, "k_t' of the personal space")    \
@@ -56,13 +66,23 @@ enum { CHAIRS = 1, WALKERS = 2, ALL = CHAIRS | WALKERS, OPTIONAL = 4 };
      .unit = unit_,                                                                                                    \
      .low = low_,                                                                                                      \
      .high = high_,                                                                                                    \
-     .needed = !((who_)&OPTIONAL),                                                                                     \
-     .provenance = "assumed: not given, so none",                                                                      \
+     .needed = true,                                                                                                   \
+     .meaning = meaning_},
+#define AS_OPTIONAL(who_, name_, field_, unit_, low_, high_, fallback_, provenance_, meaning_)                         \
+    {.name = name_,                                                                                                    \
+     .kind = PARAMETER_NUMBER,                                                                                         \
+     .offset = offsetof(Profile, field_),                                                                              \
+     .unit = unit_,                                                                                                    \
+     .low = low_,                                                                                                      \
+     .high = high_,                                                                                                    \
+     .fallback = fallback_,                                                                                            \
+     .provenance = provenance_,                                                                                        \
      .meaning = meaning_},
 #define AS_MARK(who_, name_, field_, unit_, low_, high_, meaning_) who_,
+#define AS_OPTIONAL_MARK(who_, name_, field_, unit_, low_, high_, fallback_, provenance_, meaning_) (who_) | OPTIONAL,
 
-static const Parameter profile_rows[] = {ROWS_OF_A_PROFILE(AS_PARAMETER)};
-static const unsigned char row_marks[] = {ROWS_OF_A_PROFILE(AS_MARK)};
+static const Parameter profile_rows[] = {ROWS_OF_A_PROFILE(AS_PARAMETER, AS_OPTIONAL)};
+static const unsigned char row_marks[] = {ROWS_OF_A_PROFILE(AS_MARK, AS_OPTIONAL_MARK)};
 
 enum { ROWS = sizeof profile_rows / sizeof *profile_rows };
 _Static_assert((int)ROWS <= (int)PROFILE_NUMBERS, "a provenance for every row");
@@ -99,7 +119,8 @@ bool profile_row_matters(size_t row, int driving) {
 static void read_value(Profile *profile, size_t row, const JsonNode *group, const char *name, Fault *fault) {
     JsonNode node = json_member(group, name);
     if (!node.value && !profile_rows[row].needed) {
-        profile->provenance[row] = profile_rows[row].provenance; /* the number stays 0 */
+        profile->provenance[row] = profile_rows[row].provenance;
+        *(double *)((char *)profile + profile_rows[row].offset) = profile_rows[row].fallback;
         return;
     }
     if (!node.value) {

@@ -25,7 +25,7 @@ typedef enum Driving {
 /* Returns "driver", "miura", "walker". */
 const char *profile_driving_name(int driving);
 
-enum { PROFILE_NUMBERS = 48 /* capacity for the rows of the table */ };
+enum { PROFILE_NUMBERS = 64 /* capacity for the rows of the table */ };
 
 typedef struct Profile {
     const char *name;
@@ -38,6 +38,7 @@ typedef struct Profile {
     double mass;               /* kg, chair and driver */
     double mass_centre;        /* m, ahead of the axle */
     double radius_of_gyration; /* m, about the mass centre */
+    double hands;              /* m, beside each rim, for the hand that pushes it; 0: nobody pushes the rims */
 
     double free_speed;           /* m/s */
     double free_speed_deviation; /* m/s */
@@ -57,9 +58,14 @@ typedef struct Profile {
     double reversing_speed;      /* m/s */
     double reversing_time;       /* s, to change direction */
     double skid_time;            /* s/m, to skid with the drive wheels sideways; 0: they do not skid */
-    double time_gap;             /* s, T of a walker's v = s / T, s the free path to the person ahead */
+    double creep;    /* m/s, the slowest that a driver plans with, however narrow a gap is; 0: minimum_speed */
+    double caution;  /* 1, z: how many standard deviations of the error a driver keeps from a wall */
+    double sight;    /* m, l_p, the length in which a driver steers back to the planned line */
+    double reaction; /* s, until what is near has an effect */
+    double time_gap; /* s, T of a walker's v = s / T, s the free path to the person ahead */
 
-    double space_reach; /* m, of the personal space beyond the body */
+    double space_reach;    /* m, of the personal space beyond the body */
+    double space_centring; /* m, l_r, the length in which a driver steers away from what is near */
     ContactLaw space;
     ContactLaw contact;
 

@@ -15,9 +15,27 @@
  *
  * Clearance: in the middle of a straight passage the clearance on either side is (W - w) / 2; where the body turns, or
  * the path leads close by an obstacle, the same law holds with twice the clearance, with the floor of the paper for
- * corners. Curvature k: v^2 k <= the lateral acceleration, v k <= nine tenths of the turn rate, since a driver who
- * turns as quickly as possible cannot come back to the path. Bending: I v^2 dk/ds <= half of the turning moment. */
+ * corners, or drive.creep where the profile has it. With less than body.hands beside the rims the arms are tucked in:
+ * PACE_TUCKED_SPEED. Curvature k: v^2 k <= the lateral acceleration, v k <= nine tenths of the turn rate, since a
+ * driver who turns as quickly as possible cannot come back to the path. Bending: I v^2 dk/ds <= half of the turning
+ * moment. */
 double pace_at(const Profile *profile, double free, double clearance, double curvature, double bending, int direction);
+
+/* 1 and m/s, assumed: the share of the push that is left with the arms tucked in, and the greatest speed then. */
+#define PACE_TUCKED_PUSH 0.3
+#define PACE_TUCKED_SPEED 0.3
+
+/* Return the acceleration from rest and the deceleration, m/s2, that a driver plans with at a clearance, m: no more
+ * than the push can do. A chair of the paper does not plan: it slows down with a_d. */
+double pace_starting(const Profile *profile, double clearance);
+double pace_braking(const Profile *profile, double clearance);
+
+/* Returns the speed, m/s, below which no gap makes a driver plan. */
+double pace_creep(const Profile *profile);
+
+/* Returns alpha, s: the error of a driver across the way has the standard deviation alpha v, and a driver keeps z of
+ * them (drive.caution) from the wall, so that v = c / (z alpha) = 2 c / b with b = 2 z alpha, drive.steering_time. */
+double pace_error(const Profile *profile);
 
 /* Returns the clearance from which on it does not slow a driver, m. */
 double pace_enough(const Profile *profile);

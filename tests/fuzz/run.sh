@@ -8,7 +8,7 @@ cd "$(dirname "$0")/../.."
 . app/packages.sh
 seconds=${1:-60}
 [ $# -eq 0 ] || shift
-all="plan profile beam crank parameters set observed measured timed script dxf sh3d vadere wkt journey world draft settings recovery store rules lesson"
+all="plan profile population beam crank parameters set observed measured timed script dxf sh3d vadere wkt journey world draft settings recovery store rules lesson"
 targets=${*:-$all}
 build=build-fuzz
 
@@ -48,6 +48,7 @@ cp houses/*.json tests/data/bad/houses/*.json $build/seeds/plan/
 cp houses/*.json $build/seeds/journey/
 cp houses/*.json $build/seeds/world/
 cp assets/profiles/*.json tests/data/bad/profiles/*.json $build/seeds/profile/
+cp assets/populations/*.json tests/data/bad/populations/*.json $build/seeds/population/
 cp assets/beams/*.json tests/data/bad/beams/*.json $build/seeds/beam/
 cp assets/cranks/*.json tests/data/bad/cranks/*.json $build/seeds/crank/
 cp assets/rules/*.json tests/data/bad/rules/*.json $build/seeds/rules/

@@ -1,0 +1,169 @@
+#include "result/drivers.h"
+
+#include <string.h>
+
+#include "base/text.h"
+#include "house/touch.h"
+#include "study/montecarlo.h"
+
+/* The drivers of one person. */
+typedef struct Fleet {
+    size_t person, count;
+    Share out, touch;
+    Distribution time, impact;
+    double energy;  /* J, mean over all drivers */
+    double back;    /* m, mean way driven backwards */
+    char where[96]; /* what most of those who touch something run into fastest; "": nobody does */
+    int part;       /* BodyPart, of the fastest impact of all */
+} Fleet;
+
+/* Finds the name of the place that most drivers hit. */
+static void find_place(Fleet *fleet, const House *house, const Drivers *drivers) {
+    char(*names)[96] = memory_zeroed(drivers->count, sizeof *names);
+    size_t best = 0;
+    double fastest = 0;
+    for (size_t k = 0; k < drivers->count; k++) {
+        const DriverRun *run = &drivers->runs[k * drivers->person_count + fleet->person];
+        if (!run->varies || !(run->impact > 0))
+            continue;
+        outline_place_name(&house->outline, &house->plan, run->impact_at, names[k], sizeof names[k]);
+        if (run->impact > fastest) {
+            fastest = run->impact;
+            fleet->part = run->part;
+        }
+        size_t alike = 0;
+        for (size_t other = 0; other <= k; other++)
+            alike += strcmp(names[other], names[k]) == 0;
+        if (alike > best) {
+            best = alike;
+            memcpy(fleet->where, names[k], sizeof fleet->where);
+        }
+    }
+    memory_free(names);
+}
+
+/* Returns the drivers of a person; count 0: the person is not of the population. */
+static Fleet fleet_of(const House *house, const Drivers *drivers, size_t person) {
+    Fleet fleet = {.person = person};
+    double *times = memory_zeroed(2 * drivers->count, sizeof *times), *impacts = times + drivers->count;
+    size_t out = 0, touch = 0;
+    for (size_t k = 0; k < drivers->count; k++) {
+        const DriverRun *run = &drivers->runs[k * drivers->person_count + person];
+        times[k] = impacts[k] = (double)NAN;
+        if (!run->varies)
+            continue;
+        fleet.count++;
+        out += run->completed;
+        touch += run->contacts > 0;
+        times[k] = run->completed ? run->time : (double)NAN;
+        impacts[k] = run->contacts > 0 ? run->impact : (double)NAN;
+        fleet.energy += run->energy;
+        fleet.back += run->back_length;
+    }
+    fleet.out = montecarlo_share(out, fleet.count);
+    fleet.touch = montecarlo_share(touch, fleet.count);
+    fleet.time = montecarlo_distribution(times, drivers->count);
+    fleet.impact = montecarlo_distribution(impacts, drivers->count);
+    if (fleet.count) {
+        fleet.energy /= (double)fleet.count;
+        fleet.back /= (double)fleet.count;
+    }
+    find_place(&fleet, house, drivers);
+    memory_free(times);
+    return fleet;
+}
+
+static bool has_band(const Fleet *fleet) {
+    return fleet->time.count >= RESULT_DRIVERS_BAND;
+}
+
+static void add_number(ResultTable *table, const char *key, const char *label, double number, const char *unit,
+                       int decimals) {
+    result_add(table, (ResultRow){.key = key,
+                                  .label = label,
+                                  .kind = RESULT_NUMBER,
+                                  .number = number,
+                                  .unit = unit,
+                                  .decimals = decimals,
+                                  .unknown = !isfinite(number)});
+}
+
+static const char *words_of_share(Arena *arena, const Share *share) {
+    return text_in_arena(arena, "%.0f %% (%.0f to %.0f)", 100 * share->value, 100 * share->low, 100 * share->high);
+}
+
+static void add_share(ResultTable *table, const char *const *keys, const char *label, const Share *share) {
+    result_add(table, (ResultRow){.key = keys[0],
+                                  .label = label,
+                                  .kind = RESULT_NUMBER,
+                                  .number = share->value,
+                                  .text = words_of_share(&table->arena, share)});
+    result_add(table, (ResultRow){.key = keys[1], .kind = RESULT_NUMBER, .number = share->low});
+    result_add(table, (ResultRow){.key = keys[2], .kind = RESULT_NUMBER, .number = share->high});
+}
+
+static void add_fleet(ResultTable *table, const House *house, double nominal, const Fleet *fleet) {
+    static const char *const outs[] = {"out.share", "out.low", "out.high"};
+    static const char *const touches[] = {"touch.share", "touch.low", "touch.high"};
+    result_add(table, (ResultRow){.key = "id", .label = "person", .text = house->people[fleet->person].id});
+    add_number(table, "nominal", "nominal driver", nominal, "s", 2);
+    result_add(table,
+               (ResultRow){.key = "count", .label = "drivers", .kind = RESULT_COUNT, .number = (double)fleet->count});
+    result_add(table, (ResultRow){.key = "out.count", .kind = RESULT_COUNT, .number = (double)fleet->out.good});
+    add_share(table, outs, "out", &fleet->out);
+    add_number(table, "time.mean", "mean", fleet->time.mean, "s", 2);
+    add_number(table, "time.deviation", "deviation", fleet->time.deviation, "s", 2);
+    add_number(table, "time.low", has_band(fleet) ? "5 %" : NULL, fleet->time.low, "s", 1);
+    add_number(table, "time.median", "median", fleet->time.median, "s", 1);
+    add_number(table, "time.high", has_band(fleet) ? "95 %" : NULL, fleet->time.high, "s", 1);
+    add_number(table, "time.least", has_band(fleet) ? NULL : "least", fleet->time.least, "s", 1);
+    add_number(table, "time.greatest", has_band(fleet) ? NULL : "greatest", fleet->time.greatest, "s", 1);
+    add_share(table, touches, "touch something", &fleet->touch);
+    add_number(table, "impact.speed95", "impact 95 %", fleet->impact.high, "m/s", 2);
+    add_number(table, "impact.energy", "mean energy", fleet->energy, "J", 2);
+    add_number(table, "backwards.distance", "backwards", fleet->back, "m", 2);
+    bool hit = *fleet->where;
+    result_add(table, (ResultRow){.key = "impact.what",
+                                  .label = "most at",
+                                  .text = hit ? text_in_arena(&table->arena, "%s", fleet->where) : NULL,
+                                  .omitted = !hit});
+    result_add(table, (ResultRow){.key = "impact.part",
+                                  .label = "fastest with the",
+                                  .text = hit ? touch_part(fleet->part) : NULL,
+                                  .omitted = !hit});
+    result_end(table);
+}
+
+static double nominal_time(const Observation *nominal, size_t person) {
+    return nominal->people[person].completed ? nominal->people[person].time : (double)NAN;
+}
+
+ResultTable result_drivers_table(const House *house, const Observation *nominal, const Drivers *drivers) {
+    ResultTable table = {0};
+    for (size_t i = 0; i < drivers->person_count; i++) {
+        Fleet fleet = fleet_of(house, drivers, i);
+        if (fleet.count)
+            add_fleet(&table, house, nominal_time(nominal, i), &fleet);
+    }
+    return table;
+}
+
+void result_drivers_say(Text *text, const House *house, const Observation *nominal, const Drivers *drivers) {
+    for (size_t i = 0; i < drivers->person_count; i++) {
+        Fleet fleet = fleet_of(house, drivers, i);
+        if (!fleet.count)
+            continue;
+        text_format(text, "%s  ", house->people[i].id);
+        if (nominal->people[i].completed)
+            text_format(text, "%.1f s; ", nominal->people[i].time);
+        if (fleet.time.count && has_band(&fleet))
+            text_format(text, "9 of 10 drivers %.1f to %.1f s; ", fleet.time.low, fleet.time.high);
+        else if (fleet.time.count)
+            text_format(text, "drivers %.1f to %.1f s; ", fleet.time.least, fleet.time.greatest);
+        text_format(text, "%zu of %zu out; %.0f %% touch something (%.0f to %.0f)", fleet.out.good, fleet.count,
+                    100 * fleet.touch.value, 100 * fleet.touch.low, 100 * fleet.touch.high);
+        if (fleet.impact.count)
+            text_format(text, ", most at %s, at most at %.2f m/s", fleet.where, fleet.impact.greatest);
+        text_format(text, "\n");
+    }
+}

@@ -1,0 +1,16 @@
+/* What many drivers of a house do, as rows: one record for each person of the population. */
+#pragma once
+
+#include "base/text.h"
+#include "experiment/drivers.h"
+#include "result/result.h"
+
+/* Below this number of drivers who get out a range is from the least to the greatest, from it on from 5 to 95 %. */
+enum { RESULT_DRIVERS_BAND = 40 };
+
+/* `nominal` is the observation of the nominal driver. */
+ResultTable result_drivers_table(const House *house, const Observation *nominal, const Drivers *drivers);
+
+/* Adds a sentence for each person: "p-a  13.0 s; 9 of 10 drivers 11.9 to 15.2 s; 97 of 100 out; 12 % touch (7 to 20)".
+ */
+void result_drivers_say(Text *text, const House *house, const Observation *nominal, const Drivers *drivers);

@@ -1,0 +1,300 @@
+#include "experiment/drivers.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/parallel.h"
+#include "house/journey.h"
+#include "house/run.h"
+
+/* m: a known way is driven by a body that keeps this clearance on it, or that is no larger than the one it was planned
+ * for. */
+static const double KEPT = 0.005;
+/* m: a way with changes of direction is only for bodies not much smaller than the one it was planned for, since those
+ * may do with fewer. */
+static const double MUCH_NARROWER = 0.02, MUCH_SHORTER = 0.10;
+
+/* A plan of one person with some body. */
+typedef struct BodyPlan {
+    double width, length; /* m */
+    Journeys journeys;
+} BodyPlan;
+
+/* The plans of one person, in the order of the drivers who first needed them. */
+typedef struct PersonPlans {
+    BodyPlan *plans;
+    size_t count, capacity;
+    const Route **route_of; /* (count of drivers) */
+} PersonPlans;
+
+typedef struct Work {
+    const House *house;
+    const Population *population;
+    size_t route;
+    const Stop *stop;
+    House *houses;      /* (count) of the drivers */
+    PersonPlans *plans; /* (person_count) */
+    Drivers *drivers;
+} Work;
+
+static bool varies(const Work *work, const Inhabitant *person) {
+    return person->profile->driving == DRIVING_DRIVER && strcmp(person->profile->name, work->population->profile) == 0;
+}
+
+/* True if ways are planned for this person: all drivers, of the asked route alone if there is one. */
+static bool takes_part(const Work *work, const Inhabitant *person) {
+    const Plan *plan = &work->house->plan;
+    bool asked = work->route == SIZE_MAX || person->route == &plan->routes[work->route];
+    return asked && person->profile->driving == DRIVING_DRIVER;
+}
+
+/* Returns a house on the same plan, with profiles and people of its own: each varying person has a profile, behind
+ * those of the house. Texts are shared with the house. */
+static House house_alike(const Work *work) {
+    const House *house = work->house;
+    House alike = *house;
+    alike.profiles = memory_zeroed(house->profile_count + house->person_count, sizeof *alike.profiles);
+    memcpy(alike.profiles, house->profiles, house->profile_count * sizeof *alike.profiles);
+    alike.people = memory_zeroed(house->person_count, sizeof *alike.people);
+    for (size_t i = 0; i < house->person_count; i++) {
+        size_t which = (size_t)(house->people[i].profile - house->profiles);
+        alike.people[i] = house->people[i];
+        if (varies(work, &house->people[i])) {
+            alike.profiles[alike.profile_count] = house->profiles[which];
+            which = alike.profile_count++;
+        }
+        alike.people[i].profile = &alike.profiles[which];
+    }
+    return alike;
+}
+
+/* Returns a varying person's own profile. */
+static Profile *own_profile(const House *house, size_t i) {
+    return &house->profiles[house->people[i].profile - house->profiles];
+}
+
+static void free_alike(House *house) {
+    memory_free(house->profiles);
+    memory_free(house->people);
+}
+
+/* Moves a person's start as far as the walls allow. */
+static void move_start(const House *house, Inhabitant *person, PopulationStart start) {
+    const Profile *profile = person->profile;
+    for (double share = 1; share > 0.05; share /= 2) {
+        Vec2 at = vec2_along(person->at, share, vec2(start.x, start.y));
+        double heading = person->heading + share * start.heading;
+        Vec2 axis = vec2_heading(heading), middle = vec2_along(at, profile->length / 2 - profile->axle, axis);
+        if (freespace_clearance(&house->space, middle, axis, profile->length / 2, profile->width / 2, 0.1, NULL) > 0) {
+            person->at = at;
+            person->heading = heading;
+            return;
+        }
+    }
+}
+
+static House house_of_driver(const Work *work, size_t driver) {
+    House house = house_alike(work);
+    house.driver = driver;
+    bool alone = house.plan.run.routes == ROUTES_ALONE;
+    for (size_t i = 0; i < house.person_count; i++) {
+        Inhabitant *person = &house.people[i];
+        if (!varies(work, person))
+            continue;
+        size_t who = alone ? driver : driver + i * DRIVERS_MOST;
+        Profile *profile = own_profile(&house, i);
+        PopulationStart start = population_draw(work->population, who, house.seed, profile);
+        profile->axle = fmin(profile->axle, profile->length);
+        if (work->house->plan.run.hands == SWITCH_OFF)
+            profile->hands = 0;
+        person->speed = profile->free_speed;
+        move_start(&house, person, start);
+    }
+    return house;
+}
+
+/* Plans ------------------------------------------------------------------------------------------------------------*/
+
+static double rounded_up(double length, double step) {
+    return step * ceil(length / step - 1e-9);
+}
+
+static const Route *route_of_plan(const BodyPlan *plan, size_t i) {
+    return &plan->journeys.of[i].route;
+}
+
+static BodyPlan plan_body(const Work *work, size_t i, double width, double length) {
+    BodyPlan plan = {.width = width, .length = length};
+    House house = house_alike(work);
+    bool *part = memory_zeroed(house.person_count, sizeof *part);
+    part[i] = true;
+    Profile *profile = own_profile(&house, i);
+    profile->width = width;
+    profile->length = length;
+    profile->axle = fmin(profile->axle, length);
+    plan.journeys = journey_plan_briefly(&house, part, 1, work->stop);
+    memory_free(part);
+    free_alike(&house);
+    return plan;
+}
+
+static bool holds(const BodyPlan *plan, const Profile *body) {
+    return plan->width >= body->width && plan->length >= body->length;
+}
+
+/* True if a body can drive a way that was planned for another one. */
+static bool can_follow(const Work *work, const BodyPlan *plan, size_t i, const Profile *body) {
+    const Route *route = route_of_plan(plan, i);
+    if (route->answer != ROUTE_FOUND)
+        return false;
+    if (route->reversals > 0 &&
+        (body->width < plan->width - MUCH_NARROWER || body->length < plan->length - MUCH_SHORTER))
+        return false;
+    if (holds(plan, body))
+        return true;
+    double ahead = body->length / 2 - body->axle;
+    for (size_t p = 0; p < route->count; p++) {
+        Vec2 axis = vec2_heading(route->poses[p].heading);
+        if (freespace_clearance(&work->house->space, vec2_along(route->poses[p].at, ahead, axis), axis,
+                                body->length / 2, body->width / 2, 2 * KEPT, NULL) < KEPT)
+            return false;
+    }
+    return true;
+}
+
+/* Returns the plan for the most alike body whose way this one can drive, or NULL. */
+static const BodyPlan *find_way(const Work *work, const PersonPlans *known, size_t i, const Profile *body) {
+    const BodyPlan *best = NULL;
+    double least = HUGE_VAL;
+    for (size_t p = 0; p < known->count; p++) {
+        const BodyPlan *plan = &known->plans[p];
+        double unlike = fabs(plan->width - body->width) + fabs(plan->length - body->length);
+        if (unlike < least && can_follow(work, plan, i, body)) {
+            best = plan;
+            least = unlike;
+        }
+    }
+    return best;
+}
+
+/* Returns a plan for a body that is no larger, for which there is no way, or NULL. */
+static const BodyPlan *find_failure(const PersonPlans *known, size_t i, const Profile *body) {
+    for (size_t p = 0; p < known->count; p++) {
+        const BodyPlan *plan = &known->plans[p];
+        if (route_of_plan(plan, i)->answer != ROUTE_FOUND && body->width >= plan->width && body->length >= plan->length)
+            return plan;
+    }
+    return NULL;
+}
+
+static size_t add_plan(const Work *work, PersonPlans *known, size_t i, double width, double length) {
+    known->plans = memory_reserve(known->plans, &known->capacity, known->count + 1, sizeof *known->plans);
+    known->plans[known->count] = plan_body(work, i, width, length);
+    return known->count++;
+}
+
+/* Finds a way for a driver: a known one, one for the class of the body, and at last one for the body itself. Returns
+ * the index of its plan. */
+static size_t plan_driver(const Work *work, PersonPlans *known, size_t i, const Profile *body) {
+    const BodyPlan *way = find_way(work, known, i, body);
+    if (!way)
+        way = find_failure(known, i, body);
+    if (way)
+        return (size_t)(way - known->plans);
+    double width = rounded_up(body->width, DRIVERS_WIDTH), length = rounded_up(body->length, DRIVERS_LENGTH);
+    size_t added = add_plan(work, known, i, width, length);
+    if (route_of_plan(&known->plans[added], i)->answer == ROUTE_CANNOT_PASS && !stop_requested(work->stop))
+        added = add_plan(work, known, i, body->width, body->length);
+    return added;
+}
+
+/* Plans one person's ways for all drivers, one after the other, so that no driver's way depends on later ones. */
+static void plan_person(void *context, size_t i) {
+    Work *work = context;
+    const Inhabitant *person = &work->house->people[i];
+    PersonPlans *known = &work->plans[i];
+    if (!takes_part(work, person))
+        return;
+    size_t count = work->drivers->count;
+    size_t *of = memory_zeroed(count, sizeof *of);
+    add_plan(work, known, i, person->profile->width, person->profile->length);
+    for (size_t k = 0; k < count && varies(work, person) && !stop_requested(work->stop); k++)
+        of[k] = plan_driver(work, known, i, work->houses[k].people[i].profile);
+    known->route_of = memory_zeroed(count, sizeof *known->route_of);
+    for (size_t k = 0; k < count; k++)
+        known->route_of[k] = route_of_plan(&known->plans[of[k]], i);
+    memory_free(of);
+}
+
+static void free_plans(PersonPlans *known) {
+    for (size_t p = 0; p < known->count; p++)
+        journey_free_all(&known->plans[p].journeys);
+    memory_free(known->plans);
+    memory_free(known->route_of);
+}
+
+/* Drivers ---------------------------------------------------------------------------------------------------------*/
+
+static void run_driver(void *context, size_t k) {
+    Work *work = context;
+    House *house = &work->houses[k];
+    if (stop_requested(work->stop))
+        return;
+    Journeys known = {.of = memory_zeroed(house->person_count, sizeof *known.of), .count = house->person_count};
+    for (size_t i = 0; i < house->person_count; i++)
+        if (work->plans[i].route_of)
+            known.of[i].route = *work->plans[i].route_of[k];
+    Observation observation;
+    run_house(&observation, house,
+              &(RunOptions){.route = work->route, .jobs = 1, .stop = work->stop, .brief = true, .known = &known});
+    memory_free(known.of);
+    for (size_t i = 0; i < house->person_count && !observation.interrupted; i++) {
+        const PersonObservation *person = &observation.people[i];
+        work->drivers->runs[k * house->person_count + i] =
+            (DriverRun){.varies = person->took_part && varies(work, &work->house->people[i]),
+                        .completed = person->completed,
+                        .reason = person->reason,
+                        .time = person->time,
+                        .contacts = person->contacts,
+                        .impact = person->impact,
+                        .energy = person->energy,
+                        .impact_at = person->impact_at,
+                        .part = person->impact_part,
+                        .narrowest = person->narrowest,
+                        .back_length = person->back_length};
+    }
+    observation_free(&observation);
+}
+
+void drivers_run(Drivers *drivers, const House *house, const Population *population, size_t count, size_t route,
+                 int jobs, const Stop *stop) {
+    *drivers = (Drivers){.count = count, .person_count = house->person_count};
+    drivers->runs = memory_zeroed(count * house->person_count, sizeof *drivers->runs);
+    Work work = {.house = house,
+                 .population = population,
+                 .route = route,
+                 .stop = stop,
+                 .houses = memory_zeroed(count, sizeof *work.houses),
+                 .plans = memory_zeroed(house->person_count, sizeof *work.plans),
+                 .drivers = drivers};
+    for (size_t k = 0; k < count; k++)
+        work.houses[k] = house_of_driver(&work, k + 1);
+    parallel_for(jobs, house->person_count, plan_person, &work);
+    if (!stop_requested(stop))
+        parallel_for(jobs, count, run_driver, &work);
+    drivers->interrupted = stop_requested(stop);
+    for (size_t k = 0; k < count; k++)
+        free_alike(&work.houses[k]);
+    for (size_t i = 0; i < house->person_count; i++) {
+        drivers->plans += work.plans[i].count;
+        free_plans(&work.plans[i]);
+    }
+    memory_free(work.plans);
+    memory_free(work.houses);
+}
+
+void drivers_free(Drivers *drivers) {
+    memory_free(drivers->runs);
+    *drivers = (Drivers){0};
+}

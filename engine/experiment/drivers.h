@@ -1,0 +1,47 @@
+/* The same house driven by many drivers of a population: whether each gets out, in what time, and what is touched.
+ *
+ * Driver 0 is the nominal one. The others differ in body, strength, speed and caution (population.h) and make errors of
+ * steering (drive.c); on a route alone driver k is the same person on every route, and in company everybody is another
+ * one. A driver takes a way that is known already, of the nominal one or of an earlier one, if the own body passes it
+ * and there is none for a body more alike; otherwise one is planned for the body's class, the width rounded up to
+ * DRIVERS_WIDTH and the length to DRIVERS_LENGTH, and where that class cannot pass, for the body itself. Speeds are
+ * each driver's own. Ways are planned for the nominal driver's speeds. The first ten of a hundred are the ten, whatever
+ * the number of threads.
+ */
+#pragma once
+
+#include "base/stop.h"
+#include "house/house.h"
+#include "house/observation.h"
+#include "plan/population.h"
+
+#define DRIVERS_WIDTH 0.01  /* m */
+#define DRIVERS_LENGTH 0.05 /* m */
+
+enum { DRIVERS_MOST = 10000 };
+
+/* What one driver in one place of the house does. */
+typedef struct DriverRun {
+    bool varies; /* True if this person is of the population and took part */
+    bool completed;
+    Reason reason; /* why not */
+    double time;   /* s */
+    int contacts;
+    double impact, energy; /* m/s of the fastest impact, J of all */
+    Vec2 impact_at;        /* m */
+    int part;              /* BodyPart */
+    double narrowest;      /* m */
+    double back_length;    /* m, driven backwards */
+} DriverRun;
+
+typedef struct Drivers {
+    size_t count, person_count;
+    DriverRun *runs; /* (count x person_count) */
+    size_t plans;    /* number of ways that were planned, of all people */
+    bool interrupted;
+} Drivers;
+
+/* Runs drivers 1 to count. drivers_free releases the result. */
+void drivers_run(Drivers *drivers, const House *house, const Population *population, size_t count, size_t route,
+                 int jobs, const Stop *stop);
+void drivers_free(Drivers *drivers);

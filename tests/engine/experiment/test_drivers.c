@@ -1,0 +1,93 @@
+#include "experiment/drivers.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "case.h"
+#include "check.h"
+#include "scratch.h"
+
+static Population manual(void) {
+    Population population = {0};
+    Fault fault = {0};
+    CHECK(population_read(&population, scratch_source("assets/populations/manual-jp.json"), &fault));
+    check_say(&fault);
+    return population;
+}
+
+/* Drives a corridor of 0.90 m; `vary`: with all spreads of the population, otherwise only errors of steering. */
+static Drivers drive(double from, bool vary, size_t count, int jobs, const char *const *settings) {
+    House house;
+    Population population = manual();
+    size_t rows = population.count;
+    population.count = vary ? rows : 0;
+    json_t *plan = case_corridor(0.9);
+    case_add_person(plan, "manual-chair", from, 0, 0);
+    case_made(&house, plan, -1, settings);
+    Drivers drivers;
+    drivers_run(&drivers, &house, &population, count, SIZE_MAX, jobs, NULL);
+    house_free(&house);
+    population_free(&population);
+    return drivers;
+}
+
+TEST(the_first_drivers_are_the_same_however_many_and_on_any_number_of_threads) {
+    Drivers few = drive(14, true, 3, 1, NULL), many = drive(14, true, 6, 2, NULL);
+    for (size_t k = 0; k < few.count; k++) {
+        CHECK(few.runs[k].varies && few.runs[k].completed);
+        CHECK_NEAR(many.runs[k].time, few.runs[k].time, 0);
+        CHECK_NEAR(many.runs[k].narrowest, few.runs[k].narrowest, 0);
+        for (size_t other = 0; other < k; other++)
+            CHECK(fabs(few.runs[other].time - few.runs[k].time) > 1e-3);
+    }
+    drivers_free(&few);
+    drivers_free(&many);
+}
+
+TEST(a_driver_who_makes_no_errors_keeps_to_the_middle) {
+    const char *const still[] = {"run.wander=\"off\"", NULL};
+    Drivers steady = drive(14, false, 2, 1, still), errs = drive(14, false, 2, 1, NULL);
+    for (size_t k = 0; k < 2; k++) {
+        CHECK(steady.runs[k].contacts == 0 && steady.runs[k].narrowest > 0.13); /* m, of 0.135 */
+        CHECK(errs.runs[k].narrowest < 0.12);
+    }
+    drivers_free(&steady);
+    drivers_free(&errs);
+}
+
+typedef struct Touched {
+    double share;
+    int contacts;
+} Touched;
+
+/* Over 10 m, with errors of steering alone. */
+static Touched touched(size_t count, const char *caution, const char *ring) {
+    Drivers drivers = drive(8, false, count, 2, (const char *const[]){caution, ring, NULL});
+    Touched result = {0};
+    for (size_t k = 0; k < drivers.count; k++) {
+        result.share += (drivers.runs[k].contacts > 0) / (double)count;
+        result.contacts += drivers.runs[k].contacts;
+    }
+    drivers_free(&drivers);
+    return result;
+}
+
+/* The chance of a touch on either side in a way of s: 1 - exp(-2 nu s), nu = sqrt(K) / (2 pi) exp(-z^2 / 2) (Rice),
+ * sqrt(K) = sqrt(1 / 0.6^2 + 1 / 2^2) per metre: 22.6 % with z = 2.5 and 1.3 % with 3.5 in 10 m. */
+LONG_TEST(as_many_drivers_touch_a_wall_as_the_formula_says) {
+    const char *ring = "run.ring=\"auto\"";
+    double share = touched(1000, "profile.manual-chair.drive.caution=2.5", ring).share;
+    printf("%.1f %% touch with z = 2.5\n", 100 * share);
+    CHECK(share >= 0.17 && share <= 0.26);
+    share = touched(1000, "profile.manual-chair.drive.caution=3.5", ring).share;
+    printf("%.1f %% touch with z = 3.5\n", 100 * share);
+    CHECK(share >= 0.005 && share <= 0.025);
+}
+
+LONG_TEST(without_the_personal_space_there_are_ten_times_as_many_touches) {
+    const char *caution = "profile.manual-chair.drive.caution=3";
+    Touched ring = touched(300, caution, "run.ring=\"auto\""), none = touched(300, caution, "run.ring=\"off\"");
+    printf("%d touches with the personal space, %d without\n", ring.contacts, none.contacts);
+    CHECK(none.contacts >= 10 * ring.contacts);
+    CHECK(none.share >= 5 * ring.share);
+}
