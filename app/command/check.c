@@ -1,5 +1,6 @@
 #include <stdio.h>
 
+#include "base/parallel.h"
 #include "base/text.h"
 #include "command/answer.h"
 #include "command/command.h"
@@ -73,6 +74,34 @@ static bool suggest(const Options *options, json_t *answer, bool *interrupted, F
     return true;
 }
 
+typedef struct Grading {
+    const House *house;
+    Grade *grades; /* (person_count) */
+} Grading;
+
+static void grade_one(void *context, size_t i) {
+    const Grading *grading = context;
+    if (grading->house->people[i].profile->driving == DRIVING_DRIVER)
+        grading->grades[i] = grade_person(grading->house, i, &progress_stop);
+}
+
+/* Adds the grades of all chairs to the answer, or prints them. */
+static void grade(const Options *options, const House *house, json_t *answer, bool *interrupted) {
+    Grading grading = {house, memory_zeroed(house->person_count, sizeof *grading.grades)};
+    Text text = {0};
+    fflush(stdout);
+    parallel_for(options->jobs, house->person_count, grade_one, &grading);
+    for (size_t i = 0; i < house->person_count; i++)
+        *interrupted |= grading.grades[i].interrupted;
+    json_object_set_new(answer, "grades", result_json_take_list(result_check_grades(house, grading.grades)));
+    if (!options->json) {
+        result_text_take(&text, "", result_check_grades(house, grading.grades));
+        fputs(text.text, stdout);
+    }
+    memory_free(text.text);
+    memory_free(grading.grades);
+}
+
 int command_check(const Options *options) {
     House house = {0};
     Fault fault = {0};
@@ -94,6 +123,8 @@ int command_check(const Options *options) {
         print_answer(&house, &journeys);
         print_notes(notes);
     }
+    if (options->grades)
+        grade(options, &house, answer, &interrupted);
     bool good = !options->suggest || suggest(options, answer, &interrupted, &fault);
     answer_mark_interrupted(answer, interrupted);
     if (interrupted && good)

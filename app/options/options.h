@@ -53,7 +53,7 @@ typedef struct Options {
     const char *measured;   /* file of measured points, or NULL */
     bool report;
     const char *observed; /* file of measured loci, or NULL */
-    bool suggest;
+    bool suggest, grades;
     const char *fit;    /* names of parameters, separated by commas, or NULL */
     const char *priors; /* NAME=VALUE:SPREAD, separated by commas, or NULL */
     bool leave_out;

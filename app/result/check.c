@@ -167,6 +167,58 @@ ResultTable result_check_parties(const House *house, const Observation *observat
     return table;
 }
 
+/* Grades ----------------------------------------------------------------------------------------------------------- */
+
+static void add_grade(ResultTable *table, const House *house, size_t i, const Grade *grade) {
+    Arena *arena = &table->arena;
+    const char *letter = grade_letter(grade->letter), *words = grade_words(grade->letter);
+    bool known = isfinite(grade->tightness), best = grade->letter == GRADE_A;
+    result_add(table, (ResultRow){.key = "id", .label = "person", .text = house->people[i].id});
+    result_add(table, (ResultRow){.key = "grade", .text = letter});
+    result_add(table,
+               (ResultRow){.key = "said", .label = "grade", .text = text_in_arena(arena, "%s, %s", letter, words)});
+    result_add(table,
+               (ResultRow){.key = "tightness",
+                           .label = "room to spare on each side",
+                           .head = "to spare",
+                           .kind = RESULT_NUMBER,
+                           .number = grade->tightness,
+                           .unit = "cm",
+                           .factor = 100,
+                           .decimals = 1,
+                           .text = grade->wider ? text_in_arena(arena, "%.1f or more", 100 * grade->tightness) : NULL,
+                           .omitted = !known});
+    result_add(table, (ResultRow){.key = "to_next",
+                                  .label = "to the next grade, on each side",
+                                  .head = "to the next grade",
+                                  .kind = RESULT_NUMBER,
+                                  .number = grade->to_next,
+                                  .unit = "cm",
+                                  .factor = 100,
+                                  .decimals = 1,
+                                  .unknown = best,
+                                  .omitted = !isfinite(grade->to_next)});
+    result_add(table, (ResultRow){.key = "what",
+                                  .label = "tightest at",
+                                  .text = grade->has_place ? grade->what : NULL,
+                                  .omitted = !grade->has_place});
+    result_add(table,
+               (ResultRow){.key = "x", .kind = RESULT_NUMBER, .number = grade->at.x, .omitted = !grade->has_place});
+    result_add(table,
+               (ResultRow){.key = "y", .kind = RESULT_NUMBER, .number = grade->at.y, .omitted = !grade->has_place});
+    result_add(table,
+               (ResultRow){.label = "at", .text = grade->has_place ? place(table, grade->at) : NULL, .unit = "m"});
+    result_end(table);
+}
+
+ResultTable result_check_grades(const House *house, const Grade *grades) {
+    ResultTable table = {.numbers = RESULT_REAL};
+    for (size_t i = 0; i < house->person_count; i++)
+        if (house->people[i].profile->driving == DRIVING_DRIVER && !grades[i].interrupted)
+            add_grade(&table, house, i, &grades[i]);
+    return table;
+}
+
 /* The sentence ---------------------------------------------------------------------------------------------------- */
 
 const char *result_check_sentence(const House *house, const Observation *observation, const Census *census,

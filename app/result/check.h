@@ -5,6 +5,7 @@
 #pragma once
 
 #include "house/journey.h"
+#include "inquiry/grade.h"
 #include "result/census.h"
 #include "result/result.h"
 
@@ -17,6 +18,10 @@ ResultTable result_check_people(const House *house, const Journeys *journeys, co
 /* A record for each party of several people, with the first of them who cannot leave. The observation is the one
  * above. */
 ResultTable result_check_parties(const House *house, const Observation *observation, const Census *census);
+
+/* A record for each chair that is driven, with its grade (grades: person_count of them; profiles that are not driven
+ * are left out). */
+ResultTable result_check_grades(const House *house, const Grade *grades);
 
 /* Returns "p1 can leave by e1", "All 40 people can leave", or who cannot and why, as one sentence. */
 const char *result_check_sentence(const House *house, const Observation *observation, const Census *census,

@@ -1,0 +1,78 @@
+#include "inquiry/grade.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "case.h"
+#include "check.h"
+
+static Grade grade_corridor(double width) {
+    House house;
+    json_t *plan = case_corridor(width);
+    case_add_person(plan, "manual-chair", 14, 0, 0);
+    case_made(&house, plan, -1, NULL);
+    Grade grade = grade_person(&house, 0, NULL);
+    house_free(&house);
+    return grade;
+}
+
+/* In a corridor c* is half of what is wider than the chair, 0.63 m. */
+LONG_TEST(a_corridor_has_the_grade_of_its_width) {
+    static const struct {
+        double width;
+        int letter;
+        double to_next; /* m */
+    } known[] = {{0.95, GRADE_A, 0},
+                 {0.80, GRADE_B, 0.138 - 0.085},
+                 {0.70, GRADE_C, 0.05 - 0.035},
+                 {0.65, GRADE_D, 0.015 - 0.010},
+                 {0.61, GRADE_F, 0.010}};
+    for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
+        Grade grade = grade_corridor(known[k].width);
+        CHECK_NEAR(grade.letter, known[k].letter, 0);
+        CHECK_NEAR(grade.to_next, known[k].to_next, 0.005);
+        CHECK_NEAR(grade.tightness, fmin((known[k].width - 0.63) / 2, 0.138), 0.005);
+        CHECK(grade.wider == (k == 0) && !grade.interrupted);
+    }
+}
+
+TEST(a_corridor_of_0_80_m_is_driven_with_care) {
+    Grade grade = grade_corridor(0.80);
+    CHECK_NEAR(grade.letter, GRADE_B, 0);
+    CHECK_NEAR(grade.tightness, 0.085, 0.005);
+    CHECK(strcmp(grade_letter(GRADE_A), "A") == 0 && strcmp(grade_letter(GRADE_F), "F") == 0);
+    CHECK(strcmp(grade_words(GRADE_E), "helper only") == 0);
+}
+
+/* Turns a point about the origin. */
+static json_t *turned(double x, double y, double angle) {
+    return json_pack("[f,f]", x * cos(angle) - y * sin(angle), x * sin(angle) + y * cos(angle));
+}
+
+/* The corner of houses/corner-*.json, both legs w m wide, turned. */
+static Grade grade_corner(double w, double angle) {
+    const double outer = 4 + w + 0.06, points[6][2] = {{outer, 4 + w},    {outer, -0.06},   {-0.06, -0.06},
+                                                       {-0.06, w + 0.06}, {3.94, w + 0.06}, {3.94, 4 + w}};
+    json_t *wall = json_array();
+    for (int p = 0; p < 6; p++)
+        json_array_append_new(wall, turned(points[p][0], points[p][1], angle));
+    json_t *plan = json_pack("{s:s, s:i, s:s, s:[{s:s, s:o, s:f}], s:[{s:s, s:o, s:o}], s:[{s:s, s:s, s:o, s:f}]}",
+                             "format", "clearance-house", "version", 1, "name", "corner", "walls", "id", "w1", "points",
+                             wall, "thickness", 0.12, "exits", "id", "e1", "from", turned(4, 4 + w, angle), "to",
+                             turned(4 + w, 4 + w, angle), "people", "id", "p1", "profile", "manual-chair", "at",
+                             turned(1, w / 2, angle), "heading", angle * 180 / M_PI);
+    House house;
+    case_made(&house, plan, -1, NULL);
+    Grade grade = grade_person(&house, 0, NULL);
+    house_free(&house);
+    return grade;
+}
+
+LONG_TEST(a_corner_is_as_tight_turned_and_no_tighter_when_wider) {
+    Grade narrow = grade_corner(0.94, 0), slanted = grade_corner(0.94, M_PI / 6), wide = grade_corner(0.98, 0);
+    printf("c*: %.1f mm, turned %.1f mm; 4 cm wider %.1f mm\n", 1000 * narrow.tightness, 1000 * slanted.tightness,
+           1000 * wide.tightness);
+    CHECK_NEAR(slanted.tightness, narrow.tightness, 0.005);
+    CHECK(wide.tightness >= narrow.tightness && wide.letter <= narrow.letter);
+}
