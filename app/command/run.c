@@ -92,6 +92,7 @@ static void print_drivers(const House *house, const Observation *observation, co
     text_format(&text, "\ndrivers of the population %s: %s\n", population->id, population->title);
     result_drivers_say(&text, house, observation, drivers);
     result_text_take(&text, "", result_drivers_table(house, observation, drivers));
+    result_text_take(&text, "", result_drivers_routes(house, drivers));
     fputs(text.text, stdout);
     memory_free(text.text);
 }
@@ -101,9 +102,10 @@ static void print_json(const House *house, const Observation *observation, const
     json_t *answer = answer_house(house, observation);
     if (drivers->count)
         json_object_set_new(answer, "drivers",
-                            json_pack("{s:s, s:I, s:o}", "population", population->id, "count",
+                            json_pack("{s:s, s:I, s:o, s:o}", "population", population->id, "count",
                                       (json_int_t)drivers->count, "people",
-                                      result_json_take_list(result_drivers_table(house, observation, drivers))));
+                                      result_json_take_list(result_drivers_table(house, observation, drivers)),
+                                      "routes", result_json_take_list(result_drivers_routes(house, drivers))));
     answer_mark_interrupted(answer, interrupted);
     answer_print(answer);
 }

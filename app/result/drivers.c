@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "house/touch.h"
 #include "study/montecarlo.h"
+#include "study/welch.h"
 
 /* The drivers of one person. */
 typedef struct Fleet {
@@ -145,6 +146,82 @@ ResultTable result_drivers_table(const House *house, const Observation *nominal,
         if (fleet.count)
             add_fleet(&table, house, nominal_time(nominal, i), &fleet);
     }
+    return table;
+}
+
+/* Routes ---------------------------------------------------------------------------------------------------------- */
+
+/* Returns the time of a route with driver k, s; NAN: not all of it get out, or none of them is of the population. */
+static double route_time(const House *house, const Drivers *drivers, size_t k, const PlanRoute *route) {
+    double time = -HUGE_VAL;
+    bool varies = false;
+    for (size_t i = 0; i < drivers->person_count; i++) {
+        const DriverRun *run = &drivers->runs[k * drivers->person_count + i];
+        if (house->people[i].route != route || !run->took_part)
+            continue;
+        if (!run->completed)
+            return (double)NAN;
+        varies |= run->varies;
+        time = fmax(time, run->time);
+    }
+    return varies ? time : (double)NAN;
+}
+
+static const char *words_of_verdict(Arena *arena, const Welch *welch, const WelchSample *measured) {
+    switch (welch->verdict) {
+    case WELCH_AGREES:
+        return "agrees within 10 %";
+    case WELCH_DIFFERS:
+        return text_in_arena(arena, "differs, by %.1f to %.1f s", welch->low, welch->high);
+    case WELCH_CANNOT_TELL:
+        return text_in_arena(arena, "cannot be told with n = %zu", measured->count);
+    default:
+        return measured->count ? "too few runs" : NULL;
+    }
+}
+
+static void add_comparison(ResultTable *table, const PlanRoute *route, const Distribution *times) {
+    const Observed *observed = &route->observed;
+    bool measured = observed->mean > 0;
+    WelchSample a = {observed->mean, observed->deviation, measured ? (size_t)observed->runs : 0};
+    WelchSample c = {times->mean, times->deviation, times->count};
+    Welch welch = welch_compare(&a, &c, 0.1);
+    const char *verdict = words_of_verdict(&table->arena, &welch, &a);
+    result_add(table, (ResultRow){.key = "id", .label = "route", .text = route->id});
+    add_number(table, "mean", "mean (a)", measured ? a.mean : (double)NAN, "s", 2);
+    add_number(table, "deviation", "deviation (b)", measured && a.count > 1 ? a.deviation : (double)NAN, "s", 2);
+    result_add(table, (ResultRow){.key = "runs",
+                                  .label = "n",
+                                  .kind = RESULT_COUNT,
+                                  .number = measured ? (double)a.count : (double)NAN});
+    add_number(table, "simulation", "simulated mean (c)", c.mean, "s", 2);
+    add_number(table, "simulated_deviation", "deviation (d)", c.deviation, "s", 2);
+    result_add(table, (ResultRow){.key = "drivers", .label = "N", .kind = RESULT_COUNT, .number = (double)c.count});
+    result_add(table, (ResultRow){.key = "error",
+                                  .label = "((c)-(a))/(a)",
+                                  .kind = RESULT_NUMBER,
+                                  .number = measured ? (c.mean - a.mean) / a.mean : (double)NAN,
+                                  .unit = "%",
+                                  .factor = 100,
+                                  .decimals = 1,
+                                  .sign = true});
+    add_number(table, "error_low", NULL, measured ? welch.low / a.mean : (double)NAN, NULL, 3);
+    add_number(table, "error_high", NULL, measured ? welch.high / a.mean : (double)NAN, NULL, 3);
+    result_add(table, (ResultRow){.key = "verdict", .label = "verdict", .text = verdict, .omitted = !verdict});
+    result_end(table);
+}
+
+ResultTable result_drivers_routes(const House *house, const Drivers *drivers) {
+    ResultTable table = {0};
+    double *times = memory_zeroed(drivers->count, sizeof *times);
+    for (size_t r = 0; r < house->plan.route_count; r++) {
+        for (size_t k = 0; k < drivers->count; k++)
+            times[k] = route_time(house, drivers, k, &house->plan.routes[r]);
+        Distribution distribution = montecarlo_distribution(times, drivers->count);
+        if (distribution.count)
+            add_comparison(&table, &house->plan.routes[r], &distribution);
+    }
+    memory_free(times);
     return table;
 }
 

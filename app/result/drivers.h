@@ -11,6 +11,11 @@ enum { RESULT_DRIVERS_BAND = 40 };
 /* `nominal` is the observation of the nominal driver. */
 ResultTable result_drivers_table(const House *house, const Observation *nominal, const Drivers *drivers);
 
+/* The table of the paper for routes with drivers of the population: measured (a), (b), n and simulated (c), (d), N, and
+ * whether the two means agree within 10 % (welch.h). The time of a route is that of its last person; a driver counts if
+ * all of the route get out. */
+ResultTable result_drivers_routes(const House *house, const Drivers *drivers);
+
 /* Adds a sentence for each person: "p-a  13.0 s; 9 of 10 drivers 11.9 to 15.2 s; 97 of 100 out; 12 % touch (7 to 20)".
  */
 void result_drivers_say(Text *text, const House *house, const Observation *nominal, const Drivers *drivers);

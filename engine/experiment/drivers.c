@@ -252,7 +252,8 @@ static void run_driver(void *context, size_t k) {
     for (size_t i = 0; i < house->person_count && !observation.interrupted; i++) {
         const PersonObservation *person = &observation.people[i];
         work->drivers->runs[k * house->person_count + i] =
-            (DriverRun){.varies = person->took_part && varies(work, &work->house->people[i]),
+            (DriverRun){.took_part = person->took_part,
+                        .varies = person->took_part && varies(work, &work->house->people[i]),
                         .completed = person->completed,
                         .reason = person->reason,
                         .time = person->time,

@@ -22,6 +22,7 @@ enum { DRIVERS_MOST = 10000 };
 
 /* What one driver in one place of the house does. */
 typedef struct DriverRun {
+    bool took_part;
     bool varies; /* True if this person is of the population and took part */
     bool completed;
     Reason reason; /* why not */
