@@ -3,11 +3,14 @@
 
 #include "command/answer.h"
 #include "command/command.h"
+#include "command/driver_population.h"
 #include "command/frames.h"
 #include "command/house_file.h"
 #include "command/output.h"
 #include "command/progress.h"
 #include "command/report_files.h"
+#include "experiment/drivers.h"
+#include "result/drivers.h"
 #include "result/house.h"
 #include "result/json.h"
 #include "result/text.h"
@@ -90,6 +93,30 @@ static bool write_results(const House houses[2], const Observation observations[
                          options));
 }
 
+/* Runs the same drivers through both houses and adds or prints their differences. Returns false if interrupted. */
+static bool compare_drivers(const House houses[2], const Population *population, const Options *options,
+                            json_t *answer) {
+    Drivers drivers[2];
+    for (int h = 0; h < 2; h++)
+        drivers_run(&drivers[h], &houses[h], population, (size_t)options->drivers, SIZE_MAX, options->jobs,
+                    &progress_stop);
+    bool whole = !drivers[0].interrupted && !drivers[1].interrupted;
+    if (whole && answer) {
+        json_object_set_new(answer, "drivers",
+                            json_pack("{s:s, s:o}", "population", population->id, "people",
+                                      result_json_take_list(result_drivers_paired(houses, drivers))));
+    } else if (whole) {
+        Text text = {0};
+        text_format(&text, "\nthe same %d drivers of the population %s in both:\n", options->drivers, population->id);
+        result_text_take(&text, "", result_drivers_paired(houses, drivers));
+        fputs(text.text, stdout);
+        memory_free(text.text);
+    }
+    for (int h = 0; h < 2; h++)
+        drivers_free(&drivers[h]);
+    return whole;
+}
+
 int command_compare(const Options *options) {
     House houses[2] = {{.seed = 0}};
     Observation observations[2];
@@ -98,7 +125,8 @@ int command_compare(const Options *options) {
         return EXIT_WRONG_INPUT;
     bool first = house_file_read(&houses[0], options, 0, &fault);
     bool second = house_file_read(&houses[1], options, 1, &fault);
-    if (!first || !second) {
+    Population population = {0};
+    if (!first || !second || (options->drivers && !driver_population_read(&population, options, &fault))) {
         house_free(&houses[0]);
         house_free(&houses[1]);
         return house_file_report(&fault);
@@ -110,10 +138,18 @@ int command_compare(const Options *options) {
         fprintf(stderr, "clearance: interrupted; nothing is compared or written\n");
     bool written = told || write_results(houses, observations, options);
     bool interrupted = output_tell_interrupted(told);
-    if (options->json)
-        answer_print(make_answer(houses, observations, interrupted));
-    else
+    json_t *answer = options->json ? make_answer(houses, observations, interrupted) : NULL;
+    if (!answer)
         print_comparison(houses, observations);
+    if (options->drivers && !interrupted && !compare_drivers(houses, &population, options, answer)) {
+        fprintf(stderr, "clearance: interrupted before all drivers had run; they are not compared\n");
+        interrupted = true;
+        if (answer)
+            answer_mark_interrupted(answer, true);
+    }
+    if (answer)
+        answer_print(answer);
+    population_free(&population);
     if (options->out && written && !told && !options->json)
         printf("\npictures are in %s\n", options->out);
     bool all = observations[0].completed && observations[1].completed && !interrupted;

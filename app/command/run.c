@@ -5,6 +5,7 @@
 #include "beam/beam.h"
 #include "command/answer.h"
 #include "command/command.h"
+#include "command/driver_population.h"
 #include "command/frames.h"
 #include "command/house_file.h"
 #include "command/output.h"
@@ -15,7 +16,6 @@
 #include "crank/crank.h"
 #include "experiment/drivers.h"
 #include "exchange/jupedsim.h"
-#include "laboratory/shipped.h"
 #include "result/drivers.h"
 #include "result/json.h"
 #include "result/text.h"
@@ -76,16 +76,6 @@ static void report_divergence(const House *house, const Observation *observation
     }
 }
 
-/* Reads the population of the command line: an id of the shipped ones, or a file. */
-static bool read_population(Population *population, const Options *options, Fault *fault) {
-    const char *name = options->population ? options->population : "manual-jp";
-    char path[OUTPUT_PATH];
-    size_t length = strlen(name);
-    bool file = strchr(name, '/') || (length > 5 && strcmp(name + length - 5, ".json") == 0);
-    snprintf(path, sizeof path, file ? "%s%s" : "%s/%s.json", file ? "" : shipped_places()->populations, name);
-    return population_read(population, path, fault);
-}
-
 static void print_drivers(const House *house, const Observation *observation, const Drivers *drivers,
                           const Population *population) {
     Text text = {0};
@@ -139,7 +129,7 @@ int command_run(const Options *options) {
         return house_file_report(&fault);
     }
     Population population = {0};
-    if (options->drivers && !read_population(&population, options, &fault)) {
+    if (options->drivers && !driver_population_read(&population, options, &fault)) {
         observed_free(&observed);
         house_free(&house);
         return house_file_report(&fault);

@@ -156,9 +156,9 @@ const Option option_rows[] = {
 
     {"--drivers", OPTION_WHOLE, FIELD(drivers), 1, STUDY_RUNS_MOST, "N",
      "run the house with N drivers of a population, too: their times, how many get out, and how many touch something",
-     GROUP_SIMULATION, FOR_RUN, NULL, NULL},
+     GROUP_SIMULATION, FOR_RUN | FOR_COMPARE, NULL, NULL},
     {"--population", OPTION_TEXT, FIELD(population), NO_RANGE, "ID|FILE",
-     "population of the drivers: one of assets/populations, or a file (default: manual-jp)", GROUP_SIMULATION, FOR_RUN,
+     "population of the drivers: one of assets/populations, or a file (default: manual-jp)", GROUP_SIMULATION, FOR_RUN | FOR_COMPARE,
      NULL, NULL},
 
     {"--vary", OPTION_NAME, NO_FIELD, NO_RANGE, "NAME=FROM:TO:STEPS",

@@ -1,5 +1,6 @@
 #include "result/drivers.h"
 
+#include <stdint.h>
 #include <string.h>
 
 #include "base/text.h"
@@ -222,6 +223,61 @@ ResultTable result_drivers_routes(const House *house, const Drivers *drivers) {
             add_comparison(&table, &house->plan.routes[r], &distribution);
     }
     memory_free(times);
+    return table;
+}
+
+/* Pairs ----------------------------------------------------------------------------------------------------------- */
+
+static void add_count(ResultTable *table, const char *key, const char *label, size_t count) {
+    result_add(table, (ResultRow){.key = key, .label = label, .kind = RESULT_COUNT, .number = (double)count});
+}
+
+/* Adds the differences of a person, who is `other` in the second house. */
+static void add_pair(ResultTable *table, const House *house, const Drivers drivers[2], size_t person, size_t other) {
+    size_t count = drivers[0].count < drivers[1].count ? drivers[0].count : drivers[1].count;
+    size_t out[2] = {0}, touch[2] = {0}, all = 0, quicker = 0;
+    double *differences = memory_zeroed(count, sizeof *differences);
+    for (size_t k = 0; k < count; k++) {
+        const DriverRun *runs[2] = {&drivers[0].runs[k * drivers[0].person_count + person],
+                                    &drivers[1].runs[k * drivers[1].person_count + other]};
+        differences[k] = (double)NAN;
+        if (!runs[0]->varies || !runs[1]->varies)
+            continue;
+        all++;
+        for (int h = 0; h < 2; h++) {
+            out[h] += runs[h]->completed;
+            touch[h] += runs[h]->contacts > 0;
+        }
+        if (runs[0]->completed && runs[1]->completed)
+            differences[k] = runs[1]->time - runs[0]->time;
+        quicker += differences[k] < 0;
+    }
+    Distribution both = montecarlo_distribution(differences, count);
+    memory_free(differences);
+    if (!all)
+        return;
+    double wide = both.count > 1 ? welch_student(0.975, (double)both.count - 1) * both.error : (double)NAN;
+    result_add(table, (ResultRow){.key = "id", .label = "person", .text = house->people[person].id});
+    add_count(table, "drivers", "drivers", all);
+    add_count(table, "out_a", "out of a", out[0]);
+    add_count(table, "out_b", "out of b", out[1]);
+    add_count(table, "touch_a", "touch in a", touch[0]);
+    add_count(table, "touch_b", "touch in b", touch[1]);
+    add_count(table, "both", "out of both", both.count);
+    add_number(table, "difference", "b - a", both.mean, "s", 2);
+    add_number(table, "low", "from", both.mean - wide, "s", 2);
+    add_number(table, "high", "to (95 %)", both.mean + wide, "s", 2);
+    add_count(table, "quicker", "quicker in b", quicker);
+    result_end(table);
+}
+
+ResultTable result_drivers_paired(const House houses[2], const Drivers drivers[2]) {
+    ResultTable table = {0};
+    for (size_t i = 0; i < drivers[0].person_count; i++) {
+        size_t other = house_find_person(&houses[1], houses[0].people[i].id);
+        if (other != SIZE_MAX)
+            add_pair(&table, &houses[0], drivers, i, other);
+    }
     return table;
 }
 

@@ -16,6 +16,10 @@ ResultTable result_drivers_table(const House *house, const Observation *nominal,
  * all of the route get out. */
 ResultTable result_drivers_routes(const House *house, const Drivers *drivers);
 
+/* Two houses with the same drivers, person by person: how many get out and touch something in each, and of those who
+ * get out of both the mean difference of their times, b - a, with its 95 % interval, and how many are quicker in b. */
+ResultTable result_drivers_paired(const House houses[2], const Drivers drivers[2]);
+
 /* Adds a sentence for each person: "p-a  13.0 s; 9 of 10 drivers 11.9 to 15.2 s; 97 of 100 out; 12 % touch (7 to 20)".
  */
 void result_drivers_say(Text *text, const House *house, const Observation *nominal, const Drivers *drivers);
