@@ -19,24 +19,43 @@
 #include "result/drivers.h"
 #include "result/json.h"
 #include "result/text.h"
+#include "visual/house/drivers_scene.h"
 #include "visual/house/house_scene.h"
 
-static int write_summary(const House *house, const Observation *observation, const char *path) {
+/* The nominal driver's run, and those of a population; its count is 0 if there is none. */
+typedef struct Fleets {
+    const Drivers *drivers;
+    const Population *population;
+} Fleets;
+
+static json_t *answer_of(const House *house, const Observation *observation, Fleets fleets) {
     json_t *answer = answer_house(house, observation);
+    const Drivers *drivers = fleets.drivers;
+    if (drivers->count)
+        json_object_set_new(answer, "drivers",
+                            json_pack("{s:s, s:I, s:o, s:o}", "population", fleets.population->id, "count",
+                                      (json_int_t)drivers->count, "people",
+                                      result_json_take_list(result_drivers_table(house, observation, drivers)),
+                                      "routes", result_json_take_list(result_drivers_routes(house, drivers))));
+    return answer;
+}
+
+static int write_summary(const House *house, const Observation *observation, Fleets fleets, const char *path) {
+    json_t *answer = answer_of(house, observation, fleets);
     int error = answer_write(answer, path);
     json_decref(answer);
     return error;
 }
 
 /* Writes the data files of a run, up to the first one that cannot be written. */
-static bool write_data(const House *house, const Observation *observation, const Options *options) {
+static bool write_data(const House *house, const Observation *observation, Fleets fleets, const Options *options) {
     static const char *const names[] = {"summary.json", "trace.csv", "trajectory.sqlite"};
     int error = 0;
     char path[OUTPUT_PATH];
     for (size_t f = 0; f < sizeof names / sizeof *names && !error; f++) {
         snprintf(path, sizeof path, "%s/%s", options->out, names[f]);
         if (f == 0)
-            error = write_summary(house, observation, path);
+            error = write_summary(house, observation, fleets, path);
         else if (f == 1)
             error = trace_write_csv(&observation->trace, path);
         else
@@ -48,11 +67,12 @@ static bool write_data(const House *house, const Observation *observation, const
 }
 
 static bool write_results(const House *house, const Observation *observation, const ObservedLoci *observed,
-                          const Options *options, size_t route) {
+                          Fleets fleets, const Options *options, size_t route) {
     if (options->out) {
         Scene scene = {0};
         house_scene_make(&scene, house, observation);
-        bool written = write_data(house, observation, options) && output_stills(&scene, options);
+        drivers_scene_add(&scene, house, fleets.drivers);
+        bool written = write_data(house, observation, fleets, options) && output_stills(&scene, options);
         scene_clear(&scene);
         if (!written || !report_files_write_run(house, observation, observed, options, route))
             return false;
@@ -87,15 +107,8 @@ static void print_drivers(const House *house, const Observation *observation, co
     memory_free(text.text);
 }
 
-static void print_json(const House *house, const Observation *observation, const Drivers *drivers,
-                       const Population *population, bool interrupted) {
-    json_t *answer = answer_house(house, observation);
-    if (drivers->count)
-        json_object_set_new(answer, "drivers",
-                            json_pack("{s:s, s:I, s:o, s:o}", "population", population->id, "count",
-                                      (json_int_t)drivers->count, "people",
-                                      result_json_take_list(result_drivers_table(house, observation, drivers)),
-                                      "routes", result_json_take_list(result_drivers_routes(house, drivers))));
+static void print_json(const House *house, const Observation *observation, Fleets fleets, bool interrupted) {
+    json_t *answer = answer_of(house, observation, fleets);
     answer_mark_interrupted(answer, interrupted);
     answer_print(answer);
 }
@@ -136,6 +149,7 @@ int command_run(const Options *options) {
     }
     Observation observation;
     Drivers drivers = {0};
+    const Fleets fleets = {&drivers, &population};
     house_file_run(&observation, &house, options, route);
     if (options->drivers && !observation.interrupted)
         drivers_run(&drivers, &house, &population, (size_t)options->drivers, route, options->jobs, &progress_stop);
@@ -147,10 +161,10 @@ int command_run(const Options *options) {
     } else if (told)
         fprintf(stderr, "clearance: interrupted at %.2f s of simulated time; the results up to there are kept\n",
                 observation.time);
-    bool written = write_results(&house, &observation, &observed, options, route);
+    bool written = write_results(&house, &observation, &observed, fleets, options, route);
     bool interrupted = output_tell_interrupted(told);
     if (options->json)
-        print_json(&house, &observation, &drivers, &population, interrupted);
+        print_json(&house, &observation, fleets, interrupted);
     else
         answer_text_print(&house, &observation);
     if (drivers.count && !options->json)

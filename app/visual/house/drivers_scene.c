@@ -1,0 +1,84 @@
+#include "visual/house/drivers_scene.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/memory.h"
+#include "result/names.h"
+
+/* m: touches nearer to each other than this are one place; the radius of a disc for all drivers, and the least one. */
+static const double NEAR = 0.4, LARGEST = 0.5, SMALLEST = 0.08;
+/* m/s, assumed: from here on a touch is a knock, and a blow. */
+static const double KNOCK = 0.1, BLOW = 0.3;
+/* design points */
+static const double LETTERS = 12;
+
+enum { LISTED = 6 };
+
+typedef struct TouchPlace {
+    Vec2 at; /* m, of its fastest impact */
+    size_t touches;
+    double fastest; /* m/s */
+    int part;       /* BodyPart, of the fastest */
+} TouchPlace;
+
+static Role role_of(double speed) {
+    return speed >= BLOW ? ROLE_DANGER_HIGH : speed >= KNOCK ? ROLE_DANGER_MIDDLE : ROLE_DANGER_LOW;
+}
+
+/* Gathers the fastest touch of each driver of each person. Returns the number of places. */
+static size_t gather(const Drivers *drivers, TouchPlace *places) {
+    size_t count = 0;
+    for (size_t r = 0; r < drivers->count * drivers->person_count; r++) {
+        const DriverRun *run = &drivers->runs[r];
+        if (!run->varies || !(run->impact > 0))
+            continue;
+        size_t p = 0;
+        while (p < count && vec2_distance(places[p].at, run->impact_at) > NEAR)
+            p++;
+        if (p == count)
+            places[count++] = (TouchPlace){.at = run->impact_at};
+        places[p].touches++;
+        if (run->impact > places[p].fastest) {
+            places[p].fastest = run->impact;
+            places[p].part = run->part;
+        }
+    }
+    return count;
+}
+
+static int by_touches(const void *a, const void *b) {
+    const TouchPlace *one = a, *other = b;
+    return (one->touches < other->touches) - (one->touches > other->touches);
+}
+
+/* A place in the list next to the plan: its name, its fastest impact, its share. */
+static void list_place(Scene *scene, const House *house, const TouchPlace *place, const char *letter, double share) {
+    char name[96];
+    outline_place_name(&house->outline, &house->plan, place->at, name, sizeof name);
+    SceneRow *row = scene_add_row(scene, ROW_DISC, names_text(house, name, &scene->arena));
+    row->role = role_of(place->fastest);
+    row->mark = letter;
+    row->cells[1] = scene_text(scene, "%.2f m/s", place->fastest);
+    row->cells[2] = scene_text(scene, "%.0f %%", 100 * share);
+}
+
+void drivers_scene_add(Scene *scene, const House *house, const Drivers *drivers) {
+    static const char *const letters[] = {"F", "S", "T"};
+    TouchPlace *places = memory_zeroed(drivers->count * drivers->person_count, sizeof *places);
+    size_t count = gather(drivers, places);
+    if (count)
+        scene_add_row(scene, ROW_HEADING, scene_text(scene, "Touches of %zu drivers", drivers->count));
+    qsort(places, count, sizeof *places, by_touches);
+    for (size_t p = 0; p < count; p++) {
+        double share = (double)places[p].touches / (double)drivers->count;
+        double radius = fmax(LARGEST * sqrt(fmin(share, 1)), SMALLEST);
+        const char *letter = letters[places[p].part];
+        scene_add_discs(scene, role_of(places[p].fastest), radius, &places[p].at, 1);
+        Primitive *label = scene_add_label(scene, ROLE_TEXT, LETTERS, places[p].at, letter);
+        label->bold = true;
+        if (p < LISTED)
+            list_place(scene, house, &places[p], letter, share);
+    }
+    memory_free(places);
+}
