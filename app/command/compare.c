@@ -3,7 +3,6 @@
 
 #include "command/answer.h"
 #include "command/command.h"
-#include "command/driver_population.h"
 #include "command/frames.h"
 #include "command/house_file.h"
 #include "command/output.h"
@@ -126,7 +125,7 @@ int command_compare(const Options *options) {
     bool first = house_file_read(&houses[0], options, 0, &fault);
     bool second = house_file_read(&houses[1], options, 1, &fault);
     Population population = {0};
-    if (!first || !second || (options->drivers && !driver_population_read(&population, options, &fault))) {
+    if (!first || !second || (options->drivers && !house_file_population(&population, options, &fault))) {
         house_free(&houses[0]);
         house_free(&houses[1]);
         return house_file_report(&fault);

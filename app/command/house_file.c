@@ -1,5 +1,8 @@
 #include "command/house_file.h"
 
+#include <string.h>
+#include "command/output.h"
+
 #include <stdio.h>
 
 #include "base/stopwatch.h"
@@ -53,4 +56,13 @@ void house_file_run(Observation *observation, const House *house, const Options 
     run_house(observation, house, &run);
     if (progress.shown)
         terminal_clear_progress();
+}
+
+bool house_file_population(Population *population, const Options *options, Fault *fault) {
+    const char *name = options->population ? options->population : "manual-jp";
+    char path[OUTPUT_PATH];
+    size_t length = strlen(name);
+    bool file = strchr(name, '/') || (length > 5 && strcmp(name + length - 5, ".json") == 0);
+    snprintf(path, sizeof path, file ? "%s%s" : "%s/%s.json", file ? "" : shipped_places()->populations, name);
+    return population_read(population, path, fault);
 }

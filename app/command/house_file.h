@@ -1,6 +1,7 @@
 /* Reading and running the house of a command line. */
 #pragma once
 
+#include "plan/population.h"
 #include "options/options.h"
 #include "house/house.h"
 #include "house/observation.h"
@@ -13,3 +14,7 @@ int house_file_report(Fault *fault);
 
 /* Runs the house as the options say, with progress. */
 void house_file_run(Observation *observation, const House *house, const Options *options, size_t route);
+
+/* Reads the population of --population: an id of the shipped ones, or a file; "manual-jp" if none is named. Returns
+ * false after an error. */
+bool house_file_population(Population *population, const Options *options, Fault *fault);

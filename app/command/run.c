@@ -5,7 +5,6 @@
 #include "beam/beam.h"
 #include "command/answer.h"
 #include "command/command.h"
-#include "command/driver_population.h"
 #include "command/frames.h"
 #include "command/house_file.h"
 #include "command/output.h"
@@ -142,7 +141,7 @@ int command_run(const Options *options) {
         return house_file_report(&fault);
     }
     Population population = {0};
-    if (options->drivers && !driver_population_read(&population, options, &fault)) {
+    if (options->drivers && !house_file_population(&population, options, &fault)) {
         observed_free(&observed);
         house_free(&house);
         return house_file_report(&fault);

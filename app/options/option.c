@@ -158,8 +158,8 @@ const Option option_rows[] = {
      "run the house with N drivers of a population, too: their times, how many get out, and how many touch something",
      GROUP_SIMULATION, FOR_RUN | FOR_COMPARE, NULL, NULL},
     {"--population", OPTION_TEXT, FIELD(population), NO_RANGE, "ID|FILE",
-     "population of the drivers: one of assets/populations, or a file (default: manual-jp)", GROUP_SIMULATION, FOR_RUN | FOR_COMPARE,
-     NULL, NULL},
+     "population of the drivers: one of assets/populations, or a file (default: manual-jp)", GROUP_SIMULATION,
+     FOR_RUN | FOR_COMPARE, NULL, NULL},
 
     {"--vary", OPTION_NAME, NO_FIELD, NO_RANGE, "NAME=FROM:TO:STEPS",
      "vary a parameter from FROM to TO in STEPS values, both ends included, for instance door.d1.width=0.7:1:31 (at "
