@@ -1,11 +1,10 @@
 #include "command/house_file.h"
 
-#include <string.h>
-#include "command/output.h"
-
 #include <stdio.h>
+#include <string.h>
 
 #include "base/stopwatch.h"
+#include "command/output.h"
 #include "command/progress.h"
 #include "command/terminal.h"
 #include "house/run.h"
