@@ -517,7 +517,7 @@ TEST(a_picture_of_a_crowd_names_nobody_and_counts_everybody) {
     CHECK(find_label(&scene, "EXIT e1: 27") && find_label(&scene, "EXIT e2: 10"));
     CHECK(census.left[0] == 27 && census.left[1] == 10);
     CHECK(scene.row_count == 4);
-    CHECK_TEXT(scene.rows[1].cells[0], "manual-chair");
+    CHECK_TEXT(scene.rows[1].cells[0], "wheelchair");
     CHECK(scene.rows[1].symbol == SYMBOL_BOX && scene.rows[1].role == ROLE_LOCUS);
     CHECK_TEXT(scene.rows[2].cells[0], "adult");
     CHECK_TEXT(scene.rows[2].cells[1], "36/40");
