@@ -46,6 +46,8 @@ static const MachinePreset presets[] = {
 
 static const char *const groups[] = {"Drive", "Joint", "Beam", "Pivot", "Shaker", "Run"};
 
+static const char *const sweeps[MACHINE_SWEEPS] = {"from rest", "upwards and downwards"};
+
 static const char *const over[] = {"drive.frequency", "drive.force",     "joint.clearance",
                                    "beam.length",     "joint.stiffness", "joint.damping"};
 static const char *const over_words[] = {"excitation frequency", "force",          "gap", "length",
@@ -119,6 +121,9 @@ const MachineKind beam_machine = {
     .group_count = sizeof groups / sizeof *groups,
     .presets = presets,
     .preset_count = sizeof presets / sizeof *presets,
+    .sweeps = sweeps,
+    .sweeps_meaning = "the initial state of each value of the orbit diagram: at rest, or the final state of the "
+                      "neighbouring value",
     .over = over,
     .over_words = over_words,
     .over_count = sizeof over / sizeof *over,

@@ -6,15 +6,15 @@ void beam_picture_set_camera(void *context, Camera camera) {
     BeamSession *session = context;
     session->view.camera = camera;
     beam_view_renew(&session->view);
-    beam_view_show(&session->view, &session->tape, session->shown);
-    session->news |= LABORATORY_VIEW;
+    beam_view_show(&session->view, &session->tape, session->machine.shown);
+    session->machine.news |= LABORATORY_VIEW;
 }
 
 void beam_picture_set_layers(void *context, unsigned layers) {
     BeamSession *session = context;
     session->view.parts = layers & BEAM_SCENE_ALL;
-    beam_view_show(&session->view, &session->tape, session->shown);
-    session->news |= LABORATORY_VIEW;
+    beam_view_show(&session->view, &session->tape, session->machine.shown);
+    session->machine.news |= LABORATORY_VIEW;
 }
 
 const Scene *beam_picture_still(void *context) {
@@ -43,7 +43,7 @@ LaboratoryPlot beam_picture_plot(const void *context, size_t index) {
     const BeamSession *session = context;
     LaboratoryPlot shown = {.cursor = NAN, .now = ROLE_DANGER_MIDDLE};
     if (index == BEAM_TRACES) {
-        shown = machine_diagram_shown(&session->diagram, &session->controls);
+        shown = machine_diagram_shown(&session->machine.diagram, &session->machine.controls);
     } else {
         shown.plot = &session->traces.plots[index];
         shown.revision = session->traces.revisions[index];
@@ -55,7 +55,7 @@ LaboratoryPlot beam_picture_plot(const void *context, size_t index) {
 
 size_t beam_picture_points_until(const void *context, size_t index, size_t series, double time) {
     const BeamSession *session = context;
-    return index == BEAM_TRACES ? session->diagram.series[series].count
+    return index == BEAM_TRACES ? session->machine.diagram.series[series].count
                                 : beam_traces_until(&session->traces, index, series, time);
 }
 

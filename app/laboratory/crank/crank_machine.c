@@ -49,6 +49,8 @@ static const MachinePreset presets[] = {
 
 static const char *const groups[] = {"Drive", "Joint", "Coupler", "Slider", "Crank", "Support", "Gravity", "Run"};
 
+static const char *const sweeps[MACHINE_SWEEPS] = {"from the start", "upwards and downwards"};
+
 static const char *const over[] = {"drive.frequency", "joint.clearance", "coupler.length",
                                    "slider.mass",     "joint.stiffness", "joint.damping"};
 static const char *const over_words[] = {"speed",         "clearance",         "coupler's length",
@@ -103,6 +105,9 @@ const MachineKind crank_machine = {
     .group_count = sizeof groups / sizeof *groups,
     .presets = presets,
     .preset_count = sizeof presets / sizeof *presets,
+    .sweeps = sweeps,
+    .sweeps_meaning = "the initial state of each value of the orbit diagram: the start of the file, or the final state "
+                      "of the neighbouring value",
     .over = over,
     .over_words = over_words,
     .over_count = sizeof over / sizeof *over,

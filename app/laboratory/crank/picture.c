@@ -6,15 +6,15 @@ void crank_picture_set_camera(void *context, Camera camera) {
     CrankSession *session = context;
     session->view.camera = camera;
     crank_view_renew(&session->view);
-    crank_view_show(&session->view, &session->tape, session->shown);
-    session->news |= LABORATORY_VIEW;
+    crank_view_show(&session->view, &session->tape, session->machine.shown);
+    session->machine.news |= LABORATORY_VIEW;
 }
 
 void crank_picture_set_layers(void *context, unsigned layers) {
     CrankSession *session = context;
     session->view.parts = layers & CRANK_SCENE_ALL;
-    crank_view_show(&session->view, &session->tape, session->shown);
-    session->news |= LABORATORY_VIEW;
+    crank_view_show(&session->view, &session->tape, session->machine.shown);
+    session->machine.news |= LABORATORY_VIEW;
 }
 
 const Scene *crank_picture_still(void *context) {
@@ -45,7 +45,7 @@ LaboratoryPlot crank_picture_plot(const void *context, size_t index) {
     const CrankSession *session = context;
     LaboratoryPlot shown = {.cursor = NAN, .now = ROLE_DANGER_MIDDLE};
     if (index == CRANK_TRACES) {
-        shown = machine_diagram_shown(&session->diagram, &session->controls);
+        shown = machine_diagram_shown(&session->machine.diagram, &session->machine.controls);
     } else {
         shown.plot = &session->traces.plots[index];
         shown.revision = session->traces.revisions[index];
@@ -57,7 +57,7 @@ LaboratoryPlot crank_picture_plot(const void *context, size_t index) {
 
 size_t crank_picture_points_until(const void *context, size_t index, size_t series, double time) {
     const CrankSession *session = context;
-    return index == CRANK_TRACES ? session->diagram.series[series].count
+    return index == CRANK_TRACES ? session->machine.diagram.series[series].count
                                  : crank_traces_until(&session->traces, index, series, time);
 }
 

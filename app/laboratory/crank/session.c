@@ -2,10 +2,8 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "base/stopwatch.h"
-#include "base/text.h"
 #include "laboratory/crank/picture.h"
 #include "laboratory/machine/item.h"
 #include "laboratory/save_file.h"
@@ -42,17 +40,16 @@ static MachineLately look(const CrankTape *tape) {
     return lately;
 }
 
-static void look_at_answer(CrankSession *session) {
-    if (session->looked == session->tape.front)
+static void look_at_answer(MachineSession *machine_session) {
+    CrankSession *session = (CrankSession *)machine_session;
+    if (session->machine.looked == session->tape.front)
         return;
-    session->looked = session->tape.front;
-    const Crank *crank = &session->now.crank;
+    session->machine.looked = session->tape.front;
+    const Crank *crank = &session->machine.now.crank;
     MachineLately lately = look(&session->tape);
-    snprintf(session->where, sizeof session->where, "%.4g rpm (%.4g Hz), clearance %.3g mm", 60 * crank->frequency,
-             crank->frequency, MILLI * crank->clearance);
-    MachineNow now = {session->tape.status, session->tape.next, session->where};
-    machine_answer_write(&session->answer, &now, &lately, session->has_verdict ? &session->verdict : NULL);
-    session->news |= LABORATORY_TEXTS;
+    snprintf(session->machine.where, sizeof session->machine.where, "%.4g rpm (%.4g Hz), clearance %.3g mm",
+             60 * crank->frequency, crank->frequency, MILLI * crank->clearance);
+    machine_session_write(&session->machine, session->tape.status, session->tape.next, &lately);
 }
 
 static bool has_ended(const CrankSession *session) {
@@ -62,7 +59,7 @@ static bool has_ended(const CrankSession *session) {
 /* Records one more revolution, or stores the reason why the record has ended. */
 static void advance(CrankSession *session) {
     CrankTape *tape = &session->tape;
-    session->news |= tape->next ? LABORATORY_TEXTS : 0;
+    session->machine.news |= tape->next ? LABORATORY_TEXTS : 0;
     if (crank_tape_advance(tape))
         return;
     if (tape->status == CYCLE_CHATTERS)
@@ -75,132 +72,61 @@ static void advance(CrankSession *session) {
                  "In revolution %zu the numbers grow without bound%s, and the run ends: use more damping or another "
                  "speed",
                  tape->front + 1, tape->turn.tree->turns ? ", or the motor stalls" : "");
-    session->looked = SIZE_MAX;
-    session->news |= LABORATORY_ERROR | LABORATORY_TEXTS;
+    session->machine.looked = SIZE_MAX;
+    session->machine.news |= LABORATORY_ERROR | LABORATORY_TEXTS;
 }
 
 /* Changes ----------------------------------------------------------------------------------------------------------*/
 
-static const char *const sweeps[] = {"from the start", "upwards and downwards"};
-static const char *const sights[CRANK_SIGHTS] = {"from the side", "along the coupler", "from above"};
-
-enum { CHOICE_SWEEP, CHOICE_OVER, CHOICE_SIGHT };
-
-static void show_choices(CrankSession *session) {
-    session->choices[CHOICE_SWEEP] =
-        (PanelChoice){.name = "Sweep",
-                      .meaning = "the initial state of each value of the orbit diagram: the start of the file, or the "
-                                 "final state of the neighbouring value",
-                      .options = sweeps,
-                      .count = sizeof sweeps / sizeof *sweeps,
-                      .chosen = session->diagram.carried};
-    session->choices[CHOICE_OVER] = (PanelChoice){.name = "Orbit over",
-                                                  .meaning = "the parameter that varies along the orbit diagram",
-                                                  .options = crank_machine.over_words,
-                                                  .count = crank_machine.over_count,
-                                                  .chosen = session->diagram.over};
-    session->choices[CHOICE_SIGHT] = (PanelChoice){.name = "Loupe",
-                                                   .meaning = "the direction in which the loupe shows the socket",
-                                                   .options = sights,
-                                                   .count = CRANK_SIGHTS,
-                                                   .chosen = session->view.sight};
-}
-
-static void ask_worker(CrankSession *session, bool verdict) {
-    session->news |= LABORATORY_TEXTS | LABORATORY_PARAMETERS;
-    session->looked = SIZE_MAX;
-    session->has_verdict =
-        session->has_verdict && machine_same(&crank_machine, &session->verdict.machine, &session->now);
-    machine_controls_show(&session->controls, &session->now);
-    machine_diagram_ask(&session->diagram, &session->controls, &session->now, session->worker);
-    if (verdict)
-        machine_worker_ask_verdict(session->worker, &session->now);
-}
-
-/* Changes the crank from the end of the displayed revolution on. */
-static bool change(CrankSession *session, const Machine *machine, Fault *fault) {
+static bool change_record(MachineSession *machine_session, const Machine *machine, Fault *fault) {
+    CrankSession *session = (CrankSession *)machine_session;
     CrankTape *tape = &session->tape;
-    if (machine_same(&crank_machine, machine, &session->now))
-        return true;
     if (!crank_check(&machine->crank, session->opened.name, fault))
         return false;
-    size_t row, cycle = crank_tape_cycle_at(tape, session->shown, &row) + 1;
+    size_t row, cycle = crank_tape_cycle_at(tape, session->machine.shown, &row) + 1;
     crank_tape_change(tape, &machine->crank, cycle < tape->front ? cycle : tape->front);
-    session->now = *machine;
-    ask_worker(session, true);
     return true;
 }
 
-static const PanelParameter *parameters(const void *context, size_t *count) {
-    const CrankSession *session = context;
-    *count = session->controls.count;
-    return session->controls.parameters;
-}
+static const char *const sights[CRANK_SIGHTS] = {"from the side", "along the coupler", "from above"};
 
-static bool set_number(void *context, const char *name, double value, Fault *fault) {
-    CrankSession *session = context;
-    Machine machine = session->now;
-    return machine_controls_set(&session->controls, &machine, name, value, fault) && change(session, &machine, fault);
-}
+enum { CHOICE_SIGHT = MACHINE_CHOICES };
 
-static void reset_numbers(void *context) {
-    CrankSession *session = context;
-    Fault none = {0};
-    change(session, &session->controls.file, &none);
-    fault_clear(&none);
-}
-
-static const Preset *presets(const void *context, size_t *count) {
-    const CrankSession *session = context;
-    *count = crank_machine.preset_count;
-    return session->controls.presets;
-}
-
-static void apply_preset(void *context, size_t preset) {
-    CrankSession *session = context;
-    Machine machine;
-    Fault none = {0};
-    machine_controls_prefer(&session->controls, preset, &machine);
-    change(session, &machine, &none);
-    fault_clear(&none);
-}
-
-static const PanelChoice *choices(void *context, size_t *count) {
-    *count = CRANK_CHOICES;
-    return ((const CrankSession *)context)->choices;
+static void show_sight(CrankSession *session) {
+    session->machine.choices[CHOICE_SIGHT] =
+        (PanelChoice){.name = "Loupe",
+                      .meaning = "the direction in which the loupe shows the socket",
+                      .options = sights,
+                      .count = CRANK_SIGHTS,
+                      .chosen = session->view.sight};
 }
 
 static void choose(void *context, size_t choice, size_t word) {
     CrankSession *session = context;
-    if (choice == CHOICE_SWEEP)
-        session->diagram.carried = word == 1;
-    else if (choice == CHOICE_OVER)
-        session->diagram.over = word;
-    else
-        session->view.sight = (CrankSight)word;
-    show_choices(session);
-    if (choice == CHOICE_SIGHT) {
-        crank_view_show(&session->view, &session->tape, session->shown);
-        session->news |= LABORATORY_VIEW | LABORATORY_PARAMETERS;
-    } else {
-        ask_worker(session, false);
+    if (choice != CHOICE_SIGHT) {
+        machine_session_choose(context, choice, word);
+        return;
     }
+    session->view.sight = (CrankSight)word;
+    show_sight(session);
+    crank_view_show(&session->view, &session->tape, session->machine.shown);
+    session->machine.news |= LABORATORY_VIEW | LABORATORY_PARAMETERS;
 }
 
 static void restart(void *context) {
     CrankSession *session = context;
-    crank_tape_restart(&session->tape, &session->now.crank);
+    crank_tape_restart(&session->tape, &session->machine.now.crank);
     advance(session);
     crank_traces_forget(&session->traces, 0);
-    session->shown = 0;
-    session->looked = SIZE_MAX;
-    session->news |= LABORATORY_TEXTS;
+    session->machine.shown = 0;
+    session->machine.looked = SIZE_MAX;
+    session->machine.news |= LABORATORY_TEXTS;
 }
 
 static bool save_run(void *context, double time) {
     CrankSession *session = context;
     crank_traces_store(&session->traces, time);
-    machine_diagram_store(&session->diagram, true);
+    machine_diagram_store(&session->machine.diagram, true);
     return true;
 }
 
@@ -208,15 +134,9 @@ static void clear_runs(void *context, double time) {
     CrankSession *session = context;
     size_t row;
     crank_traces_store(&session->traces, -1);
-    machine_diagram_store(&session->diagram, false);
+    machine_diagram_store(&session->machine.diagram, false);
     crank_traces_forget(&session->traces, crank_tape_cycle_at(&session->tape, time, &row));
     crank_traces_show(&session->traces, &session->tape, time);
-}
-
-static const char *const *command(void *context, size_t *count) {
-    CrankSession *session = context;
-    *count = machine_controls_command(&session->controls, session->path, session->command, &session->command_words);
-    return session->command;
 }
 
 /* Opening -----------------------------------------------------------------------------------------------------------*/
@@ -228,9 +148,6 @@ static bool read_files(CrankSession *session, const char *path, const Laboratory
         crank_free(&session->opened);
         return false;
     }
-    session->now.crank = session->opened;
-    machine_controls_open(&session->controls, &crank_machine, &(Machine){.crank = session->file});
-    machine_controls_show(&session->controls, &session->now);
     return true;
 }
 
@@ -240,33 +157,29 @@ static void *open_live(const char *path, const LaboratoryOptions *options, Fault
         memory_free(session);
         return NULL;
     }
-    crank_tape_open(&session->tape, &session->now.crank);
-    session->path = text_copy(path);
+    crank_tape_open(&session->tape, &session->opened);
     session->view.parts = CRANK_SCENE_ALL;
     crank_traces_open(&session->traces);
-    machine_diagram_open(&session->diagram);
-    session->worker = machine_worker_start(&crank_machine, options->jobs);
-    show_choices(session);
-    session->news = LABORATORY_ALL & ~LABORATORY_ERROR;
+    session->machine.change_record = change_record;
+    session->machine.look = look_at_answer;
+    machine_session_open(&session->machine, &crank_machine, path, options->jobs, &(Machine){.crank = session->opened},
+                         &(Machine){.crank = session->file});
+    session->machine.choice_count = CHOICE_SIGHT + 1;
+    show_sight(session);
     advance(session);
-    ask_worker(session, true);
-    look_at_answer(session);
+    machine_session_ask(&session->machine, true);
+    look_at_answer(&session->machine);
     return session;
 }
 
 static void close_live(void *context) {
     CrankSession *session = context;
-    machine_worker_stop(session->worker);
+    machine_session_close(&session->machine);
     crank_traces_close(&session->traces);
-    machine_diagram_close(&session->diagram);
     crank_view_close(&session->view);
     crank_tape_close(&session->tape);
-    machine_answer_clear(&session->answer);
-    machine_verdict_clear(&session->verdict);
     crank_free(&session->file);
     crank_free(&session->opened);
-    arena_clear(&session->command_words);
-    memory_free(session->path);
     memory_free(session);
 }
 
@@ -275,7 +188,7 @@ static void close_live(void *context) {
 static RecordSpan span(const void *context) {
     const CrankSession *session = context;
     const CrankTape *tape = &session->tape;
-    double frequency = session->now.crank.frequency;
+    double frequency = session->machine.now.crank.frequency;
     return (RecordSpan){.begin = crank_tape_return(tape, tape->first)->begin,
                         .end = tape->front_time,
                         .complete = has_ended(session),
@@ -299,59 +212,15 @@ static double reach(void *context, double time) {
 
 static bool show(void *context, double time) {
     CrankSession *session = context;
-    session->shown = time;
+    session->machine.shown = time;
     bool restarted = crank_view_show(&session->view, &session->tape, time);
     crank_traces_show(&session->traces, &session->tape, time);
     if (restarted)
-        session->news |= LABORATORY_VIEW;
+        session->machine.news |= LABORATORY_VIEW;
     return !restarted;
 }
 
 /* Answer ------------------------------------------------------------------------------------------------------------*/
-
-static void apply_news(CrankSession *session, MachineNews *news) {
-    if (news->verdict && machine_same(&crank_machine, &news->result.machine, &session->now)) {
-        machine_verdict_clear(&session->verdict);
-        session->verdict = news->result;
-        session->has_verdict = true;
-        session->looked = SIZE_MAX;
-        bool typed = session->verdict.typed && session->verdict.type != TYPES_UNRESOLVED;
-        if (typed && machine_controls_name_type(&session->controls, &session->verdict.machine,
-                                                types_kind_name(session->verdict.type)))
-            session->news |= LABORATORY_PARAMETERS;
-    } else if (news->verdict) {
-        machine_verdict_clear(&news->result);
-    }
-    if (news->swept)
-        machine_diagram_apply(&session->diagram, news);
-}
-
-static unsigned update(void *context, double time) {
-    (void)time;
-    CrankSession *session = context;
-    MachineNews news;
-    machine_worker_take(session->worker, &news);
-    apply_news(session, &news);
-    look_at_answer(session);
-    char before[sizeof session->answer.doing];
-    memcpy(before, session->answer.doing, sizeof before);
-    machine_answer_note_doing(&session->answer, &crank_machine, &news);
-    if (strcmp(before, session->answer.doing) != 0)
-        session->news |= LABORATORY_TEXTS;
-    unsigned changed = session->news;
-    session->news = 0;
-    return changed;
-}
-
-static Result answer(void *context) {
-    return ((const CrankSession *)context)->answer.result;
-}
-
-static const PanelRow *rows(const void *context, size_t *count) {
-    const CrankSession *session = context;
-    *count = session->answer.row_count;
-    return session->answer.rows;
-}
 
 static const char *clock_words(void *context, double time) {
     CrankSession *session = context;
@@ -393,7 +262,7 @@ static const char *const layer_meanings[] = {"the ball in its socket, enlarged",
 
 static bool save(void *context, const char *path, Fault *fault) {
     size_t count;
-    const char *const *words = command(context, &count);
+    const char *const *words = machine_session_command(context, &count);
     return save_file_crank(words, count, path, fault);
 }
 
@@ -408,7 +277,7 @@ const Laboratory crank_laboratory = {
     .layers_at_first = CRANK_SCENE_ALL,
     .open = open_live,
     .close = close_live,
-    .update = update,
+    .update = machine_session_update,
     .span = span,
     .reach = reach,
     .show = show,
@@ -420,19 +289,19 @@ const Laboratory crank_laboratory = {
     .plot_count = crank_picture_plot_count,
     .plot = crank_picture_plot,
     .points_until = crank_picture_points_until,
-    .answer = answer,
+    .answer = machine_session_answer,
     .clock = clock_words,
     .note = note,
     .title = title,
-    .rows = rows,
+    .rows = machine_session_rows,
     .marks = marks,
     .error = error,
-    .parameters = parameters,
-    .set = set_number,
-    .reset = reset_numbers,
-    .presets = presets,
-    .apply_preset = apply_preset,
-    .choices = choices,
+    .parameters = machine_session_parameters,
+    .set = machine_session_set,
+    .reset = machine_session_reset,
+    .presets = machine_session_presets,
+    .apply_preset = machine_session_apply_preset,
+    .choices = machine_session_choices,
     .choose = choose,
     .restart = restart,
     .save_run = save_run,
@@ -443,7 +312,7 @@ const Laboratory crank_laboratory = {
     .selected = machine_item_selected,
     .item_name = machine_item_name,
     .outline = machine_item_outline,
-    .command = command,
+    .command = machine_session_command,
     .save = save,
     .sound = crank_picture_sound,
 };

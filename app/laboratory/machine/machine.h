@@ -28,7 +28,7 @@ typedef struct MachineLooks {
     bool logarithmic, first;
 } MachineLooks;
 
-enum { MACHINE_CHANGES = 2, MACHINE_PRESETS_MOST = 6 };
+enum { MACHINE_CHANGES = 2, MACHINE_PRESETS_MOST = 6, MACHINE_SWEEPS = 2 };
 
 /* A machine of interest: the file's, with some numbers changed. */
 typedef struct MachinePreset {
@@ -72,6 +72,8 @@ typedef struct MachineKind {
     size_t preset_count;
 
     /* The orbit diagram. */
+    const char *const *sweeps; /* (MACHINE_SWEEPS) where its runs start: afresh, or from their neighbours */
+    const char *sweeps_meaning;
     const char *const *over;       /* (over_count) names of the parameters along it, */
     const char *const *over_words; /* and for display */
     size_t over_count;
@@ -106,9 +108,6 @@ _Static_assert((int)MACHINE_VALUES >= (int)BEAM_VALUES && (int)MACHINE_VALUES >=
 /* Returns the name, and the place of the provenance of a row. */
 const char *machine_name(const MachineKind *kind, const Machine *machine);
 const char **machine_provenance(const MachineKind *kind, Machine *machine, const Parameter *row);
-
-/* Sets a number. Returns false, with an error and the machine unchanged, if the value is invalid. */
-bool machine_set(const Parameter *row, Machine *machine, double value, Fault *fault);
 
 /* True if all numbers of the machines are equal. */
 bool machine_same(const MachineKind *kind, const Machine *a, const Machine *b);
