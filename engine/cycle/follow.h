@@ -31,7 +31,7 @@ typedef struct FollowFamily {
                 double value); /* which is valid until the next call; given NULL: the value is impossible */
     void *context;
     double from, to; /* least and greatest value */
-    bool rough; /* the cycles at two values differ by more than rounding besides, as where modes are computed anew */
+    bool rough;      /* the cycles at two values differ by more than rounding besides, as where modes are recomputed */
 } FollowFamily;
 
 typedef enum FollowKind {

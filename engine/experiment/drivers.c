@@ -8,7 +8,7 @@
 #include "house/journey.h"
 #include "house/run.h"
 
-/* m: a known way is driven by a body that keeps this clearance on it, or that is no larger than the one it was planned
+/* m: a known way is driven by a body that keeps this clearance on it, or is at most as large as the one it was planned
  * for. */
 static const double KEPT = 0.005;
 /* m: a way with changes of direction is only for bodies not much smaller than the one it was planned for, since those
@@ -178,7 +178,7 @@ static const BodyPlan *find_way(const Work *work, const PersonPlans *known, size
     return best;
 }
 
-/* Returns a plan for a body that is no larger, for which there is no way, or NULL. */
+/* Returns a plan without a way, for a body that is at most as large, or NULL. */
 static const BodyPlan *find_failure(const PersonPlans *known, size_t i, const Profile *body) {
     for (size_t p = 0; p < known->count; p++) {
         const BodyPlan *plan = &known->plans[p];

@@ -281,8 +281,8 @@ static double steering_error(const World *world, size_t i, const Profile *profil
 }
 
 /* Finds the first place ahead, up to where the chair could stop twice, at which the body, shifted as it is, would meet
- * something: what the plan passes is no obstacle. Where only the shift is in the way, the chair creeps, since it comes
- * back to its line by driving. */
+ * something: what the plan passes does not count as an obstacle. Where only the shift is in the way, the chair creeps,
+ * since it comes back to its line by driving. */
 static bool is_in_something(const World *world, const Rectangle *body, const TrackPoint *point, double shift) {
     Vec2 axis = vec2_heading(point->heading);
     Vec2 at = vec2_along(vec2_along(point->at, shift, vec2_left(axis)), body->ahead, axis);

@@ -149,7 +149,7 @@ static void plan_walk(const Planning *planning, const Whereabouts *place, Journe
         journey->route.answer = ROUTE_CANNOT_PASS;
 }
 
-/* Follows a known route with another body, which is no larger. */
+/* Follows a known route with another body, which is at most as large. */
 static void follow(const Planning *planning, const Whereabouts *place, Journey *journey) {
     const House *house = planning->house;
     const Inhabitant *person = &house->people[place->person];

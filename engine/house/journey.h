@@ -60,7 +60,7 @@ Journeys journey_plan_briefly(const House *house, const bool *part, int jobs, co
 void journey_free_all(Journeys *journeys);
 
 /* Does the same for the drivers of another house on the same plan: each follows the route that `known` has, planned for
- * a body that is no smaller, at a speed of their own. Paper's chairs and walkers are planned for. */
+ * a body that is at least as large, at a speed of their own. Paper's chairs and walkers are planned for. */
 Journeys journey_follow(const Journeys *known, const House *house, const bool *part, int jobs, const Stop *stop);
 
 typedef enum JourneyAnswer { JOURNEY_POSSIBLE, JOURNEY_IMPOSSIBLE, JOURNEY_INTERRUPTED } JourneyAnswer;

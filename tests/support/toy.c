@@ -84,3 +84,15 @@ Experiment toy_experiment(Toy *toy) {
                         .nominal = nominal,
                         .run = run};
 }
+
+Study toy_study(const Experiment *experiment) {
+    return (Study){.experiment = experiment,
+                   .axes = {{"x", 0, 3, 7}, {"y", 1, 2, 3}},
+                   .axis_count = 2,
+                   .spreads = {{"x", 0.05}},
+                   .spread_count = 1,
+                   .passes = {STUDY_RESET, STUDY_UP, STUDY_DOWN},
+                   .pass_count = 3,
+                   .runs = 3,
+                   .seed = 1};
+}

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/stop.h"
-#include "study/experiment.h"
+#include "study/study.h"
 
 /* Observables of a run at (x, y): `regular`, 1 where x + memory < 2; `sum`, x + 10 y + the seed / 1000; `memory`, when
  * carried the sum of all x before in the chain, otherwise 0. Its series lists the first floor(x) + 1 squares. x is from
@@ -17,3 +17,6 @@ typedef struct Toy {
 
 /* The experiment points at `toy`. */
 Experiment toy_experiment(Toy *toy);
+
+/* Returns a study with all features: two axes, three passes, three seeds, a tolerance. */
+Study toy_study(const Experiment *experiment);

@@ -170,7 +170,7 @@ static void write_rows(MachineAnswer *answer, const MachineLately *lately, const
         format_another(lately, text, sizeof text);
         add_row(answer, ROW_HEADING, "Another motion is running", NULL);
         add_row(answer, ROW_PLAIN, arena_text(&answer->arena, text), NULL);
-        add_row(answer, ROW_PLAIN, "The motion can depend on the initial state; \"Run again\" starts it anew.", NULL);
+        add_row(answer, ROW_PLAIN, "The motion can depend on the initial state; \"Run again\" restarts it.", NULL);
     }
     add_natural(answer, verdict);
 }

@@ -33,7 +33,7 @@ struct MachineSession {
     /* Changes the record from the end of the displayed cycle on. False: a fault, and the record is unchanged. */
     bool (*change_record)(MachineSession *session, const Machine *machine, Fault *fault);
 
-    /* Writes the answer anew if the record has grown. */
+    /* Rewrites the answer if the record has grown. */
     void (*look)(MachineSession *session);
 };
 

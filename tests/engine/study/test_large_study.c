@@ -14,17 +14,12 @@
 #include "study/summary.h"
 #include "toy.h"
 
-/* A study with all features: two axes, three passes, three seeds, a tolerance; with faults where x is above 50. */
-static Study whole_study(const Experiment *experiment) {
-    return (Study){.experiment = experiment,
-                   .axes = {{"x", 0, 60, 13}, {"y", 1, 2, 3}},
-                   .axis_count = 2,
-                   .spreads = {{"x", 0.05}},
-                   .spread_count = 1,
-                   .passes = {STUDY_RESET, STUDY_UP, STUDY_DOWN},
-                   .pass_count = 3,
-                   .runs = 3,
-                   .seed = 1};
+/* The study with all features, with faults where x is above 50. */
+static Study faulty_study(const Experiment *experiment) {
+    Study study = toy_study(experiment);
+    study.axes[0].to = 60;
+    study.axes[0].steps = 13;
+    return study;
 }
 
 static void new_path(char path[SCRATCH_PATH]) {
@@ -56,7 +51,7 @@ static bool same_tables(const Study *a, const Study *b, int (*write)(const Study
 TEST(a_study_in_a_file_has_the_results_of_one_in_memory) {
     Toy toy = {0};
     Experiment experiment = toy_experiment(&toy);
-    Study held = whole_study(&experiment), large = held;
+    Study held = faulty_study(&experiment), large = held;
     char path[SCRATCH_PATH], store_path[SCRATCH_PATH];
     Fault fault = {0};
     StoreFound found;
@@ -89,7 +84,7 @@ TEST(without_its_series_an_experiment_keeps_none) {
     Toy toy = {0};
     Experiment experiment = toy_experiment(&toy);
     experiment.series = NULL;
-    Study study = whole_study(&experiment);
+    Study study = faulty_study(&experiment);
     study_begin(&study);
     study_run(&study, &(StudyOptions){.jobs = 1});
     size_t listed = 0;
@@ -102,7 +97,7 @@ TEST(without_its_series_an_experiment_keeps_none) {
 TEST(a_folder_that_cannot_hold_the_results_is_named) {
     Toy toy = {0};
     Experiment experiment = toy_experiment(&toy);
-    Study study = whole_study(&experiment);
+    Study study = faulty_study(&experiment);
     Fault fault = {0};
     CHECK(!study_begin_in(&study, "/nowhere", &fault) && fault.total == 1);
     CHECK(strstr(fault.lines[0], "/nowhere cannot hold the results of 351 runs"));

@@ -8,23 +8,10 @@
 #include "study/summary.h"
 #include "toy.h"
 
-/* A study with all features: two axes, three passes, three seeds, a tolerance. */
-static Study whole_study(const Experiment *experiment) {
-    return (Study){.experiment = experiment,
-                   .axes = {{"x", 0, 3, 7}, {"y", 1, 2, 3}},
-                   .axis_count = 2,
-                   .spreads = {{"x", 0.05}},
-                   .spread_count = 1,
-                   .passes = {STUDY_RESET, STUDY_UP, STUDY_DOWN},
-                   .pass_count = 3,
-                   .runs = 3,
-                   .seed = 1};
-}
-
 static uint64_t results_in_one_go(void) {
     Toy toy = {0};
     Experiment experiment = toy_experiment(&toy);
-    Study study = whole_study(&experiment);
+    Study study = toy_study(&experiment);
     study_begin(&study);
     study_run(&study, &(StudyOptions){.jobs = 1});
     uint64_t digest = summary_digest(&study);
@@ -36,7 +23,7 @@ static uint64_t results_in_one_go(void) {
 static size_t run_shard(const char *path, StudyShard shard) {
     Toy toy = {0};
     Experiment experiment = toy_experiment(&toy);
-    Study study = whole_study(&experiment);
+    Study study = toy_study(&experiment);
     StoreFound found;
     Fault fault = {0};
     study_begin(&study);
@@ -53,7 +40,7 @@ static size_t run_shard(const char *path, StudyShard shard) {
 TEST(the_shards_of_a_study_share_its_trials_without_cutting_a_chain) {
     Toy toy = {0};
     Experiment experiment = toy_experiment(&toy);
-    Study study = whole_study(&experiment);
+    Study study = toy_study(&experiment);
     study_begin(&study);
     for (size_t count = 1; count < 40; count += 6) {
         size_t trials = 0;
@@ -79,7 +66,7 @@ TEST(merged_shards_are_the_study_of_one_go_bit_for_bit) {
     scratch_write(path, "");
     Toy toy = {0};
     Experiment experiment = toy_experiment(&toy);
-    Study study = whole_study(&experiment);
+    Study study = toy_study(&experiment);
     StoreFound found;
     Fault fault = {0};
     study_begin(&study);
@@ -109,7 +96,7 @@ TEST(a_shard_has_one_writer_and_any_number_of_readers) {
     scratch_write(other, "");
     Toy toy = {0};
     Experiment experiment = toy_experiment(&toy);
-    Study study = whole_study(&experiment), merged = study;
+    Study study = toy_study(&experiment), merged = study;
     StoreFound found;
     Fault fault = {0};
     study_begin(&study);

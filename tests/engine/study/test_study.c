@@ -17,19 +17,6 @@
 #include "study/summary.h"
 #include "toy.h"
 
-/* A study with all features: two axes, three passes, three seeds, a tolerance. */
-static Study whole_study(const Experiment *experiment) {
-    return (Study){.experiment = experiment,
-                   .axes = {{"x", 0, 3, 7}, {"y", 1, 2, 3}},
-                   .axis_count = 2,
-                   .spreads = {{"x", 0.05}},
-                   .spread_count = 1,
-                   .passes = {STUDY_RESET, STUDY_UP, STUDY_DOWN},
-                   .pass_count = 3,
-                   .runs = 3,
-                   .seed = 1};
-}
-
 static Study sweep(const Experiment *experiment, double from, double to, size_t steps) {
     return (Study){.experiment = experiment,
                    .axes = {{"x", from, to, steps}},
@@ -42,7 +29,7 @@ static Study sweep(const Experiment *experiment, double from, double to, size_t 
 static uint64_t results_in_one_go(int jobs) {
     Toy toy = {0};
     Experiment experiment = toy_experiment(&toy);
-    Study study = whole_study(&experiment);
+    Study study = toy_study(&experiment);
     study_begin(&study);
     study_run(&study, &(StudyOptions){.jobs = jobs});
     CHECK(study_done(&study) == study.trial_count && study.trial_count == 3 * 3 * 7 * 3);
@@ -142,7 +129,7 @@ TEST(a_study_that_was_stopped_ends_as_one_of_one_go_bit_for_bit) {
         new_path(path);
         Toy toy = {0};
         Experiment experiment = toy_experiment(&toy);
-        Study study = whole_study(&experiment);
+        Study study = toy_study(&experiment);
         study_begin(&study);
         CHECK(run_in_pieces(&study, &toy, path, 20, jobs) > 5);
         CHECK(summary_digest(&study) == expected);
@@ -200,7 +187,7 @@ TEST(everything_that_determines_a_study_is_in_its_digest) {
     Toy toy = {0};
     Experiment experiment = toy_experiment(&toy), another = experiment;
     another.identity = 1;
-    Study study = whole_study(&experiment);
+    Study study = toy_study(&experiment);
     uint64_t digest = study_digest(&study, 7);
     CHECK(study_digest(&study, 7) == digest);
     CHECK(study_digest(&study, 8) != digest);
