@@ -23,7 +23,7 @@
 #define BARELY 1e-3          /* m, kept where there is no room for the margin */
 #define HAIR 5e-4            /* m */
 
-enum { SWEEPS = 8, SURE = 2, ASK_WHETHER_IT_FITS = 2, MOST_TO_CONFIRM = 60000 /* nodes, once a way is found */ };
+enum { SWEEPS = 8, SURE = 2, ASK_WHETHER_IT_FITS = 2 };
 
 static const SearchGrain coarse = {.cell = 0.10, .turn = M_PI / 18, .step = 0.15, .weight = 1.5, .most_nodes = 8000};
 static const SearchGrain middle = {.cell = 0.05, .turn = M_PI / 36, .step = 0.10, .weight = 1.5, .most_nodes = 24000};
@@ -104,11 +104,8 @@ static double radius_within(const Rectangle *body) {
 
 static SearchAnswer propose(const Decide *decide, const Rung *rung, SearchTrack *track) {
     Rectangle body = relieved(decide->body, rung->relief - decide->margin + SEARCH_CLEARANCE);
-    SearchGrain grain = *rung->grain;
-    if (decide->confirmed > 0 && grain.most_nodes > MOST_TO_CONFIRM)
-        grain.most_nodes = MOST_TO_CONFIRM;
-    return search_legs(decide->query, decide->goals, decide->goal_count, &body, radius_within(decide->body), &grain,
-                       rung->stage == STAGE_ONWARDS ? 0 : decide->query->most_reversals, track, NULL);
+    return search_legs(decide->query, decide->goals, decide->goal_count, &body, radius_within(decide->body),
+                       rung->grain, rung->stage == STAGE_ONWARDS ? 0 : decide->query->most_reversals, track, NULL);
 }
 
 /* Makes a way that keeps a margin quicker, and keeps it if it is the best: one with the whole margin goes before one
