@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "exchange/import.h"
+#include "experiment/drivers.h"
 #include "visual/beam/beam_plots.h"
 #include "visual/crank/crank_plots.h"
 #include "visual/house/film.h"
@@ -154,7 +155,7 @@ const Option option_rows[] = {
     {"--seed", OPTION_WHOLE, FIELD(seed), 0, (double)INT64_MAX, "N", "seed of all random numbers (default 1)",
      GROUP_SIMULATION, FOR_HOUSES | FOR_CASES | FOR_OPEN, NULL, NULL},
 
-    {"--drivers", OPTION_WHOLE, FIELD(drivers), 1, STUDY_RUNS_MOST, "N",
+    {"--drivers", OPTION_WHOLE, FIELD(drivers), 1, DRIVERS_MOST, "N",
      "run the house with N drivers of a population, too: their times, how many get out, and how many touch something",
      GROUP_SIMULATION, FOR_RUN | FOR_COMPARE, NULL, NULL},
     {"--population", OPTION_TEXT, FIELD(population), NO_RANGE, "ID|FILE",

@@ -88,7 +88,7 @@ static void write_detail(MachineAnswer *answer, const MachineNow *now, const Mac
         snprintf(type, sizeof type, verdict->type == TYPES_UNRESOLVED ? "type undecided   " : "type %s   ",
                  types_kind_name(verdict->type));
     if (verdict && verdict->facts.verdict == RESPONSE_CHAOTIC)
-        snprintf(exponent, sizeof exponent, "   lyapunov %+.2f per %s", verdict->facts.exponent.value,
+        snprintf(exponent, sizeof exponent, "   Lyapunov %+.2f per %s", verdict->facts.exponent.value,
                  verdict->kind->cycle);
     if (verdict && is_another(lately, verdict)) {
         strcpy(another, "   ");

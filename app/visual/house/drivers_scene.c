@@ -80,5 +80,10 @@ void drivers_scene_add(Scene *scene, const House *house, const Drivers *drivers)
         if (p < LISTED)
             list_place(scene, house, &places[p], letter, share);
     }
+    if (count) {
+        SceneRow *row = scene_add_row(scene, ROW_PLAIN, "F front");
+        row->cells[1] = "S side";
+        row->cells[2] = "T tail";
+    }
     memory_free(places);
 }
