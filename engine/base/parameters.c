@@ -1,5 +1,6 @@
 #include "base/parameters.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -365,4 +366,18 @@ void parameters_fault_unknown(const ParameterTable *table, const char *name, con
             used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", i ? ", " : "", table->rows[i].name);
         json_fault(node, fault, "%s has no parameter \"%.60s\", it has %s", table->what, name, known);
     }
+}
+
+bool parameters_set_number(const Parameter *row, void *object, double value, Fault *fault) {
+    if (!isfinite(value)) {
+        fault_add(fault, "%s must be a number", row->name);
+        return false;
+    }
+    char place[] = "";
+    Arena none = {0}; /* numbers need no memory */
+    JsonFile file = {.path = place, .root = parameters_number_json(row, value)};
+    JsonNode node = json_root(&file);
+    bool good = parameters_read_value(row, object, &node, &none, fault);
+    json_decref(file.root);
+    return good;
 }

@@ -68,6 +68,10 @@ bool parameters_read(const ParameterTable *table, void *object, const JsonNode *
  * it has a table of its own. */
 bool parameters_read_value(const Parameter *row, void *object, const JsonNode *node, Arena *arena, Fault *fault);
 
+/* Sets a field that is one number (parameters_number.h). Returns false, with a fault and the object unchanged, if the
+ * value is invalid. */
+bool parameters_set_number(const Parameter *row, void *object, double value, Fault *fault);
+
 /* Returns a new JSON object of the fields that differ from their fallbacks, in the table's order. */
 json_t *parameters_write(const ParameterTable *table, const void *object);
 

@@ -45,20 +45,6 @@ const char *parameters_number_text(const Parameter *row, double value, Arena *ar
     return arena_text(arena, number);
 }
 
-bool parameters_number_set(const Parameter *row, void *object, double value, Fault *fault) {
-    if (!isfinite(value)) {
-        fault_add(fault, "%s must be a number", row->name);
-        return false;
-    }
-    char place[] = "";
-    Arena none = {0}; /* numbers need no memory */
-    JsonFile file = {.path = place, .root = parameters_number_json(row, value)};
-    JsonNode node = json_root(&file);
-    bool good = parameters_read_value(row, object, &node, &none, fault);
-    json_decref(file.root);
-    return good;
-}
-
 bool parameters_number_same(const ParameterTable *table, const void *a, const void *b) {
     for (size_t i = 0; i < table->count; i++)
         if (parameters_number_get(&table->rows[i], a) != parameters_number_get(&table->rows[i], b))

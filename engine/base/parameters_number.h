@@ -6,9 +6,6 @@
 /* Returns the value in the row's unit: the index of a choice's word, 0 or 1 for a flag, NAN for any other kind. */
 double parameters_number_get(const Parameter *row, const void *object);
 
-/* Sets a number. Returns false, with a fault and the object unchanged, if the value is invalid. */
-bool parameters_number_set(const Parameter *row, void *object, double value, Fault *fault);
-
 /* True if all numbers of two objects are equal. */
 bool parameters_number_same(const ParameterTable *table, const void *a, const void *b);
 

@@ -19,7 +19,7 @@ static Cycle at_value(void *context, double value) {
     Beam beam = family->beam;
     Fault fault = {0};
     forget_own(family);
-    bool good = parameters_number_set(family->row, &beam, value, &fault);
+    bool good = parameters_set_number(family->row, &beam, value, &fault);
     if (good && beam_numbers_same_rig(&beam, &family->beam)) {
         family->own = rig_share(&family->rig, beam.frequency, beam.force, beam.clearance);
         family->shares = true;
@@ -35,7 +35,7 @@ static Cycle at_value(void *context, double value) {
 /* Adds an error unless the beam can have the value. */
 static bool check_end(const BeamFamily *family, double value, const char *place, Fault *fault) {
     Beam beam = family->beam;
-    return parameters_number_set(family->row, &beam, value, fault) && beam_check(&beam, place, fault);
+    return parameters_set_number(family->row, &beam, value, fault) && beam_check(&beam, place, fault);
 }
 
 bool beam_family_open(BeamFamily *family, const Beam *beam, const char *name, double from, double to, const char *place,
@@ -50,7 +50,7 @@ bool beam_family_open(BeamFamily *family, const Beam *beam, const char *name, do
     if (!check_end(family, from, place, fault) || !check_end(family, to, place, fault) ||
         !rig_build(&family->rig, beam, place, fault))
         return false;
-    parameters_number_set(family->row, &other, from, fault);
+    parameters_set_number(family->row, &other, from, fault);
     family->follow.rough = !beam_numbers_same_rig(&other, beam);
     return true;
 }

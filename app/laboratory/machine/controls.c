@@ -119,7 +119,7 @@ bool machine_controls_set(const MachineControls *controls, Machine *machine, con
         fault_add(fault, "a %s has no parameter \"%.60s\"", controls->kind->word, name);
         return false;
     }
-    if (!parameters_number_set(parameter->row, machine, value, fault))
+    if (!parameters_set_number(parameter->row, machine, value, fault))
         return false;
     Machine file = controls->file;
     *machine_provenance(controls->kind, machine, parameter->row) =

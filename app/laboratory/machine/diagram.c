@@ -48,7 +48,7 @@ static bool same_task(const MachineSweepTask *a, const MachineSweepTask *b) {
     const Parameter *row = parameters_find(b->kind->table(), b->name);
     Machine like = b->machine;
     Fault none = {0};
-    parameters_number_set(row, &like, parameters_number_get(row, &a->machine), &none);
+    parameters_set_number(row, &like, parameters_number_get(row, &a->machine), &none);
     fault_clear(&none);
     return machine_same(b->kind, &a->machine, &like);
 }
