@@ -115,11 +115,11 @@ static int sheet(Lesson *lesson, const Options *options, Arena *arena) {
     Making making = making_of(options);
     SheetOptions made = {
         .answers = options->answers, .program = making.program, .profiles = state.profiles, .jobs = options->jobs};
-    LessonSheet printed = lesson_sheet_make(lesson, &made, &fault);
+    Document printed = lesson_sheet_make(lesson, &made, &fault);
     const char *path = text_in_arena(arena, "%s/%s%s.pdf", options->out, name_of(lesson->path, arena),
                                      options->answers ? "-answers" : "");
-    int error = fault.total ? 0 : pdf_write(&printed.document, path, 0);
-    lesson_sheet_clear(&printed);
+    int error = fault.total ? 0 : pdf_write(&printed, path, 0);
+    document_clear(&printed);
     if (fault.total)
         return house_file_report(&fault);
     if (error)

@@ -127,7 +127,7 @@ const char *names_door(const Plan *plan, size_t door, Arena *arena) {
 const char *names_person(const House *house, size_t person, Arena *arena) {
     const Inhabitant *who = &house->people[person];
     if (who->route && strlen(who->route->id) <= 2)
-        return who->route->id;
+        return text_in_arena(arena, "%s", who->route->id);
     if (house->person_count > LETTERS)
         return text_in_arena(arena, "person %zu", person + 1);
     return text_in_arena(arena, "%c", (char)('A' + person));

@@ -21,8 +21,6 @@ typedef struct Sheet {
     const Lesson *lesson;
     const SheetOptions *options;
     Document document;
-    House *houses; /* (house_count) of the results */
-    size_t house_count;
     Fault *fault;
 } Sheet;
 
@@ -89,19 +87,20 @@ static void add_start(Sheet *sheet) {
 }
 
 static void add_result(Sheet *sheet, const LessonPicture *picture) {
-    House *house = &sheet->houses[sheet->house_count++];
+    House house = {0};
     Arena arena = {0};
-    if (read_house(house, sheet, picture->set, &arena)) {
+    if (read_house(&house, sheet, picture->set, &arena)) {
         Scene scene = {0};
         Observation observation;
         RunOptions run = {.route = SIZE_MAX, .jobs = sheet->options->jobs};
-        run_house(&observation, house, &run);
-        house_scene_make(&scene, house, &observation);
+        run_house(&observation, &house, &run);
+        house_scene_make(&scene, &house, &observation);
         observation_free(&observation);
         const char *caption = filled(sheet, picture->caption);
         document_add_figures(&sheet->document);
         document_add_scene(&sheet->document, &scene, vec2(PICTURE_WIDTH, RESULT_HEIGHT), caption, caption);
     }
+    house_free(&house);
     arena_clear(&arena);
 }
 
@@ -171,10 +170,9 @@ static void add_step(Sheet *sheet, const LessonStep *step, size_t number) {
         add_lines(sheet, 2);
 }
 
-LessonSheet lesson_sheet_make(const Lesson *lesson, const SheetOptions *options, Fault *fault) {
+Document lesson_sheet_make(const Lesson *lesson, const SheetOptions *options, Fault *fault) {
     Sheet sheet = {.lesson = lesson, .options = options, .document = document_begin(options->program), .fault = fault};
     Document *document = &sheet.document;
-    sheet.houses = memory_zeroed(lesson->picture_count + 1, sizeof *sheet.houses);
     document_add_title(document,
                        document_text(document, "%s, %s, %d minutes", options->answers ? "For the teacher" : "Lesson",
                                      lesson->level, lesson->minutes),
@@ -196,12 +194,5 @@ LessonSheet lesson_sheet_make(const Lesson *lesson, const SheetOptions *options,
         for (size_t p = 0; p < lesson->picture_count && lesson->laboratory == LESSON_HOUSE; p++)
             add_result(&sheet, &lesson->pictures[p]);
     }
-    return (LessonSheet){sheet.document, sheet.houses, sheet.house_count};
-}
-
-void lesson_sheet_clear(LessonSheet *sheet) {
-    document_clear(&sheet->document);
-    for (size_t h = 0; h < sheet->house_count; h++)
-        house_free(&sheet->houses[h]);
-    memory_free(sheet->houses);
+    return sheet.document;
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "document/document.h"
-#include "house/house.h"
 #include "lesson/lesson.h"
 
 /* What a sheet is made from: the lesson, whose numbers are computed. */
@@ -14,13 +13,5 @@ typedef struct SheetOptions {
     int jobs;             /* threads */
 } SheetOptions;
 
-/* A sheet, with the houses of its pictures, whose names the pictures show. */
-typedef struct LessonSheet {
-    Document document;
-    House *houses; /* (house_count) */
-    size_t house_count;
-} LessonSheet;
-
-/* Returns the sheet, to be released by lesson_sheet_clear; faults say which picture could not be made. */
-LessonSheet lesson_sheet_make(const Lesson *lesson, const SheetOptions *options, Fault *fault);
-void lesson_sheet_clear(LessonSheet *sheet);
+/* Returns the sheet, to be released by document_clear; faults say which picture could not be made. */
+Document lesson_sheet_make(const Lesson *lesson, const SheetOptions *options, Fault *fault);
