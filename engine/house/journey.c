@@ -128,6 +128,7 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place) {
                         .pressed = planning->again ? PRESSED : 0,
                         .most_reversals = house->plan.run.reversals,
                         .brief = planning->journeys->brief || planning->keep,
+                        .any = planning->all_or_none,
                         .fields = planning->journeys->fields,
                         .stop = planning->stop};
 }

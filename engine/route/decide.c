@@ -77,7 +77,8 @@ typedef struct Decide {
     const Rectangle *body;
     const Goal *goals;
     size_t goal_count;
-    bool quickly;  /* True to search only at the coarse grains and to end with the first free way, however slow it is */
+    bool any;      /* True to end with the first free way, however slow it is */
+    bool coarsely; /* True to search only at the coarse grains */
     double margin; /* m, that the start leaves, at most MARGIN */
     Way best;
     double kept;           /* m, the margin of the best */
@@ -121,7 +122,7 @@ static bool improve(Decide *decide, Way *way, double margin) {
         decide->latest = HUGE_VAL;
         decide->confirmed = 0;
     }
-    if (!decide->quickly && margin == decide->kept && time < WORTH_HASTENING * decide->time) {
+    if (!decide->any && margin == decide->kept && time < WORTH_HASTENING * decide->time) {
         Way quick = way_copy(way);
         whole = hasten_way(&quick, space, decide->body, query->profile, margin * SWEPT, SWEEPS, query->stop);
         if (whole && way_swept(&quick, space, decide->body, margin * SWEPT * SWEPT)) {
@@ -169,7 +170,7 @@ static bool confirms(const Decide *decide) {
 
 /* True if the decision needs no more ways. */
 static bool settled(const Decide *decide) {
-    return decide->quickly ? decide->time < HUGE_VAL : decide->confirmed == SURE - 1 && confirms(decide);
+    return decide->any ? decide->time < HUGE_VAL : decide->confirmed == SURE - 1 && confirms(decide);
 }
 
 /* Makes a proposed way free, once for each weight of comfort, then replaces the turns on the spot of each free way by
@@ -221,7 +222,7 @@ static SearchAnswer search_truly(const Decide *decide, SearchTrack *track, size_
         if (decide->vain[t])
             continue;
         /* The finest grain cannot succeed if the previous one exhausted its nodes. */
-        if ((decide->quickly && t > 0) || (t == TRUE_RUNGS - 1 && answer == SEARCH_GAVE_UP))
+        if ((decide->coarsely && t > 0) || (t == TRUE_RUNGS - 1 && answer == SEARCH_GAVE_UP))
             break;
         answer = search_legs(query, decide->goals, decide->goal_count, decide->body, radius_within(decide->body),
                              &true_grains[t], query->most_reversals, track, pins);
@@ -234,24 +235,25 @@ static SearchAnswer search_truly(const Decide *decide, SearchTrack *track, size_
 /* True if a rung need not be tried. Without a change of direction, one search that uses up its nodes stands for all:
  * the others have larger bodies, and the finer ones three times the nodes for eight times the states. */
 static bool is_vain(const Decide *decide, const Rung *rung, bool gave_up) {
-    return (rung->stage == STAGE_ONWARDS && gave_up) || (decide->quickly && rung->grain->cell < coarse.cell);
+    return (rung->stage == STAGE_ONWARDS && gave_up) || (decide->coarsely && rung->grain->cell < coarse.cell);
 }
 
 /* Decides in either manner; the parameters are those of decide_way. */
 static DecideAnswer decide_how(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
-                               bool quickly, double depth, SearchTrack *track, size_t *pins, FitPlace *tightest) {
+                               bool coarsely, double depth, SearchTrack *track, size_t *pins, FitPlace *tightest) {
     double clearance = search_clearance(query->space, body, query->at, query->heading, MARGIN + HAIR, NULL);
     Decide decide = {.query = query,
                      .body = body,
                      .goals = goals,
                      .goal_count = goal_count,
-                     .quickly = quickly,
+                     .any = coarsely || query->any,
+                     .coarsely = coarsely,
                      .margin = fmax(clearance - HAIR, BARELY),
                      .time = HUGE_VAL};
     SearchTrack proposal = {0};
     DecideAnswer result = DECIDE_NONE;
     bool whole = true, gave_up = false; /* a search of this stage */
-    int enough = quickly ? 1 : SURE;
+    int enough = decide.any ? 1 : SURE;
     for (int r = 0; r < RUNGS && whole && result == DECIDE_NONE && decide.confirmed < enough; r++) {
         bool begins = r > 0 && rungs[r].stage != rungs[r - 1].stage;
         if (begins && (decide.confirmed > 0 || query->most_reversals == 0))

@@ -87,6 +87,8 @@ typedef struct RouteQuery {
     int most_reversals;
     bool brief; /* True if the blockage is computed only for carrying the chair: the extra width for driving takes long
                    to find */
+    bool any;   /* True if any way will do: the first free one is the answer, which is sooner there than the quickest. A
+                   yes or no is the same */
     const Stop *stop; /* requested: end with ROUTE_INTERRUPTED; NULL: never */
     Fields *fields;   /* cache shared with other queries; NULL: none, with the same result */
 } RouteQuery;

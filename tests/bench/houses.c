@@ -50,10 +50,9 @@ void houses_read_ube(House *house, const char *source) {
         exit(1);
 }
 
-void houses_read_hall(House *house, const char *source, const char *profile, double side, double density) {
+static void read_made(House *house, const char *source, json_t *plan) {
     char path[] = "/tmp/clearance-bench-XXXXXX";
     int file = mkstemp(path);
-    json_t *plan = hall(profile, side, density);
     json_dumpfd(plan, file, 0);
     close(file);
     json_decref(plan);
@@ -61,4 +60,73 @@ void houses_read_hall(House *house, const char *source, const char *profile, dou
     unlink(path);
     if (!good)
         exit(1);
+}
+
+void houses_read_hall(House *house, const char *source, const char *profile, double side, double density) {
+    read_made(house, source, hall(profile, side, density));
+}
+
+/* m, of the flat below: its rooms, between the axes of walls, and their number on each side of the corridor. */
+#define ROOM_WIDTH 3.6
+#define ROOM_DEPTH 3.6
+#define WALL 0.12
+enum { ROOMS = 4, PIECES = 16 };
+
+static void add_wall(json_t *plan, const char *id, double x0, double y0, double x1, double y1) {
+    json_array_append_new(json_object_get(plan, "walls"), json_pack("{s:s, s:[[f,f],[f,f]], s:f}", "id", id, "points",
+                                                                    x0, y0, x1, y1, "thickness", WALL));
+}
+
+static void add_door(json_t *plan, const char *wall, int room, double at, double width) {
+    char id[16];
+    snprintf(id, sizeof id, "d-%s-%d", wall, room);
+    json_array_append_new(json_object_get(plan, "doors"), json_pack("{s:s, s:s, s:f, s:f, s:s}", "id", id, "wall", wall,
+                                                                    "at", at, "width", width, "kind", "opening"));
+}
+
+/* Furnishes a room: chairs and chests along the walls without the door. */
+static void furnish(json_t *plan, int room, double x, double y, double inwards) {
+    for (int p = 0; p < PIECES; p++) {
+        int k = p % 8;
+        double along = x - ROOM_WIDTH / 2 + 0.45 + 0.38 * k, deep = 0.3 + 0.05 * (double)((k * 3 + room) % 3);
+        char id[16];
+        snprintf(id, sizeof id, "f-%d-%d", room, p);
+        double cx = p < 8 ? along : x + (k % 2 ? 1 : -1) * (ROOM_WIDTH / 2 - 0.3);
+        double cy = p < 8 ? y + inwards * (ROOM_DEPTH - 0.25) : y + inwards * (0.9 + 0.5 * (k / 2));
+        json_array_append_new(json_object_get(plan, "furniture"),
+                              json_pack("{s:s, s:[f,f], s:[f,f]}", "id", id, "centre", cx, cy, "size",
+                                        p < 8 ? 0.34 : deep, p < 8 ? deep : 0.4));
+    }
+}
+
+void houses_read_flat(House *house, const char *source, double corridor, double door) {
+    json_t *plan = json_pack("{s:s, s:i, s:s, s:[], s:[], s:[], s:[]}", "format", "clearance-house", "version", 1,
+                             "name", "flat of eight rooms", "walls", "doors", "furniture", "exits");
+    double low = ROOM_DEPTH, high = low + corridor + WALL, top = high + ROOM_DEPTH, length = ROOMS * ROOM_WIDTH;
+    add_wall(plan, "south", 0, 0, length, 0);
+    add_wall(plan, "north", 0, top, length, top);
+    add_wall(plan, "west", 0, 0, 0, top);
+    add_wall(plan, "east", length, 0, length, top);
+    add_wall(plan, "low", 0, low, length, low);
+    add_wall(plan, "high", 0, high, length, high);
+    add_door(plan, "east", 0, (low + high) / 2, corridor);
+    for (int r = 0; r < ROOMS; r++) {
+        char id[16];
+        double x = ROOM_WIDTH * r, middle = x + ROOM_WIDTH / 2;
+        for (int side = 0; side < 2 && r > 0; side++) {
+            snprintf(id, sizeof id, "p-%d-%d", r, side);
+            add_wall(plan, id, x, side ? high : 0, x, side ? top : low);
+        }
+        add_door(plan, "low", r, middle, door);
+        add_door(plan, "high", r, middle, door);
+        furnish(plan, 2 * r, middle, low, -1);
+        furnish(plan, 2 * r + 1, middle, high, 1);
+    }
+    json_array_append_new(json_object_get(plan, "exits"),
+                          json_pack("{s:s, s:[f,f], s:[f,f]}", "id", "e", "from", length + WALL / 2, low + WALL / 2,
+                                    "to", length + WALL / 2, high - WALL / 2));
+    json_object_set_new(plan, "people",
+                        json_pack("[{s:s, s:s, s:[f,f], s:i}]", "id", "p", "profile", "manual-chair", "at",
+                                  ROOM_WIDTH / 2, low - 1.6, "heading", 90));
+    read_made(house, source, plan);
 }

@@ -9,3 +9,8 @@ void houses_read_ube(House *house, const char *source);
 /* Returns a square hall with a 2 m exit in the middle of each side: `side` m, `density` people per m2, all of one
  * profile. */
 void houses_read_hall(House *house, const char *source, const char *profile, double side, double density);
+
+/* Returns a flat of eight rooms, a door `door` m wide each, on both sides of a corridor `corridor` m wide: in each room
+ * sixteen pieces of furniture along its walls, 128 in all. One manual chair starts in the room farthest from the exit.
+ */
+void houses_read_flat(House *house, const char *source, double corridor, double door);

@@ -230,6 +230,24 @@ TEST(no_more_reversals_are_driven_than_allowed) {
     }
 }
 
+TEST(any_way_is_free_and_found_where_the_quickest_is) {
+    for (int width = 82; width <= 98; width += 8) {
+        Rooms fixture;
+        rooms_make_corner(&fixture, 1.1, 0.63, width / 100.0, width / 100.0, false);
+        rooms_turn(&fixture, 0.4, vec2(0.3, -0.2));
+        fixture.query.brief = true;
+        Route quickest = route_drive(&fixture.query);
+        fixture.query.any = true;
+        Route any = route_drive(&fixture.query);
+        CHECK(any.answer == quickest.answer && any.fits == quickest.fits);
+        if (any.answer == ROUTE_FOUND)
+            rooms_check_path(&fixture, &any);
+        route_free(&any);
+        route_free(&quickest);
+        rooms_free(&fixture);
+    }
+}
+
 TEST(planned_again_halfway_a_closed_exit_is_left_for_another) {
     Rooms fixture;
     rooms_make_two(&fixture, 0.63, 0.9, DOOR_OPEN);
