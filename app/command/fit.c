@@ -209,6 +209,7 @@ static void add_observed(Job *job, const Given *given, size_t e, size_t observab
                               .group = e == TONES ? job->fit.row_count : i,
                               .label = label});
         job->fit.robust |= e == MOTION;
+        job->fit.jumps |= e == MOTION;
     }
 }
 
@@ -273,8 +274,6 @@ static void add_unknown(Job *job, const char *given_name, Fault *fault) {
         fault_add(fault, "clearance: --fit names too many parameters, must be at most %d", FIT_UNKNOWNS_MOST);
     else if (is_given(job, name))
         fault_add(fault, "clearance: %s is a column of the measured values, it cannot be fitted too", name);
-    else if (!(prior > 0))
-        fault_add(fault, "clearance: --fit: %s is %g, only what is more than 0 can be fitted", name, prior);
     else
         job->unknowns[fit->unknown_count++] = (FitUnknown){.name = name, .prior = prior, .spread = SPREAD};
 }
@@ -319,6 +318,11 @@ static bool choose(Job *job, Fault *fault) {
     each_word(job, names, add_unknown, fault);
     if (!fault->total)
         each_word(job, job->options->priors, set_prior, fault);
+    for (size_t i = 0; i < job->fit.unknown_count && !fault->total; i++)
+        if (!(job->unknowns[i].prior > 0))
+            fault_add(fault,
+                      "clearance: --fit: %s is %g, only what is more than 0 can be fitted; give --prior %s=VALUE:1",
+                      job->unknowns[i].name, job->unknowns[i].prior, job->unknowns[i].name);
     job->fit.unknowns = job->unknowns;
     return !fault->total;
 }

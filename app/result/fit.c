@@ -4,6 +4,7 @@
 
 #define CORRELATED 0.9 /* 1, from which on two parameters need each other */
 #define POOR 3.0 /* 1, of the sum of squares by the number of values, from which on the model does not explain them */
+#define FEW 40   /* effective samples, below which an interval is rough */
 #define ODD_SIGNS 1.96 /* 1, deviation of the number of runs of signs that is no chance */
 
 static size_t told(const Fit *fit) {
@@ -43,6 +44,11 @@ const char **result_fit_remarks(const Fit *fit, size_t *count, Arena *arena) {
                                             "the residuals are %.1f times as large as the measurements scatter: the "
                                             "model does not explain the data, and the intervals are too narrow",
                                             sqrt(fit->sum / (double)fit->row_count));
+    if (fit->jumps && !fit->interrupted && fit->effective < FEW)
+        remarks[(*count)++] = text_in_arena(arena,
+                                            "the intervals rest on %.0f effective samples only: fit fewer parameters, "
+                                            "or give narrower priors",
+                                            fit->effective);
     if (fit->basins > 1)
         remarks[(*count)++] = text_in_arena(
             arena, "%zu separate sets of values explain the data about as well; the best one is given", fit->basins);
@@ -85,6 +91,8 @@ ResultTable result_fit_unknowns(const Fit *fit, const Experiment *experiment) {
         add_number(&table, "best", "best", unknown->best, 4);
         add_number(&table, "low", "90 % from", unknown->low, 4);
         add_number(&table, "high", "to", unknown->high, 4);
+        add_number(&table, "low_95", "95 % from", unknown->least, 4);
+        add_number(&table, "high_95", "to", unknown->most, 4);
         add_number(&table, "deviation", "spread after", unknown->deviation, 2);
         add_number(&table, "learned", "learned", unknown->learned, 2);
         result_add(&table, (ResultRow){.key = "told", .kind = RESULT_FLAG, .number = unknown->told, .label = NULL});
@@ -127,8 +135,13 @@ ResultTable result_fit_whole(const Fit *fit) {
                                    .list = fit->singular,
                                    .count = fit->unknown_count,
                                    .significant = 3});
-    result_add(&table,
-               (ResultRow){.key = "minima", .label = "minima", .kind = RESULT_COUNT, .number = (double)fit->basins});
+    result_add(&table, (ResultRow){.key = "minima",
+                                   .label = "minima",
+                                   .kind = RESULT_COUNT,
+                                   .number = (double)fit->basins,
+                                   .omitted = fit->jumps});
+    if (fit->jumps)
+        add_number(&table, "effective_samples", "effective samples", fit->effective, 3);
     result_add(&table,
                (ResultRow){.key = "runs", .label = "simulations", .kind = RESULT_COUNT, .number = (double)fit->runs});
     add_number(&table, "sign_runs", NULL, fit->sign_runs, 3);

@@ -37,6 +37,7 @@ typedef struct Beam {
     int elements;                    /* finite elements along the length */
     int modes;                       /* natural modes in the model */
     double damping_ratio;            /* 1, the same for all modes */
+    double tip_mass;                 /* kg, a point at the tip */
 
     double pivot_position;   /* m */
     double pivot_stiffness;  /* N/m, k_t */

@@ -156,6 +156,7 @@ static void mesh_of_beam(ElementMesh *mesh, const Beam *beam) {
     element_add_spring(mesh, shaker, beam->shaker_stiffness);
     element_add_dashpot(mesh, shaker, beam->shaker_damping);
     element_add_mass(mesh, shaker, beam->shaker_mass);
+    element_add_mass(mesh, mesh->freedoms - 2, beam->tip_mass);
 }
 
 bool modes_of_beam(Modes *modes, const Beam *beam) {

@@ -15,7 +15,8 @@
  *
  * Interval: (J^T J)^-1 at the least sum, then the profile: each unknown fixed at +-2 standard deviations, the others
  * fitted. The sum then rises by 4 where it is quadratic; where the standard deviation of either side that follows from
- * its rise differs by more than 30 %, that of the profile counts, for its side. */
+ * its rise differs by more than 30 %, that of the profile counts, for its side. Where values change in jumps, neither
+ * tells anything, and samples of the posterior take their place: see fit_sample.h. */
 #include "study/fit.h"
 
 #include <lapacke.h>
@@ -23,37 +24,24 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "study/fit_sample.h"
 #include "study/fit_search.h"
 
-static const double START_REACH = 1.3;           /* spreads within which searches start */
-static const double NINETY = 1.6448536269514722; /* standard deviations */
-static const double SAME_SUM = 2;                /* difference of sums of two minima that are both possible */
-static const double SAME_PLACE = 0.5;            /* spreads between two minima that are one */
+static const double START_REACH = 1.3; /* spreads within which searches start */
+static const double NINETY = 1.6448536269514722, NINETY_FIVE = 1.959963984540054; /* standard deviations */
+static const double SAME_SUM = 2;     /* difference of sums of two minima that are both possible */
+static const double SAME_PLACE = 0.5; /* spreads between two minima that are one */
 
 enum { U = FIT_UNKNOWNS_MOST };
 
 /* Starts, intervals and checks --------------------------------------------------------------------------------------
  */
 
-/* Returns the root of g^(n+1) = g + 1, n unknowns. */
-static double kronecker_root(size_t n) {
-    double g = 1.5;
-    for (int k = 0; k < 60; k++) {
-        double power = 1;
-        for (size_t i = 0; i < n; i++)
-            power *= g;
-        g -= (power * g - g - 1) / ((double)(n + 1) * power - 1);
-    }
-    return g;
-}
-
 static void start_at(const Fit *fit, size_t start, double *u) {
-    double g = kronecker_root(fit->unknown_count), power = 1;
-    for (size_t i = 0; i < fit->unknown_count; i++) {
-        power /= g;
-        double part = 0.5 + (double)start * power;
-        u[i] = start ? START_REACH * (2 * (part - floor(part)) - 1) : 0;
-    }
+    double place[U];
+    fit_search_kronecker(fit->unknown_count, start, place);
+    for (size_t i = 0; i < fit->unknown_count; i++)
+        u[i] = start ? START_REACH * (2 * place[i] - 1) : 0;
 }
 
 static bool search_all(FitSearch *search, double *best, double *least) {
@@ -132,14 +120,24 @@ static bool find_intervals(FitSearch *search, const double *best, double least, 
         unknown->value = unknown->told ? unknown->best : unknown->prior;
         unknown->low = fit_search_value(unknown, best[i] - NINETY * sides[0]);
         unknown->high = fit_search_value(unknown, best[i] + NINETY * sides[1]);
+        unknown->least = fit_search_value(unknown, best[i] - NINETY_FIVE * sides[0]);
+        unknown->most = fit_search_value(unknown, best[i] + NINETY_FIVE * sides[1]);
     }
     return good;
+}
+
+/* Adds what a group that was left out was predicted as. */
+static void count_left_out(Fit *fit, FitRow *row, double predicted) {
+    row->left_out = predicted;
+    double now = fit_search_residual(row, row->left_out), before = fit_search_residual(row, row->before);
+    fit->error += now * now;
+    fit->error_before += before * before;
 }
 
 /* Predicts each group with what the others tell. */
 static bool leave_out(FitSearch *search, const double *best) {
     Fit *fit = search->fit;
-    size_t groups = 0, counted = 0;
+    size_t groups = 0;
     for (size_t r = 0; r < fit->row_count; r++)
         groups = fit->rows[r].group >= groups ? fit->rows[r].group + 1 : groups;
     for (size_t g = 0; g < groups; g++) {
@@ -154,16 +152,55 @@ static bool leave_out(FitSearch *search, const double *best) {
             FitRow *row = &fit->rows[r];
             if (row->group != g)
                 continue;
-            row->left_out = search->values[r];
-            double now = fit_search_residual(row, row->left_out), before = fit_search_residual(row, row->before);
-            fit->error += now * now;
-            fit->error_before += before * before;
-            counted++;
+            count_left_out(fit, row, search->values[r]);
         }
     }
-    fit->error = sqrt(fit->error / (double)counted);
-    fit->error_before = sqrt(fit->error_before / (double)counted);
     return true;
+}
+
+/* Takes from samples what the unknowns are, how far they are known, and how they depend on one another. */
+static void tell_samples(Fit *fit, const FitSamples *samples, const double *best) {
+    size_t n = fit->unknown_count;
+    double mean[U], covariance[U * U], values[U];
+    fit_samples_moments(samples, n, mean, covariance);
+    fit->effective = samples->effective;
+    for (size_t i = 0; i < n; i++) {
+        FitUnknown *unknown = &fit->unknowns[i];
+        double deviation = sqrt(covariance[i * n + i]);
+        for (size_t j = 0; j < n; j++)
+            fit->correlation[i * n + j] =
+                i == j ? 1 : covariance[i * n + j] / (deviation * sqrt(covariance[j * n + j]));
+        unknown->deviation = deviation * unknown->spread;
+        unknown->learned = 1 - deviation * deviation;
+        unknown->told = unknown->learned >= FIT_LEARNED_LEAST;
+        unknown->best = fit_search_value(unknown, best[i]);
+        unknown->value = unknown->told ? unknown->best : unknown->prior;
+        unknown->low = fit_search_value(unknown, fit_samples_quantile(samples, i, 0.05));
+        unknown->high = fit_search_value(unknown, fit_samples_quantile(samples, i, 0.95));
+        unknown->least = fit_search_value(unknown, fit_samples_quantile(samples, i, 0.025));
+        unknown->most = fit_search_value(unknown, fit_samples_quantile(samples, i, 0.975));
+    }
+    /* the data add s^2 to the priors' precision, which is 1 */
+    if (LAPACKE_dsyev(LAPACK_COL_MAJOR, 'N', 'U', (lapack_int)n, covariance, (lapack_int)n, values) == 0)
+        for (size_t i = 0; i < n; i++)
+            fit->singular[i] = sqrt(fmax(0, 1 / fmax(values[i], 1e-300) - 1));
+}
+
+/* Looks for the best values from the best sample on, and takes the intervals from the samples. */
+static bool fit_by_samples(FitSearch *search, double *best, double *least) {
+    Fit *fit = search->fit;
+    FitSamples samples;
+    bool good = fit_samples_draw(&samples, search);
+    if (good) {
+        memcpy(best, samples.at + fit_samples_best(&samples) * U, U * sizeof *best);
+        good = fit_search_from(search, best, least);
+    }
+    if (good)
+        tell_samples(fit, &samples, best);
+    for (size_t r = 0; r < fit->row_count && good && fit->leave_out; r++)
+        count_left_out(fit, &fit->rows[r], fit_samples_left_out(&samples, search, r));
+    fit_samples_clear(&samples);
+    return good;
 }
 
 /* The runs test of Wald and Wolfowitz on the signs of the residuals, in the order of the rows. */
@@ -201,7 +238,7 @@ static bool fit_with(FitSearch *search, Fault *fault) {
         return false;
     double *kept = memory_zeroed(fit->row_count * fit->unknown_count + 1, sizeof *kept);
     search->kept = kept;
-    bool found = search_all(search, best, &least);
+    bool found = fit->jumps ? fit_by_samples(search, best, &least) : search_all(search, best, &least);
     search->kept = NULL;
     search->derivatives = NULL;
     if (!found) {
@@ -214,8 +251,10 @@ static bool fit_with(FitSearch *search, Fault *fault) {
         fit->rows[r].residual = fit_search_residual(&fit->rows[r], search->values[r]);
     }
     fit->sign_runs = sign_runs(fit);
-    if (find_intervals(search, best, least, kept) && fit->leave_out)
+    if (!fit->jumps && find_intervals(search, best, least, kept) && fit->leave_out)
         leave_out(search, best);
+    fit->error = sqrt(fit->error / (double)fit->row_count);
+    fit->error_before = sqrt(fit->error_before / (double)fit->row_count);
     memory_free(kept);
     return true;
 }

@@ -17,13 +17,14 @@ typedef struct FitUnknown {
     double prior;     /* in the unit of the parameter */
     double spread;    /* 1, standard deviation of the logarithm before the data */
 
-    double best;      /* most probable value */
-    double value;     /* to be used: best, or the prior where the data do not tell */
-    double deviation; /* 1, standard deviation of the logarithm after the data */
-    double low, high; /* 90 % interval */
-    double learned;   /* 1 - (deviation / spread)^2 */
-    bool told;        /* True if learned is at least FIT_LEARNED_LEAST */
-    bool skew;        /* True if the profile differs from the straight interval by more than 30 %, so that it counts */
+    double best;        /* most probable value */
+    double value;       /* to be used: best, or the prior where the data do not tell */
+    double deviation;   /* 1, standard deviation of the logarithm after the data */
+    double low, high;   /* 90 % interval */
+    double least, most; /* 95 % interval */
+    double learned;     /* 1 - (deviation / spread)^2 */
+    bool told;          /* True if learned is at least FIT_LEARNED_LEAST */
+    bool skew; /* True if the profile differs from the straight interval by more than 30 %, so that it counts */
 } FitUnknown;
 
 /* A measured value. */
@@ -52,6 +53,7 @@ typedef struct Fit {
     FitRow *rows; /* (row_count) */
     size_t row_count;
     bool robust;    /* True if outliers count less: Student's t with 4 degrees of freedom */
+    bool jumps;     /* True if values change in jumps with the unknowns: intervals come from samples (fit_sample.h) */
     bool leave_out; /* True if each group is predicted from the others */
     size_t starts;  /* at most FIT_STARTS; 0: FIT_STARTS */
     int jobs;
@@ -62,7 +64,8 @@ typedef struct Fit {
     double sum, sum_before;             /* of squared residuals, with the priors' own; after and before */
     double singular[FIT_UNKNOWNS_MOST]; /* of the data's derivatives by spreads: how many numbers the data tell */
     double correlation[FIT_UNKNOWNS_MOST * FIT_UNKNOWNS_MOST]; /* (unknowns x unknowns) after the data */
-    size_t basins;              /* separate minima whose sums are within 2 of the least one */
+    size_t basins;              /* separate minima whose sums are within 2 of the least one; with `jumps` 0: unknown */
+    double effective;           /* with `jumps`: samples of equal weight that would say as much as those drawn */
     size_t runs;                /* simulations */
     double sign_runs;           /* 1, deviation of the number of runs of equal signs from chance; NAN: too few rows */
     double error, error_before; /* root mean square residual of groups that are left out, and with the priors */

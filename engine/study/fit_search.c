@@ -182,6 +182,42 @@ bool fit_search_evaluate(FitSearch *search, const double *u, double *sum) {
     return true;
 }
 
+bool fit_search_sums(FitSearch *search, const double *at, size_t count, double *sums, double *values) {
+    size_t rows = search->fit->row_count;
+    double *ways = memory_zeroed(count * rows + 1, sizeof *ways);
+    bool good = simulate(search, at, count, values, ways);
+    for (size_t p = 0; p < count && good; p++)
+        sums[p] = sum_of(search, at + p * U, values + p * rows);
+    memory_free(ways);
+    return good;
+}
+
+double fit_search_square(const FitSearch *search, size_t row, double value) {
+    double residual = residual_of(search, row, value);
+    return residual * residual;
+}
+
+/* Returns the root of g^(n+1) = g + 1, n dimensions. */
+static double kronecker_root(size_t n) {
+    double g = 1.5;
+    for (int k = 0; k < 60; k++) {
+        double power = 1;
+        for (size_t i = 0; i < n; i++)
+            power *= g;
+        g -= (power * g - g - 1) / ((double)(n + 1) * power - 1);
+    }
+    return g;
+}
+
+void fit_search_kronecker(size_t dimensions, size_t nth, double *place) {
+    double g = kronecker_root(dimensions), power = 1;
+    for (size_t i = 0; i < dimensions; i++) {
+        power /= g;
+        place[i] = 0.5 + (double)nth * power;
+        place[i] -= floor(place[i]);
+    }
+}
+
 /* Fills in the derivatives (row_count x unknown_count, column by column) at u, where search->values are known. */
 bool fit_search_derive(FitSearch *search, const double *u, double *jacobian) {
     Fit *fit = search->fit;

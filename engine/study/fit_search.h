@@ -29,6 +29,17 @@ double fit_search_residual(const FitRow *row, double value);
  * interruption, as the next ones. */
 bool fit_search_evaluate(FitSearch *search, const double *u, double *sum);
 
+/* Simulates all rows at `count` points (count x FIT_UNKNOWNS_MOST): the sums (count) and the values (count x
+ * row_count).
+ */
+bool fit_search_sums(FitSearch *search, const double *at, size_t count, double *sums, double *values);
+
+/* Returns the square of a row's residual as it counts in the sum. */
+double fit_search_square(const FitSearch *search, size_t row, double value);
+
+/* Writes the nth point (n = 0, 1, ...) of the Kronecker sequence of `dimensions` within 0 and 1. */
+void fit_search_kronecker(size_t dimensions, size_t nth, double *place);
+
 /* Fills in the derivatives of the residuals (row_count x unknown_count, column by column) at u, which was evaluated
  * last. */
 bool fit_search_derive(FitSearch *search, const double *u, double *jacobian);

@@ -21,6 +21,7 @@ static const MachineLooks all_looks[] = {
     {"beam.damping_ratio", "Damping of the modes", "%", 100, 0, 3, 0, 0.1, 0, 0, false, false},
     {"beam.modes", "Natural modes", NULL, 1, 0, 0, 1, 24, 0, 0, false, false},
     {"beam.elements", "Finite elements", NULL, 1, 0, 0, 8, 60, 0, 0, false, false},
+    {"beam.tip_mass", "Mass at the tip", "g", 1e3, 0, 3, 0, 0.2, 0, 0, false, false},
     {"pivot.position", "Place", "mm", 1e3, 0, 0, 0, 0.1, 0, 0, false, false},
     {"pivot.translational_stiffness", "Stiffness", "MN/m", 1e-6, 0.1, 10, 0, 0, 0, 0, true, false},
     {"pivot.rotational_stiffness", "Rotational stiffness", NULL, 1, 0, 3, 0, 100, 0, 0, false, false},

@@ -152,6 +152,17 @@ def check_fit():
         check(answer["sum"] < answer["sum_before"] and len(answer["rows"]) == 3, "fit lowers the sum of squares")
         expect(2, "fit", beam, "--measured", str(table), "--fit", "shaker.mass", says='has no parameter "shaker.mass"')
         expect(2, "fit", beam, "--measured", str(table), "--fit", "shaker.damping", says="only what is more than 0")
+        expect(2, "fit", beam, "--measured", str(table), "--fit", "beam.tip_mass", says="give --prior beam.tip_mass=VALUE:1")
+        peaks = pathlib.Path(place, "peaks.csv")
+        peaks.write_text("drive.frequency [Hz],peak_max [N]\n210,630\n230,690\n250,1420\n")
+        short = ("--set", "beam.modes=4", "--set", "run.transient_cycles=40", "--set", "run.cycles=10")
+        answer = json.loads(expect(0, "fit", beam, "--measured", str(peaks), "--fit", "beam.tip_mass", "--json", "--out",
+                                   place + "/tip", "--prior", "beam.tip_mass=0.02:1", *short).stdout)
+        mass = answer["parameters"][0]
+        check(mass["low_95"] <= mass["low"] < mass["high"] <= mass["high_95"] and mass["told"], f"peaks tell {mass}")
+        check(answer["effective_samples"] > 20, "the intervals rest on samples")
+        fitted = json.loads(pathlib.Path(place, "tip/ibs-r-fitted.json").read_text())
+        check(fitted["beam"]["tip_mass"]["value"] == mass["value"], "the fitted beam has the told mass")
         expect(2, "fit", beam, "--measured", str(table), "--fit", "shaker.position", "--prior", "shaker.position=1",
                says="--prior takes NAME=VALUE:SPREAD")
         expect(2, "fit", house("ube-techno-house"), "--measured", str(table), says="--measured is for beams")

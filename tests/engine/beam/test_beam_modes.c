@@ -85,6 +85,44 @@ TEST(a_flexure_pivot_has_the_frequencies_of_its_equation) {
     }
 }
 
+/* 1 + cos L cosh L + m L (cos L sinh L - sin L cosh L) = 0 with m the tip's mass by the beam's, L = beta l. */
+TEST(a_cantilever_with_a_mass_at_its_tip_has_the_frequencies_of_its_equation) {
+    for (double m = 0.01; m < 20; m *= 10) {
+        ElementMesh mesh;
+        unit_beam(&mesh, 40);
+        element_add_mass(&mesh, mesh.freedoms - 2, m);
+        hold(&mesh, 0);
+        hold(&mesh, 0);
+        Modes modes = all_modes(&mesh);
+        for (int i = 0; i < 3; i++) {
+            double off = pow(sqrt(modes.frequency[i]) / 40, 4) / 1440; /* the known error of the elements */
+            double l = sqrt(modes.frequency[i] / (1 + off));
+            double free_end = 1 + cos(l) * cosh(l), mass = cos(l) * sinh(l) - sin(l) * cosh(l);
+            CHECK_NEAR((free_end + m * l * mass) / (cosh(l) * (1 + m * l)), 0, 2e-6);
+        }
+        modes_clear(&modes);
+        element_clear(&mesh);
+    }
+}
+
+/* Rayleigh: the first frequency of the shipped beam falls with a mass at its tip, by the mode's own share. */
+TEST(a_mass_at_the_tip_of_the_shipped_beam_lowers_its_frequencies) {
+    Beam beam = {0};
+    Fault fault = {0};
+    Modes bare, loaded;
+    CHECK(beam_read(&beam, scratch_source("assets/beams/ibs.json"), NULL, 0, &fault));
+    CHECK(beam.tip_mass == 0 && modes_of_beam(&bare, &beam));
+    beam.tip_mass = 1e-5;
+    CHECK(modes_of_beam(&loaded, &beam));
+    for (size_t i = 0; i < 4; i++) {
+        double expected = -beam.tip_mass * bare.tip[i] * bare.tip[i] / 2;
+        CHECK_NEAR((loaded.frequency[i] / bare.frequency[i] - 1) / expected, 1, 1e-2);
+    }
+    modes_clear(&bare);
+    modes_clear(&loaded);
+    beam_free(&beam);
+}
+
 TEST(stations_are_nodes_and_what_hangs_on_them_counts_once) {
     ElementMesh mesh;
     element_build(&mesh, 2, 1, 1, 7, (double[]){1.3, 0.31, 1.3, 0, 2}, 5);
