@@ -13,7 +13,7 @@
 #include "command/output.h"
 #include "command/progress.h"
 #include "command/types_answer.h"
-#include "cycle/follow.h"
+#include "experiment/beam_follow.h"
 #include "experiment/beam_experiment.h"
 #include "experiment/beam_family.h"
 #include "mechanics/trace.h"
@@ -225,8 +225,6 @@ int run_beam_file(const Options *options) {
 /* Following an orbit ------------------------------------------------------------------------------------------------
  */
 
-#define STEP 0.02 /* of the range, the largest step along the curve */
-
 enum { DOTS = 241 /* values of the runs from rest below the curve */ };
 
 typedef struct Follower {
@@ -235,8 +233,7 @@ typedef struct Follower {
     BeamFamily family;
     char name[100];
     double from, to;
-    FollowBranch branches[FOLLOW_PLOTS_BRANCHES]; /* (count) the orbit, then those that begin at its flips */
-    size_t count;
+    BeamFollow follow;
 } Follower;
 
 /* Reads NAME=FROM:TO. */
@@ -284,7 +281,7 @@ static const char *row_name(const FollowBranch *branch, size_t i) {
 }
 
 static void print_branch(const Follower *follower, const FollowBranch *branch) {
-    bool begun = branch != follower->branches;
+    bool begun = branch != follower->follow.branches;
     printf(begun ? "\nThe orbit of period %zu that begins there, followed in %s from %g to %g %s: %zu points; it "
                    "ends at %s\n\n"
                  : "The orbit of period %zu, followed in %s from %g to %g %s: %zu points; above it ends at %s",
@@ -322,15 +319,50 @@ static json_t *make_branch(const FollowBranch *branch) {
                      end_words(branch->below), "above", end_words(branch->above), "points", points);
 }
 
+static void print_curves(const Follower *follower) {
+    const char *second = follower->options->study.axes[0].name;
+    for (size_t i = 0; i < follower->follow.curve_count; i++) {
+        const FollowCurve *curve = &follower->follow.curves[i];
+        size_t first = 0, last = curve->count - 1;
+        while (first < last && isnan(curve->other[first]))
+            first++;
+        while (last > first && isnan(curve->other[last]))
+            last--;
+        printf("%sCurve %zu, %s of period %zu: from %s = %.6g at %s = %.6g to %.6g at %.6g, %zu points\n",
+               i ? "" : "\n", i + 1,
+               curve->kind == FOLLOW_TOUCH ? "end of the motion without contact" : follow_kind_name(curve->kind),
+               curve->period, follower->name, curve->value[first], second, curve->other[first], curve->value[last],
+               curve->other[last], curve->count);
+    }
+}
+
+static json_t *make_curves(const BeamFollow *follow) {
+    json_t *curves = json_array();
+    for (size_t i = 0; i < follow->curve_count; i++) {
+        const FollowCurve *curve = &follow->curves[i];
+        json_t *points = json_array();
+        for (size_t k = 0; k < curve->count; k++)
+            if (!isnan(curve->other[k]))
+                json_array_append_new(points, json_pack("[f,f]", curve->value[k], curve->other[k]));
+        json_array_append_new(curves, json_pack("{s:s, s:i, s:o}", "point", follow_kind_name(curve->kind), "period",
+                                                (int)curve->period, "points", points));
+    }
+    return curves;
+}
+
 static json_t *make_follow(const Follower *follower) {
     json_t *answer = json_pack("{s:s, s:s, s:s, s:f, s:f}", "kind", "follow", "beam", follower->beam.name, "parameter",
                                follower->name, "from", follower->from, "to", follower->to);
-    json_t *first = make_branch(follower->branches), *begun = json_array();
+    json_t *first = make_branch(follower->follow.branches), *begun = json_array();
     json_object_update(answer, first);
     json_decref(first);
-    for (size_t b = 1; b < follower->count; b++)
-        json_array_append_new(begun, make_branch(&follower->branches[b]));
+    for (size_t b = 1; b < follower->follow.count; b++)
+        json_array_append_new(begun, make_branch(&follower->follow.branches[b]));
     json_object_set_new(answer, "begun", begun);
+    if (follower->options->study.axis_count) {
+        json_object_set_new(answer, "over", json_string(follower->options->study.axes[0].name));
+        json_object_set_new(answer, "curves", make_curves(&follower->follow));
+    }
     return answer;
 }
 
@@ -341,11 +373,11 @@ static int write_table(const Follower *follower, const char *path) {
                                    {"kind", "1"}};
     Trace trace;
     trace_init(&trace, columns, sizeof columns / sizeof *columns);
-    for (size_t b = 0; b < follower->count; b++)
-        for (size_t i = 0; i < follower->branches[b].count; i++) {
-            const FollowPoint *point = &follower->branches[b].points[i];
-            trace_add(&trace, (double[]){(double)follower->branches[b].period, point->value, point->peak, point->stable,
-                                         point->re, point->im, point->kind});
+    for (size_t b = 0; b < follower->follow.count; b++)
+        for (size_t i = 0; i < follower->follow.branches[b].count; i++) {
+            const FollowPoint *point = &follower->follow.branches[b].points[i];
+            trace_add(&trace, (double[]){(double)follower->follow.branches[b].period, point->value, point->peak,
+                                         point->stable, point->re, point->im, point->kind});
         }
     int error = trace_write_csv(&trace, path);
     trace_clear(&trace);
@@ -388,11 +420,41 @@ static int write_plot(const Follower *follower, char path[PLOT_WRITE_PATH]) {
     StudyScale scale = study_axes_parameter(&study, 0, &arena);
     scale.axis.low = scale.factor * follower->from;
     scale.axis.high = scale.factor * follower->to;
-    FollowPlot plot = follow_plots_make(follower->branches, follower->count, scale.axis, scale.factor, &dots);
+    FollowPlot plot =
+        follow_plots_make(follower->follow.branches, follower->follow.count, scale.axis, scale.factor, &dots);
     int error =
         plot_write_files(&plot.plot, "follow", options->out, options->width, options->height, options->theme, path);
     follow_plots_free(&plot);
     study_clear(&study);
+    beam_experiment_close(&experiment);
+    arena_clear(&arena);
+    return error;
+}
+
+/* Writes the curves over both numbers as a plot, whose table is their file. */
+static int write_curves(const Follower *follower, char path[PLOT_WRITE_PATH]) {
+    const Options *options = follower->options;
+    const StudyAxis *second = &options->study.axes[0];
+    Experiment experiment;
+    Fault fault = {0};
+    Arena arena = {0};
+    if (!follower->follow.curve_count || !beam_experiment_of(&experiment, &follower->beam, options->files[0], &fault)) {
+        fault_clear(&fault);
+        return 0;
+    }
+    const Study study = {.experiment = &experiment,
+                         .axes = {{follower->name, follower->from, follower->to, 2}, *second},
+                         .axis_count = 2};
+    StudyScale x = study_axes_parameter(&study, 0, &arena), y = study_axes_parameter(&study, 1, &arena);
+    x.axis.low = x.factor * follower->from;
+    x.axis.high = x.factor * follower->to;
+    y.axis.low = y.factor * second->from;
+    y.axis.high = y.factor * second->to;
+    FollowPlot plot = follow_plots_make_curves(follower->follow.curves, follower->follow.curve_count, x.axis, x.factor,
+                                               y.axis, y.factor);
+    int error =
+        plot_write_files(&plot.plot, "curves", options->out, options->width, options->height, options->theme, path);
+    follow_plots_free(&plot);
     beam_experiment_close(&experiment);
     arena_clear(&arena);
     return error;
@@ -408,6 +470,8 @@ static bool write_files(const Follower *follower, json_t *answer) {
     }
     if (!error)
         error = write_plot(follower, path);
+    if (!error)
+        error = write_curves(follower, path);
     if (error)
         output_failed(path, error);
     return !error;
@@ -423,27 +487,12 @@ static int tell_branches(const Follower *follower) {
     bool written = !follower->options->out || write_files(follower, answer);
     if (follower->options->json)
         answer_print(json_incref(answer));
-    for (size_t b = 0; b < follower->count && !follower->options->json; b++)
-        print_branch(follower, &follower->branches[b]);
+    for (size_t b = 0; b < follower->follow.count && !follower->options->json; b++)
+        print_branch(follower, &follower->follow.branches[b]);
+    if (!follower->options->json)
+        print_curves(follower);
     json_decref(answer);
     return !written ? EXIT_WRONG_INPUT : interrupted ? EXIT_ANSWER_NO : EXIT_ANSWERED;
-}
-
-static bool begins_another(FollowKind kind) {
-    return kind == FOLLOW_FLIP || kind == FOLLOW_PITCHFORK;
-}
-
-/* Follows the orbits that begin at flips and pitchforks of those that are known, as many as there is room for. */
-static void follow_others(Follower *follower) {
-    for (size_t b = 0; b < follower->count; b++)
-        for (size_t i = 0; i < follower->branches[b].count && follower->count < FOLLOW_PLOTS_BRANCHES; i++)
-            if (begins_another(follower->branches[b].points[i].kind) && !stop_requested(&progress_stop)) {
-                FollowBranch *next = &follower->branches[follower->count];
-                if (follow_branch_off(next, &follower->family.follow, &follower->branches[b], i, STEP, &progress_stop))
-                    follower->count++;
-                else
-                    follow_clear(next);
-            }
 }
 
 /* Finds the orbit of the file as `run` does, and follows it. */
@@ -460,16 +509,18 @@ static int follow_orbit(Follower *follower) {
     if (!response.orbit.period)
         fprintf(stderr, "clearance: the motion is %s, with no stable orbit to follow; set %s to where there is one\n",
                 response_name(&response), follower->name);
-    else if (!follow_run(follower->branches, &follower->family.follow, value, response.orbit.point,
-                         response.orbit.period, STEP, &progress_stop))
+    else if (!beam_follow_run(&follower->follow, &follower->family, response.orbit.point, response.orbit.period,
+                              &progress_stop))
         fprintf(stderr, "clearance: the orbit cannot be followed\n");
     else {
-        follower->count = 1;
-        follow_others(follower);
+        const StudyAxis *axis = &follower->options->study.axes[0];
+        if (follower->options->study.axis_count)
+            beam_follow_curves(&follower->follow, &follower->family,
+                               &(BeamPlane){axis->name, axis->from, axis->to, axis->steps}, follower->options->jobs,
+                               &progress_stop);
         code = tell_branches(follower);
     }
-    for (size_t b = 0; b < FOLLOW_PLOTS_BRANCHES; b++)
-        follow_clear(&follower->branches[b]);
+    beam_follow_clear(&follower->follow);
     response_clear(&response);
     return code;
 }
@@ -486,10 +537,13 @@ int run_beam_follow(const Options *options) {
     }
     if (!beam_read(&follower.beam, file, options->settings, options->setting_count, &fault))
         return house_file_report(&fault);
+    const StudyAxis *axis = &options->study.axes[0];
+    const BeamPlane plane = {axis->name, axis->from, axis->to, axis->steps};
     int code = EXIT_WRONG_INPUT;
     if (beam_family_open(&follower.family, &follower.beam, follower.name, follower.from, follower.to, "--follow",
                          &fault)) {
-        code = follow_orbit(&follower);
+        bool good = !options->study.axis_count || beam_follow_check(&follower.family, &plane, "clearance", &fault);
+        code = good ? follow_orbit(&follower) : house_file_report(&fault);
         beam_family_close(&follower.family);
     } else {
         code = house_file_report(&fault);

@@ -404,8 +404,9 @@ static bool is_one_question(const Options *options, Fault *fault) {
                       : options->paper            ? "--paper"
                       : options->types && !ranges ? "--types without --vary"
                                                   : NULL;
+    bool curves = options->follow && options->study.axis_count == 1; /* of what is located, over a second number */
     for (size_t i = 0; own && i < (options->paper || options->follow ? IDLE : IDLE_WITH_TYPES); i++)
-        if (options_given(options, idle[i])) {
+        if (!(i == 0 && curves) && options_given(options, idle[i])) {
             fault_add(fault, "clearance: %s has no effect with %s; leave it out", idle[i], own);
             return false;
         }

@@ -55,6 +55,25 @@ bool beam_family_open(BeamFamily *family, const Beam *beam, const char *name, do
     return true;
 }
 
+bool beam_family_set(BeamFamily *family, const Parameter *row, double value) {
+    Beam beam = family->beam;
+    Fault fault = {0};
+    Rig rig = {0};
+    forget_own(family);
+    bool good = parameters_set_number(row, &beam, value, &fault) && beam_check(&beam, beam.name, &fault);
+    bool same = good && beam_numbers_same_rig(&beam, &family->beam);
+    if (good && !same)
+        good = rig_build_like(&rig, &beam, &family->rig, family->beam.name, &fault);
+    if (good && !same) {
+        rig_clear(&family->rig);
+        family->rig = rig;
+    }
+    if (good)
+        family->beam = beam;
+    fault_clear(&fault);
+    return good;
+}
+
 void beam_family_close(BeamFamily *family) {
     forget_own(family);
     rig_clear(&family->rig);

@@ -17,6 +17,10 @@ typedef struct BeamFamily {
  * `place` begins its errors. The family must not be moved. beam_family_close releases it. */
 bool beam_family_open(BeamFamily *family, const Beam *beam, const char *name, double from, double to, const char *place,
                       Fault *fault);
+
+/* Sets another number of the beam, from then on. False: it cannot have this value, and nothing has changed. */
+bool beam_family_set(BeamFamily *family, const Parameter *row, double value);
+
 void beam_family_close(BeamFamily *family);
 
 /* Returns the value that the beam has as it was opened. */

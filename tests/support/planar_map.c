@@ -164,6 +164,13 @@ void planar_map_henon(const void *numbers, double *point, double *derivative) {
     put(derivative, -2 * n[0] * x, n[1], 1, 0);
 }
 
+void planar_map_delayed(const void *numbers, double *point, double *derivative) {
+    double r = *(const double *)numbers, x = point[0], y = point[1];
+    point[0] = r * x * (1 - y);
+    point[1] = x;
+    put(derivative, r * (1 - y), 1, -r * x, 0);
+}
+
 void planar_map_spiral(const void *numbers, double *point, double *derivative) {
     const double *n = numbers;
     double c = n[1] * cos(2 * M_PI * n[0]), s = n[1] * sin(2 * M_PI * n[0]), x = point[0], y = point[1];

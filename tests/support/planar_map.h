@@ -23,6 +23,9 @@ void planar_map_cubic(const void *numbers, double *point, double *derivative);
 /* Henon's map x' = 1 - a x^2 + y, y' = b x. numbers: a, b. */
 void planar_map_henon(const void *numbers, double *point, double *derivative);
 
+/* The delayed logistic map x' = r x (1 - y), y' = x. numbers: r. */
+void planar_map_delayed(const void *numbers, double *point, double *derivative);
+
 /* A rotation by `turn` (in whole turns), after which a point comes nearer to the circle of radius 1, at `rate` per
  * cycle. numbers: turn, rate. */
 void planar_map_ring(const void *numbers, double *point, double *derivative);

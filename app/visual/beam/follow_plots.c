@@ -102,6 +102,43 @@ FollowPlot follow_plots_make(const FollowBranch *branches, size_t count, PlotAxi
     return made;
 }
 
+void follow_plots_add_curves(Plot *plot, const FollowCurve *curves, size_t count, double x_factor, double y_factor,
+                             Arena *arena) {
+    static const struct {
+        const char *name;
+        LineStyle style;
+        Role role;
+    } looks[KINDS] = {[FOLLOW_FOLD] = {"fold", LINE_SOLID, ROLE_TEXT},
+                      [FOLLOW_FLIP] = {"flip", LINE_DASHED, ROLE_TEXT},
+                      [FOLLOW_TOUCH] = {"end of the motion without contact", LINE_DOTTED, ROLE_TEXT}};
+    bool named[KINDS] = {false};
+    for (size_t c = 0; c < count && c < FOLLOW_PLOTS_CURVES; c++) {
+        const FollowCurve *curve = &curves[c];
+        double *x = arena_allocate(arena, curve->count * sizeof *x),
+               *y = arena_allocate(arena, curve->count * sizeof *y);
+        for (size_t i = 0; i < curve->count; i++) {
+            x[i] = x_factor * curve->value[i];
+            y[i] = y_factor * curve->other[i];
+        }
+        plot->series[plot->series_count++] = (PlotSeries){.name = named[curve->kind] ? NULL : looks[curve->kind].name,
+                                                          .x = x,
+                                                          .y = y,
+                                                          .count = curve->count,
+                                                          .role = looks[curve->kind].role,
+                                                          .style = looks[curve->kind].style,
+                                                          .width = LINE};
+        named[curve->kind] = true;
+    }
+}
+
+FollowPlot follow_plots_make_curves(const FollowCurve *curves, size_t count, PlotAxis x, double x_factor, PlotAxis y,
+                                    double y_factor) {
+    FollowPlot made = {.plot = {.title = "Where the orbit folds and flips", .x = x, .y = y}};
+    made.plot.series = arena_allocate(&made.arena, FOLLOW_PLOTS_CURVES * sizeof *made.plot.series);
+    follow_plots_add_curves(&made.plot, curves, count, x_factor, y_factor, &made.arena);
+    return made;
+}
+
 void follow_plots_free(FollowPlot *plot) {
     arena_clear(&plot->arena);
 }

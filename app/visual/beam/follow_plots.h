@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/memory.h"
-#include "cycle/follow.h"
+#include "cycle/follow_curve.h"
 #include "plot/plot.h"
 
 enum { FOLLOW_PLOTS_BRANCHES = 4 /* of one plot, at most */ };
@@ -22,4 +22,14 @@ typedef struct FollowDots {
 /* `factor` times a value is in the axis' unit. follow_plots_free releases the plot; the dots must outlive it. */
 FollowPlot follow_plots_make(const FollowBranch *branches, size_t count, PlotAxis axis, double factor,
                              const FollowDots *dots);
+
+/* Adds curves over two numbers to a plot, which must have room for FOLLOW_PLOTS_CURVES more series: full lines are
+ * folds, dashed ones flips, dotted ones where the motion without contact ends. */
+enum { FOLLOW_PLOTS_CURVES = 12 };
+void follow_plots_add_curves(Plot *plot, const FollowCurve *curves, size_t count, double x_factor, double y_factor,
+                             Arena *arena);
+
+/* Makes a plot of curves alone. */
+FollowPlot follow_plots_make_curves(const FollowCurve *curves, size_t count, PlotAxis x, double x_factor, PlotAxis y,
+                                    double y_factor);
 void follow_plots_free(FollowPlot *plot);

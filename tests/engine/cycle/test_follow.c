@@ -4,7 +4,7 @@
 
 #include "beam/beam_cycle.h"
 #include "check.h"
-#include "cycle/follow.h"
+#include "cycle/follow_curve.h"
 #include "cycle/orbit.h"
 #include "oscillator.h"
 #include "planar_map.h"
@@ -65,6 +65,49 @@ TEST(a_fold_is_gone_round_to_the_unstable_orbit) {
     CHECK(follow_run(&branch, &family, a, (double[]){x, b * x}, 1, 0.02, NULL));
     check_point(&branch, FOLLOW_FOLD, 0, -(1 - b) * (1 - b) / 4, 1e-6);
     check_point(&branch, FOLLOW_FLIP, 0, 3 * (1 - b) * (1 - b) / 4, 1e-6);
+    follow_clear(&branch);
+}
+
+static bool set_second(void *context, double other) {
+    Numbered *numbered = context;
+    numbered->numbers[1] = other;
+    return other < 0.55; /* an end of what is possible */
+}
+
+/* Henon's map folds at a = -(1 - b)^2 / 4 and flips at 3 (1 - b)^2 / 4 for every b. */
+TEST(curves_over_two_parameters_are_the_closed_form) {
+    Numbered numbered = {.map = {planar_map_henon, NULL, 0}, .numbers = {0, 0.3}};
+    FollowFamily family = {.at = map_at, .context = &numbered, .from = -0.5, .to = 1.5};
+    const double b = 0.3, a = 0.2, x = (b - 1 + sqrt((1 - b) * (1 - b) + 4 * a)) / (2 * a);
+    FollowBranch branch;
+    CHECK(follow_run(&branch, &family, a, (double[]){x, b * x}, 1, 0.02, NULL));
+    for (FollowKind kind = FOLLOW_FOLD; kind <= FOLLOW_FLIP; kind++) {
+        const FollowPoint *point = find_point(&branch, kind, 0);
+        FollowPlane plane = {&family, set_second, &numbered, 0.3, 0.1, 0.6, 26};
+        FollowCurve curve;
+        double share = kind == FOLLOW_FOLD ? -0.25 : 0.75;
+        CHECK(point && follow_curve_run(&curve, &plane, &branch, (size_t)(point - branch.points), NULL));
+        CHECK(curve.whole[0] && !curve.whole[1] && curve.count > 20); /* beyond 0.55 the map is impossible */
+        CHECK(curve.other[0] == 0.1 && curve.other[curve.count - 1] > 0.54);
+        for (size_t i = 0; i < curve.count; i++) {
+            CHECK_NEAR(curve.value[i], share * (1 - curve.other[i]) * (1 - curve.other[i]), 1e-6);
+            CHECK(curve.off[i] < 1e-6 && (i == 0 || curve.other[i] > curve.other[i - 1]));
+        }
+        CHECK(family.from == -0.5 && family.to == 1.5 && numbered.numbers[1] == 0.3);
+        follow_curve_clear(&curve);
+    }
+    follow_clear(&branch);
+}
+
+/* The fixed point 1 - 1/r of x' = r x (1 - y), y' = x becomes a torus at r = 2, with the multipliers exp(+-i pi/3). */
+TEST(a_torus_begins_where_a_pair_of_multipliers_leaves_the_circle) {
+    Numbered numbered = {.map = {planar_map_delayed, NULL, 0}};
+    FollowFamily family = {.at = map_at, .context = &numbered, .from = 1.5, .to = 2.2};
+    FollowBranch branch;
+    CHECK(follow_run(&branch, &family, 1.7, (double[]){1 - 1 / 1.7, 1 - 1 / 1.7}, 1, 0.05, NULL));
+    check_point(&branch, FOLLOW_NEIMARK, 0, 2, 1e-6);
+    const FollowPoint *torus = find_point(&branch, FOLLOW_NEIMARK, 0);
+    CHECK(torus && fabs(atan2(fabs(torus->im), torus->re) / (2 * M_PI) - 1.0 / 6) < 1e-6);
     follow_clear(&branch);
 }
 
