@@ -227,6 +227,10 @@ typedef struct Laboratory {
     /* Gives up the work on the last change, and undoes it: the shown run stays. NULL: there is no such work. */
     void (*stop)(void *session);
 
+    /* Follows the running orbit along the orbit diagram in the background, or removes the lines of the one that is
+     * displayed or being followed. Returns true if it is being followed now. NULL: there are no orbits. */
+    bool (*follow)(void *session);
+
     /* Restart with the same parameters; save the displayed run for comparison (false: there is nothing to save yet);
      * discard the saved run, the trace and the points so far. */
     void (*restart)(void *session);

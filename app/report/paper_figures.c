@@ -4,8 +4,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "visual/beam/follow_plots.h"
 #include "visual/study/study_axes.h"
 #include "visual/study/type_bands.h"
+
+#define SIGN 8.0 /* design points, of a type's mark on the map */
 
 /* The source of a figure's plot: a run, or a study. */
 typedef struct Source {
@@ -33,7 +36,8 @@ static const Source sources[PAPER_FIGURES] = {
      false, PAPER_FREQUENCIES, "peaks"},
     {"figure-9-map", "Figure 9",
      "Responses over frequency and clearance, from rest; on the right the clearance over the static deflection of the "
-     "tip under the drive's amplitude, without the joint.",
+     "tip under the drive's amplitude, without the joint. Marks: the type within 1 % of each place by quick runs, from "
+     "16 starts. Lines: where the orbit of 190 Hz folds or flips.",
      false, PAPER_MAP, "map-period"},
     {"figure-10-length", "Figure 10",
      "Largest force of each of 100 cycles at 290 Hz against the length of the beam; along the foot its types.", false,
@@ -68,6 +72,48 @@ static void add_types(StudyPlots *plots, const double *values, const Types *type
                            type_bands_height(&plots->plots[i].plot), arena);
 }
 
+/* Adds the types that were told over the plane as marks, and the curves of folds and flips, to the map. */
+static void add_plane(StudyPlots *plots, const Paper *paper, double x_factor, double y_factor) {
+    static const struct {
+        const char *name;
+        Symbol symbol;
+    } looks[] = {[TYPES_I] = {"type I", SYMBOL_DISC},
+                 [TYPES_II] = {"type II", SYMBOL_DIAMOND},
+                 [TYPES_III] = {"type III", SYMBOL_BOX}};
+    enum { PLACES = PAPER_PLANE_CLEARANCES * PAPER_PLANE_FREQUENCIES };
+    Arena *arena = &plots->arena;
+    for (size_t p = 0; p < plots->count; p++) {
+        Plot *plot = &plots->plots[p].plot;
+        if (strcmp(plots->plots[p].name, "map-period") != 0)
+            continue;
+        PlotSeries *series =
+            arena_allocate(arena, (plot->series_count + TYPES_III + FOLLOW_PLOTS_CURVES) * sizeof *series);
+        if (plot->series_count)
+            memcpy(series, plot->series, plot->series_count * sizeof *series);
+        plot->series = series;
+        follow_plots_add_curves(plot, paper->follow.curves, paper->follow.curve_count, x_factor, y_factor, arena);
+        for (TypesKind kind = TYPES_I; kind <= TYPES_III; kind++) {
+            double *x = arena_allocate(arena, PLACES * sizeof *x), *y = arena_allocate(arena, PLACES * sizeof *y);
+            size_t count = 0;
+            for (size_t c = 0; c < PAPER_PLANE_CLEARANCES; c++)
+                for (size_t i = 0; i < PAPER_PLANE_FREQUENCIES; i++)
+                    if (paper->plane[c][i] == kind) {
+                        x[count] = x_factor * paper->plane_frequency[i];
+                        y[count++] = y_factor * paper->plane_clearance[c];
+                    }
+            if (count)
+                series[plot->series_count++] = (PlotSeries){.name = looks[kind].name,
+                                                            .x = x,
+                                                            .y = y,
+                                                            .count = count,
+                                                            .role = ROLE_TEXT,
+                                                            .symbol = looks[kind].symbol,
+                                                            .size = SIGN,
+                                                            .open = kind != TYPES_III};
+        }
+    }
+}
+
 PaperFigures *paper_figures_make(const Paper *paper) {
     PaperFigures *figures = memory_zeroed(1, sizeof *figures);
     char fault[PLOT_CHOICE_FAULT];
@@ -84,6 +130,10 @@ PaperFigures *paper_figures_make(const Paper *paper) {
         study_axes_parameter(&paper->studies[PAPER_FREQUENCIES], 0, &figures->studies[PAPER_FREQUENCIES].arena).factor);
     add_types(&figures->studies[PAPER_LENGTHS], paper->length, paper->length_types, PAPER_LENGTH_TYPES,
               study_axes_parameter(&paper->studies[PAPER_LENGTHS], 0, &figures->studies[PAPER_LENGTHS].arena).factor);
+    const Study *map = &paper->studies[PAPER_MAP];
+    StudyPlots *maps = &figures->studies[PAPER_MAP];
+    add_plane(maps, paper, study_axes_parameter(map, 0, &maps->arena).factor,
+              study_axes_parameter(map, 1, &maps->arena).factor);
     for (size_t i = 0; i < PAPER_FIGURES; i++) {
         const Source *source = &sources[i];
         figures->figures[i] =

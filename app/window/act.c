@@ -265,6 +265,11 @@ static bool do_tab(Window *window, Tab *tab, Action action) {
     case ACTION_SWEEP:
         next_word(window, tab, "Sweep");
         return true;
+    case ACTION_FOLLOW_ORBIT:
+        if (tab->laboratory->follow)
+            notice_post(window, tab->laboratory->follow(tab->session) ? "This orbit is being followed"
+                                                                      : "The followed orbit is removed");
+        return true;
     case ACTION_CLEAR:
         tab->laboratory->clear_runs(tab->session, tab->player.time);
         return true;

@@ -36,7 +36,8 @@ static const Task columns[KEY_COLUMNS][KEY_COLUMNS] = {
     {TASK_WATCH, TASK_PLOTS, TASKS}, {TASK_EDIT, TASKS, TASKS}, {TASK_FILES, TASK_PRESENT, TASK_HELP}};
 
 static Task task_of(const KeyRow *row) {
-    if (row->place == KEY_PLOT || row->action == ACTION_SWEEP || row->action == ACTION_CLEAR)
+    if (row->place == KEY_PLOT || row->action == ACTION_SWEEP || row->action == ACTION_FOLLOW_ORBIT ||
+        row->action == ACTION_CLEAR)
         return TASK_PLOTS;
     if (row->action >= ACTION_PANEL && row->action <= ACTION_NORMAL_SIZE && row->action != ACTION_EDIT_PLAN)
         return TASK_PRESENT;

@@ -175,6 +175,8 @@ static const KeyRow table[] = {
     {ACTION_MARK_OUT, KEY_TIMELINE, "O", MENU_RUN, "Mark out", "End the loop here", NULL},
     {ACTION_SWEEP, KEY_CANVAS, "U", MENU_RUN, "Sweep",
      "Choose how the orbit diagram is swept: from rest, upwards or downwards", NULL},
+    {ACTION_FOLLOW_ORBIT, KEY_CANVAS, "Shift+U", MENU_RUN, "Follow this orbit",
+     "Follow the running orbit along the orbit diagram, stable or not, or remove its lines", NULL},
     {ACTION_SOUND, KEY_ANYWHERE, "Ctrl+M", MENU_RUN, "Sound", "Switch the sound of the beam's tip on or off", NULL},
 
     {ACTION_HELP, KEY_ANYWHERE, "F1", MENU_HELP, "Keys", "Show this card", "keys"},

@@ -56,6 +56,7 @@ typedef enum Action {
     ACTION_GHOST,
     ACTION_CLEAR,
     ACTION_SWEEP,
+    ACTION_FOLLOW_ORBIT,
     ACTION_FIT,
     ACTION_ZOOM_IN,
     ACTION_ZOOM_OUT,

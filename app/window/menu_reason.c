@@ -65,6 +65,8 @@ const char *menu_reason_of(Window *window, Action action) {
         return is_selected(tab) || tab->camera.kind == VIEW_RAISED ? NULL : "Select a thing first, or show it raised";
     case ACTION_SWEEP:
         return has_choice(tab, "Sweep") ? NULL : "Only a beam has an orbit diagram to sweep";
+    case ACTION_FOLLOW_ORBIT:
+        return tab->laboratory->follow ? NULL : "Only the orbit of a beam can be followed";
     case ACTION_GHOST:
         return has_choice(tab, "Compare with") ? NULL : "There is nothing to compare with";
     case ACTION_SOUND:

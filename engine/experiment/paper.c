@@ -38,7 +38,11 @@ enum { SWEEP_STEPS = 301, LENGTH_STEPS = 61, MAP_FREQUENCIES = 111, MAP_CLEARANC
 #define MAP_FROM 100.0      /* Hz */
 #define CLEARANCE_FROM 0.05 /* of the clearance */
 #define CLEARANCE_TO 2.0    /* the joint could be set to +-.25 mm */
-#define TYPES_FROM 40.0     /* Hz */
+#define PLANE_FROM 100.0    /* Hz, of the types over figure 9 */
+#define PLANE_STEP 20.0
+#define CURVE_STEPS 24  /* clearances of a curve of folds or flips */
+#define SMOOTH 0.1      /* 1, largest change of a peak that grows smoothly, from one hertz to the next */
+#define TYPES_FROM 40.0 /* Hz */
 #define TYPES_STEP 20.0
 
 /* Runs ------------------------------------------------------------------------------------------------------------ */
@@ -181,6 +185,55 @@ static bool make_types(Paper *paper, const PaperOptions *options, Fault *fault) 
     return good;
 }
 
+/* Tells types over the plane of frequency and clearance by quick runs: a motion that is not periodic within its cycles
+ * makes it type III. */
+static bool make_plane(Paper *paper, const PaperOptions *options, Fault *fault) {
+    static const double shares[PAPER_PLANE_CLEARANCES] = {0.5, 1, 1.5, 1.9};
+    bool good = true;
+    for (size_t c = 0; c < PAPER_PLANE_CLEARANCES && good; c++) {
+        Experiment quick;
+        Beam beam = paper->beam;
+        paper->plane_clearance[c] = beam.clearance *= shares[c];
+        tell(options, text_in_arena(&paper->arena, "types at a clearance of %.3f mm", 1000 * beam.clearance));
+        for (size_t i = 0; i < PAPER_PLANE_FREQUENCIES && good && !stopped(options); i++) {
+            Types types;
+            paper->plane_frequency[i] = beam.frequency = PLANE_FROM + PLANE_STEP * (double)i;
+            good = beam_experiment_of(&quick, &beam, options->path, fault);
+            if (!good)
+                break;
+            good = types_classify(&types,
+                                  &(TypesTask){.experiment = &quick,
+                                               .names = beam_experiment_window,
+                                               .name_count = BEAM_EXPERIMENT_WINDOW,
+                                               .window_only = true,
+                                               .jobs = options->jobs,
+                                               .stop = options->stop},
+                                  fault);
+            paper->plane[c][i] = types.kind;
+            beam_experiment_close(&quick);
+        }
+    }
+    return good;
+}
+
+/* Follows the orbit at 190 Hz over the frequencies of the map, and its folds and flips over the clearances. */
+static bool make_follow(Paper *paper, const PaperOptions *options, Fault *fault) {
+    const Orbit *orbit = &paper->responses[PAPER_PERIODIC].orbit;
+    const BeamPlane plane = {"joint.clearance", CLEARANCE_FROM * paper->beam.clearance,
+                             CLEARANCE_TO * paper->beam.clearance, CURVE_STEPS};
+    BeamFamily family;
+    if (!orbit->period || stopped(options))
+        return true;
+    tell(options, "folds and flips");
+    if (!beam_family_open(&family, &paper->beams[PAPER_PERIODIC], "drive.frequency", MAP_FROM, SWEEP_TO, options->path,
+                          fault))
+        return false;
+    if (beam_follow_run(&paper->follow, &family, orbit->point, orbit->period, options->stop))
+        beam_follow_curves(&paper->follow, &family, &plane, options->jobs, options->stop);
+    beam_family_close(&family);
+    return true;
+}
+
 /* Checks that the map's range applies: it is in fractions of the clearance. */
 static bool check_beam(const Paper *paper, Fault *fault) {
     if (paper->beam.clearance <= 0)
@@ -192,7 +245,8 @@ PaperAnswer paper_make(Paper *paper, const PaperOptions *options, Fault *fault) 
     *paper = (Paper){.path = options->path};
     bool good = beam_read(&paper->beam, options->path, options->settings, options->setting_count, fault) &&
                 check_beam(paper, fault) && make_runs(paper, options, fault) && make_studies(paper, options, fault) &&
-                make_types(paper, options, fault);
+                make_types(paper, options, fault) && make_plane(paper, options, fault) &&
+                make_follow(paper, options, fault);
     bool whole = good && !stopped(options);
     if (!whole)
         paper_clear(paper);
@@ -207,6 +261,7 @@ void paper_clear(Paper *paper) {
         if (paper->experiments[i].given)
             beam_experiment_close(&paper->experiments[i]);
     }
+    beam_follow_clear(&paper->follow);
     beam_free(&paper->beam);
     arena_clear(&paper->arena);
     *paper = (Paper){.path = NULL};
@@ -316,6 +371,41 @@ static const char *say_types(Paper *paper, size_t *met, size_t *all) {
     return arena_text(&paper->arena, text);
 }
 
+/* Returns the share of the map's cells that are not periodic among those of one quadrant. */
+static double wild_share(const Paper *paper, bool high_frequency, bool large_clearance) {
+    const Study *study = &paper->studies[PAPER_MAP];
+    size_t wild = 0, all = 0, columns = study->axes[0].steps, rows = study->axes[1].steps;
+    for (size_t r = 0; r < rows; r++)
+        for (size_t c = 0; c < columns; c++) {
+            double regular = study_trial(study, 0, 0, r, c)->observed[BEAM_REGULAR];
+            if ((2 * c >= columns) != high_frequency || (2 * r >= rows) != large_clearance || isnan(regular))
+                continue;
+            wild += regular == 0;
+            all++;
+        }
+    return all ? (double)wild / (double)all : 0;
+}
+
+/* Returns the largest relative change of the peak from one frequency of the sweep to the next, within 1 % of where the
+ * type is I, and counts the types I and II. */
+static double largest_step(const Paper *paper, size_t *first, size_t *second) {
+    const Study *study = &paper->studies[PAPER_FREQUENCIES];
+    double most = 0;
+    *first = *second = 0;
+    for (size_t t = 0; t < PAPER_TYPES; t++) {
+        *first += paper->types[t].kind == TYPES_I;
+        *second += paper->types[t].kind == TYPES_II;
+        for (size_t i = 0; i + 1 < study->axes[0].steps && paper->types[t].kind == TYPES_I; i++) {
+            double low = study_value(&study->axes[0], i), high = study_value(&study->axes[0], i + 1);
+            double from = study_trial(study, 0, 0, 0, i)->observed[BEAM_PEAK_MAX],
+                   to = study_trial(study, 0, 0, 0, i + 1)->observed[BEAM_PEAK_MAX];
+            if (low >= 0.99 * paper->frequency[t] && high <= 1.01 * paper->frequency[t] && from > 0 && to > 0)
+                most = fmax(most, fabs(to / from - 1));
+        }
+    }
+    return most;
+}
+
 void paper_claims(Paper *paper, PaperClaim claims[PAPER_CLAIMS]) {
     const Response *periodic = &paper->responses[PAPER_PERIODIC], *chaotic = &paper->responses[PAPER_CHAOTIC];
     const Response *nominal = &paper->responses[PAPER_NOMINAL], *longer = &paper->responses[PAPER_LONGER];
@@ -325,6 +415,10 @@ void paper_claims(Paper *paper, PaperClaim claims[PAPER_CLAIMS]) {
     double most = sweep_peak(paper, &frequency);
     size_t met_types, all_types, quiet_all, loud = count_irregular(paper, QUIET_BELOW, &quiet_all);
     const char *types = say_types(paper, &met_types, &all_types);
+    size_t first, second;
+    double step = largest_step(paper, &first, &second), corner = wild_share(paper, true, true);
+    double others[] = {wild_share(paper, false, false), wild_share(paper, false, true), wild_share(paper, true, false)};
+    double least = fmin(others[0], fmin(others[1], others[2])), greatest = fmax(others[0], fmax(others[1], others[2]));
     const PaperClaim made[PAPER_CLAIMS] = {
         {"periodic", "figure 2", "at 190 Hz the motion is periodic", "periodic", say_response(paper, periodic),
          met_verdict(periodic, RESPONSE_PERIODIC), "a stable orbit is certified"},
@@ -362,6 +456,19 @@ void paper_claims(Paper *paper, PaperClaim claims[PAPER_CLAIMS]) {
          "all periodic"},
         {"types", "figure 9", "type III from 160 to 300 Hz", "III throughout", types, met_if(met_types == all_types),
          "all of them"},
+        {"corner", "figure 9", "a large clearance and a high frequency tend to chaos", "more chaos in that corner",
+         text_in_arena(&paper->arena, "not periodic: %.0f %% there, %.0f to %.0f %% in the other quarters of the map",
+                       100 * corner, 100 * least, 100 * greatest),
+         met_if(corner > greatest), "more than in each other quarter"},
+        {"smooth", "figures 7 to 9", "where the type is I, the peaks grow smoothly", "smoothly",
+         first ? text_in_arena(&paper->arena, "type I at %zu frequencies, at most %.1f %% from one hertz to the next",
+                               first, 100 * step)
+               : "no frequency of type I",
+         first ? met_if(step <= SMOOTH) : PAPER_NOT_TOLD,
+         text_in_arena(&paper->arena, "at most %.0f %% a hertz", 100 * SMOOTH)},
+        {"type-two", "figure 9", "between them is type II: periodic, but it changes steeply", "II at some frequencies",
+         text_in_arena(&paper->arena, "II at %zu of %d frequencies", second, PAPER_TYPES), met_if(second > 0),
+         "at one frequency or more"},
     };
     memcpy(claims, made, sizeof made);
 }

@@ -7,6 +7,7 @@
 
 #include "base/stop.h"
 #include "beam/beam_cycle.h"
+#include "experiment/beam_follow.h"
 #include "study/study.h"
 #include "study/types.h"
 
@@ -27,6 +28,9 @@ typedef enum PaperStudy {
     PAPER_STUDIES,
 } PaperStudy;
 
+/* The plane of figure 9: frequencies from 100 Hz on, and shares of the clearance, where types are told. */
+enum { PAPER_PLANE_FREQUENCIES = 12, PAPER_PLANE_CLEARANCES = 4 };
+
 enum { PAPER_TYPES = 15 /* classified frequencies */, PAPER_LENGTH_TYPES = 13 /* and lengths, at 290 Hz */ };
 
 typedef struct Paper {
@@ -40,6 +44,9 @@ typedef struct Paper {
     Types types[PAPER_TYPES];
     double length[PAPER_LENGTH_TYPES]; /* m */
     Types length_types[PAPER_LENGTH_TYPES];
+    double plane_frequency[PAPER_PLANE_FREQUENCIES], plane_clearance[PAPER_PLANE_CLEARANCES]; /* Hz, m */
+    TypesKind plane[PAPER_PLANE_CLEARANCES][PAPER_PLANE_FREQUENCIES];                         /* by quick runs */
+    BeamFollow follow; /* of the orbit at 190 Hz, if there is one, over the map: its folds and flips */
     Arena arena;
 } Paper;
 
@@ -76,7 +83,7 @@ typedef struct PaperClaim {
     const char *rule; /* condition for agreement */
 } PaperClaim;
 
-enum { PAPER_CLAIMS = 10 };
+enum { PAPER_CLAIMS = 13 };
 
 /* Fills the claims, whose texts live as long as the paper. */
 void paper_claims(Paper *paper, PaperClaim claims[PAPER_CLAIMS]);

@@ -2,6 +2,8 @@
 
 #include "beam/beam_cycle.h"
 #include "experiment/beam_experiment.h"
+#include "laboratory/beam/follow.h"
+#include "laboratory/machine/verdict.h"
 #include "result/beam.h"
 
 /* The main parameters come first. The orbit diagram over the frequency covers the published one, figure 8, and the
@@ -143,4 +145,6 @@ const MachineKind beam_machine = {
     .be_thorough = be_thorough,
     .run_on = run_on,
     .clear_carry = clear_carry,
+    .follow = beam_lines_follow,
+    .bands = MACHINE_BANDS_MOST,
 };

@@ -90,6 +90,14 @@ static void look(MachineSession *machine_session) {
     machine_session_write(&session->machine, session->tape.status, session->tape.next, &lately);
 }
 
+static size_t state_of(const MachineSession *machine_session, double *state) {
+    const BeamSession *session = (const BeamSession *)machine_session;
+    if (session->tape.next || session->tape.status != CYCLE_GOOD)
+        return 0;
+    motion_state(&session->tape.motion, state);
+    return session->tape.motion.rig->free.states;
+}
+
 static void *open_live(const char *path, const LaboratoryOptions *options, Fault *fault) {
     BeamSession *session = memory_zeroed(1, sizeof *session);
     if (!read_files(session, path, options, fault)) {
@@ -107,6 +115,7 @@ static void *open_live(const char *path, const LaboratoryOptions *options, Fault
     beam_traces_open(&session->traces);
     session->machine.change_record = change_record;
     session->machine.look = look;
+    session->machine.state = state_of;
     machine_session_open(&session->machine, &beam_machine, path, options->jobs, &(Machine){.beam = session->opened},
                          &(Machine){.beam = session->file});
     advance(session);
@@ -251,6 +260,7 @@ const Laboratory beam_laboratory = {
     .apply_preset = machine_session_apply_preset,
     .choices = machine_session_choices,
     .choose = machine_session_choose,
+    .follow = machine_session_follow,
     .restart = restart,
     .save_run = save_run,
     .clear_runs = clear_runs,

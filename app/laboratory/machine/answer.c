@@ -154,11 +154,28 @@ static void add_natural(MachineAnswer *answer, const MachineVerdict *verdict) {
     }
 }
 
+/* Adds what was located on a followed orbit. */
+static void add_lines(MachineAnswer *answer, const MachineLines *lines) {
+    if (!lines || (!lines->period && !lines->why))
+        return;
+    Arena *arena = &answer->arena;
+    add_row(answer, ROW_HEADING,
+            lines->period ? text_in_arena(arena, "Followed orbit, period %zu", lines->period) : "Followed orbit", NULL);
+    if (!lines->period)
+        add_row(answer, ROW_PLAIN, text_in_arena(arena, "%s.", lines->why), NULL);
+    else if (!lines->located_count)
+        add_row(answer, ROW_PLAIN, "It neither folds nor changes its stability.", NULL);
+    for (size_t i = 0; i < lines->located_count; i++)
+        add_row(answer, ROW_PLAIN, lines->located[i].kind,
+                text_in_arena(arena, "%.6g, %.0f N", lines->located[i].value, lines->located[i].peak));
+}
+
 static void write_rows(MachineAnswer *answer, const MachineLately *lately, const MachineVerdict *verdict) {
     answer->row_count = 0;
     if (!verdict) {
         add_row(answer, ROW_HEADING, "Running now", NULL);
         add_peaks(answer, &lately->peaks);
+        add_lines(answer, answer->lines);
         return;
     }
     add_type(answer, verdict);
@@ -172,6 +189,7 @@ static void write_rows(MachineAnswer *answer, const MachineLately *lately, const
         add_row(answer, ROW_PLAIN, arena_text(&answer->arena, text), NULL);
         add_row(answer, ROW_PLAIN, "The motion can depend on the initial state; \"Run again\" restarts it.", NULL);
     }
+    add_lines(answer, answer->lines);
     add_natural(answer, verdict);
 }
 
@@ -197,7 +215,9 @@ void machine_answer_note_doing(MachineAnswer *answer, const MachineKind *kind, c
     size_t size = sizeof answer->doing, done = news->sweep_done, all = news->sweep_all;
     answer->result.doing = answer->doing;
     answer->result.part = NAN;
-    if (news->deciding) {
+    if (news->following) {
+        snprintf(answer->doing, size, "following the orbit");
+    } else if (news->deciding) {
         snprintf(answer->doing, size, "verdict: running %s", kind->start);
     } else if (news->types_all) {
         snprintf(answer->doing, size, "type: %zu of at most %zu runs", news->types_done, news->types_all);
@@ -207,6 +227,9 @@ void machine_answer_note_doing(MachineAnswer *answer, const MachineKind *kind, c
         answer->result.part = (double)done / (double)all;
     } else if (news->confirming) {
         snprintf(answer->doing, size, "verdict: %d motions are watched", SURVIVAL_LANES);
+    } else if (news->bands_all) {
+        snprintf(answer->doing, size, "types along the diagram: %zu of %zu", news->bands.count, news->bands_all);
+        answer->result.part = (double)news->bands.count / (double)news->bands_all;
     } else {
         *answer->doing = 0;
         answer->result.doing = NULL;

@@ -24,7 +24,8 @@ typedef struct MachineNow {
 typedef struct MachineAnswer {
     char title[64], doing[80];
     Result result;
-    PanelRow *rows; /* (row_count) */
+    const MachineLines *lines; /* a followed orbit, or NULL */
+    PanelRow *rows;            /* (row_count) */
     size_t row_count, row_capacity;
     Arena arena; /* holds the detail and the texts of the rows */
 } MachineAnswer;

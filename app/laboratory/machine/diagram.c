@@ -6,26 +6,34 @@
 #include "base/parameters_number.h"
 
 /* Diameter of a point in design points. */
+#define LINE 1.6
+#define LOCATED 9.0
 #define DOT 2.2
 #define SIGN 4.0
 
 void machine_diagram_open(MachineDiagram *diagram) {
-    static const PlotSeries looks[MACHINE_SWEEP_PASSES + 1] = {
+    static const PlotSeries looks[MACHINE_SWEEP_PASSES + 1 + MACHINE_LINES] = {
         {.role = ROLE_GHOST, .symbol = SYMBOL_TRIANGLE, .size = SIGN},
         {.role = ROLE_WALL, .symbol = SYMBOL_DISC, .size = DOT},
         {.role = ROLE_LOCUS, .symbol = SYMBOL_BOX, .size = SIGN, .open = true},
-        {.role = ROLE_LOCUS_SECOND, .symbol = SYMBOL_DISC, .size = DOT}}; /* drawn within the boxes where both occur */
+        {.role = ROLE_LOCUS_SECOND, .symbol = SYMBOL_DISC, .size = DOT}, /* drawn within the boxes where both occur */
+        {.role = ROLE_LOCUS, .width = LINE},
+        {.role = ROLE_LOCUS, .style = LINE_DASHED, .width = LINE},
+        {.role = ROLE_IMPACT, .symbol = SYMBOL_DIAMOND, .size = LOCATED}};
     *diagram = (MachineDiagram){.revision = 1};
     memcpy(diagram->series, looks, sizeof looks);
     diagram->plot = (Plot){.title = "Orbit diagram: peak force",
                            .y = {.title = "peak force", .unit = "N"},
                            .series = diagram->series,
-                           .series_count = MACHINE_SWEEP_PASSES + 1};
+                           .series_count = MACHINE_SWEEP_PASSES + 1 + MACHINE_LINES,
+                           .areas = diagram->areas};
 }
 
 void machine_diagram_close(MachineDiagram *diagram) {
     for (size_t s = 0; s <= MACHINE_SWEEP_PASSES; s++)
         machine_sweep_points_clear(&diagram->points[s]);
+    machine_lines_clear(&diagram->lines);
+    arena_clear(&diagram->band_words);
 }
 
 /* Points the series to the points' arrays, which may have moved. */
@@ -34,6 +42,14 @@ static void take_points(MachineDiagram *diagram) {
         diagram->series[s].x = diagram->points[s].value;
         diagram->series[s].y = diagram->points[s].peak;
         diagram->series[s].count = diagram->points[s].count;
+    }
+    for (size_t line = 0; line < MACHINE_LINES; line++) {
+        PlotSeries *series = &diagram->series[MACHINE_SWEEP_PASSES + 1 + line];
+        static const char *const names[MACHINE_LINES] = {"stable", "unstable", "located"};
+        series->x = diagram->lines.points[line].value;
+        series->y = diagram->lines.points[line].peak;
+        series->count = diagram->lines.points[line].count;
+        series->name = series->count ? names[line] : NULL;
     }
     bool stored = diagram->points[0].count > 0;
     diagram->series[0].name = stored ? "before" : NULL;
@@ -57,10 +73,20 @@ static void begin_anew(MachineDiagram *diagram) {
     const MachineSweepTask *task = &diagram->task;
     for (size_t s = 1; s <= MACHINE_SWEEP_PASSES; s++)
         diagram->points[s].count = 0;
+    diagram->plot.area_count = 0;
     diagram->plot.x.title = task->kind->over_words[diagram->over];
     diagram->plot.x.low = diagram->factor * task->from;
     diagram->plot.x.high = diagram->factor * task->to;
     diagram->revision++;
+}
+
+/* Removes a followed orbit: it belongs to other numbers, or is not wanted any longer. */
+static void forget_lines(MachineDiagram *diagram, MachineWorker *worker) {
+    machine_worker_drop_follow(worker);
+    machine_lines_clear(&diagram->lines);
+    diagram->follows = false;
+    diagram->revision++;
+    take_points(diagram);
 }
 
 void machine_diagram_ask(MachineDiagram *diagram, const MachineControls *controls, const Machine *machine,
@@ -81,7 +107,21 @@ void machine_diagram_ask(MachineDiagram *diagram, const MachineControls *control
         begin_anew(diagram);
         take_points(diagram);
     }
+    forget_lines(diagram, worker);
     machine_worker_ask_sweep(worker, &task);
+}
+
+bool machine_diagram_follow(MachineDiagram *diagram, MachineWorker *worker, const Machine *machine, const double *state,
+                            size_t count) {
+    bool wanted = !diagram->follows && diagram->task.name;
+    forget_lines(diagram, worker);
+    if (!wanted)
+        return false;
+    MachineSweepTask task = diagram->task;
+    task.machine = *machine;
+    diagram->follows = true;
+    machine_worker_ask_follow(worker, &task, state, count);
+    return true;
 }
 
 /* Rounds up to 1, 1.5, 2, 3, 4, 5, 6 or 8 times a power of ten. */
@@ -94,8 +134,35 @@ static double round_up(double value) {
     return steps[i] * power;
 }
 
-void machine_diagram_apply(MachineDiagram *diagram, MachineNews *news) {
+/* Takes over a followed orbit in the displayed unit. Returns its largest force. */
+static double take_lines(MachineDiagram *diagram, const MachineLines *lines) {
     double most = 0;
+    machine_lines_clear(&diagram->lines);
+    diagram->lines = *lines;
+    for (size_t line = 0; line < MACHINE_LINES; line++)
+        for (size_t i = 0; i < lines->points[line].count; i++) {
+            diagram->lines.points[line].value[i] *= diagram->factor;
+            most = fmax(most, isnan(lines->points[line].peak[i]) ? 0 : lines->points[line].peak[i]);
+        }
+    for (size_t i = 0; i < diagram->lines.located_count; i++)
+        diagram->lines.located[i].value *= diagram->factor;
+    diagram->revision++;
+    return most;
+}
+
+static void take_bands(MachineDiagram *diagram, const MachineBands *bands) {
+    double at[MACHINE_BANDS_MOST];
+    for (size_t i = 0; i < bands->count; i++)
+        at[i] = diagram->factor * bands->value[i];
+    arena_clear(&diagram->band_words);
+    diagram->plot.area_count = 0;
+    type_bands_add(&diagram->plot, at, bands->type, bands->count, diagram->factor * bands->step,
+                   type_bands_height(&diagram->plot), &diagram->band_words);
+    diagram->revision++;
+}
+
+void machine_diagram_apply(MachineDiagram *diagram, MachineNews *news) {
+    double most = news->followed ? take_lines(diagram, &news->lines) : 0;
     if (news->sweep_begins)
         begin_anew(diagram);
     for (size_t pass = 0; pass < MACHINE_SWEEP_PASSES; pass++) {
@@ -111,6 +178,8 @@ void machine_diagram_apply(MachineDiagram *diagram, MachineNews *news) {
         diagram->revision++;
     }
     take_points(diagram);
+    if (news->banded)
+        take_bands(diagram, &news->bands);
 }
 
 void machine_diagram_store(MachineDiagram *diagram, bool keep) {

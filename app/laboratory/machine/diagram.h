@@ -4,10 +4,15 @@
 
 #include "laboratory/machine/controls.h"
 #include "laboratory/machine/worker.h"
+#include "visual/study/type_bands.h"
 
 typedef struct MachineDiagram {
     Plot plot;
-    PlotSeries series[MACHINE_SWEEP_PASSES + 1]; /* the saved points, then the passes */
+    PlotSeries series[MACHINE_SWEEP_PASSES + 1 + MACHINE_LINES]; /* the saved points, the passes, a followed orbit */
+    PlotArea areas[TYPE_BANDS];
+    Arena band_words;   /* of the areas */
+    MachineLines lines; /* in the displayed unit */
+    bool follows;       /* an orbit is followed, or asked for */
     MachineSweepPoints points[MACHINE_SWEEP_PASSES + 1];
     unsigned revision;
     size_t over; /* index of the parameter among those of the kind */
@@ -24,6 +29,11 @@ void machine_diagram_close(MachineDiagram *diagram);
  * not matter. */
 void machine_diagram_ask(MachineDiagram *diagram, const MachineControls *controls, const Machine *machine,
                          MachineWorker *worker);
+
+/* Asks for the orbit to be followed that the motion at `state` (count) is on, or removes the one that is displayed or
+ * asked for. Returns true if it was asked for. */
+bool machine_diagram_follow(MachineDiagram *diagram, MachineWorker *worker, const Machine *machine, const double *state,
+                            size_t count);
 
 /* Takes over new points. */
 void machine_diagram_apply(MachineDiagram *diagram, MachineNews *news);

@@ -46,6 +46,8 @@ typedef union MachineCarry {
     CrankCarry crank;
 } MachineCarry;
 
+struct MachineLines; /* lines.h */
+
 /* What a verdict rests on. */
 typedef struct MachineFacts {
     ResponseVerdict verdict;
@@ -100,6 +102,13 @@ typedef struct MachineKind {
     void (*run_on)(const Experiment *experiment, const char *name, Trial *trials, size_t count, MachineCarry *carry,
                    const Stop *stop);
     void (*clear_carry)(MachineCarry *carry);
+
+    /* Follows the orbit that a motion from `state` (count; none: from its start) settles on, over a parameter. False:
+     * it was stopped. NULL: orbits of this kind cannot be followed. */
+    bool (*follow)(const Machine *machine, const double *state, size_t count, const char *name, double from, double to,
+                   struct MachineLines *lines, const Stop *stop);
+
+    size_t bands; /* values along the orbit diagram whose types are told by quick runs; 0: none */
 } MachineKind;
 
 enum { MACHINE_VALUES = 48 };

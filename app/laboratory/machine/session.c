@@ -143,7 +143,11 @@ static void apply_news(MachineSession *session, MachineNews *news) {
     } else if (news->verdict) {
         machine_verdict_clear(&news->result);
     }
-    if (news->swept)
+    if (news->followed) {
+        session->looked = SIZE_MAX;
+        session->answer.lines = &session->diagram.lines;
+    }
+    if (news->swept || news->followed || news->banded)
         machine_diagram_apply(&session->diagram, news);
 }
 
@@ -162,6 +166,15 @@ unsigned machine_session_update(void *context, double time) {
     unsigned changed = session->news;
     session->news = 0;
     return changed;
+}
+
+bool machine_session_follow(void *context) {
+    MachineSession *session = context;
+    double state[MACHINE_STATES_MOST];
+    size_t count = session->state ? session->state(session, state) : 0;
+    session->looked = SIZE_MAX;
+    session->news |= LABORATORY_TEXTS;
+    return machine_diagram_follow(&session->diagram, session->worker, &session->now, state, count);
 }
 
 Result machine_session_answer(void *context) {

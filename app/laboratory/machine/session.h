@@ -33,6 +33,10 @@ struct MachineSession {
     /* Changes the record from the end of the displayed cycle on. False: a fault, and the record is unchanged. */
     bool (*change_record)(MachineSession *session, const Machine *machine, Fault *fault);
 
+    /* Writes the state of the running motion at phase 0; returns the count, at most MACHINE_STATES_MOST, or 0: unknown.
+     * NULL: orbits cannot be followed. */
+    size_t (*state)(const MachineSession *session, double *state);
+
     /* Rewrites the answer if the record has grown. */
     void (*look)(MachineSession *session);
 };
@@ -57,6 +61,7 @@ void machine_session_apply_preset(void *context, size_t preset);
 const PanelChoice *machine_session_choices(void *context, size_t *count);
 void machine_session_choose(void *context, size_t choice, size_t word);
 const char *const *machine_session_command(void *context, size_t *count);
+bool machine_session_follow(void *context);
 unsigned machine_session_update(void *context, double time);
 Result machine_session_answer(void *context);
 const PanelRow *machine_session_rows(const void *context, size_t *count);

@@ -46,6 +46,28 @@ bool machine_verdict_tell_type(MachineVerdict *verdict, int jobs, const Stop *st
     return decided;
 }
 
+TypesKind machine_verdict_type_at(const MachineKind *kind, const Machine *machine, const char *name, double value,
+                                  int jobs, const Stop *stop) {
+    Machine own = *machine;
+    Experiment quick;
+    Types types = {.kind = TYPES_UNRESOLVED};
+    Fault fault = {0};
+    if (parameters_set_number(parameters_find(kind->table(), name), &own, value, &fault) &&
+        kind->open_experiment(&quick, &own, &fault)) {
+        TypesTask task = {.experiment = &quick,
+                          .names = kind->window,
+                          .name_count = kind->window_count,
+                          .window_only = true,
+                          .jobs = jobs,
+                          .stop = stop};
+        if (!types_classify(&types, &task, &fault) || types.stopped)
+            types.kind = TYPES_UNRESOLVED;
+        kind->close_experiment(&quick);
+    }
+    fault_clear(&fault);
+    return types.kind;
+}
+
 bool machine_verdict_confirm(MachineVerdict *verdict, int jobs, const Stop *stop) {
     MachineFacts facts = {.quick = false};
     bool confirmed =

@@ -23,6 +23,13 @@ bool machine_verdict_decide(MachineVerdict *verdict, const MachineKind *kind, co
 bool machine_verdict_tell_type(MachineVerdict *verdict, int jobs, const Stop *stop,
                                void (*progress)(void *context, size_t done, size_t all), void *context);
 
+enum { MACHINE_BANDS_MOST = 16 /* values whose types are told along an orbit diagram */ };
+
+/* Tells the type at one value of a parameter by quick runs. Returns TYPES_UNRESOLVED where it is unknown or was
+ * stopped. */
+TypesKind machine_verdict_type_at(const MachineKind *kind, const Machine *machine, const char *name, double value,
+                                  int jobs, const Stop *stop);
+
 /* Confirms a quick verdict by motions that are watched (survival.h), and replaces it. False: stopped, or a fault, and
  * the verdict is unchanged. */
 bool machine_verdict_confirm(MachineVerdict *verdict, int jobs, const Stop *stop);

@@ -25,11 +25,13 @@ struct MachineWorker {
     pthread_cond_t wake;
     bool quit;
     int jobs;
-    Question verdict, sweep;
+    Question verdict, sweep, follow;
     Stop stop_type; /* set by either question */
     const MachineKind *kind;
     Machine machine;
-    MachineSweepTask task;
+    MachineSweepTask task, follow_task;
+    double state[MACHINE_STATES_MOST]; /* (state_count) */
+    size_t state_count;
     bool decided, typed; /* the verdict is known, and its type */
     bool confirmed;      /* the verdict needs no confirmation, or it was tried */
     bool deciding;
@@ -49,6 +51,11 @@ static bool is_due(const Question *question, double now) {
 static void take_up(Question *question) {
     question->asked = false;
     stop_withdraw(&question->stop);
+}
+
+/* True if there is a question, which the type and what comes after it must wait for. */
+static bool is_asked(const MachineWorker *worker) {
+    return worker->verdict.asked || worker->sweep.asked || worker->follow.asked;
 }
 
 /* Verdict and type --------------------------------------------------------------------------------------------------*/
@@ -90,7 +97,7 @@ static void tell_type(MachineWorker *worker) {
     bool typed = machine_verdict_tell_type(&worker->own, worker->jobs, &worker->stop_type, note_types, worker);
     pthread_mutex_lock(&worker->lock);
     worker->news.types_done = worker->news.types_all = 0;
-    bool stopped = worker->verdict.asked || worker->sweep.asked || worker->quit;
+    bool stopped = is_asked(worker) || worker->quit;
     worker->typed = typed || !stopped; /* a type that cannot be determined is not tried again */
     if (typed && !worker->verdict.asked)
         publish_verdict(worker);
@@ -104,7 +111,7 @@ static void confirm_verdict(MachineWorker *worker) {
     bool confirmed = machine_verdict_confirm(&worker->own, worker->jobs, &worker->stop_type);
     pthread_mutex_lock(&worker->lock);
     worker->news.confirming = false;
-    worker->confirmed = confirmed || !(worker->verdict.asked || worker->sweep.asked || worker->quit);
+    worker->confirmed = confirmed || !(is_asked(worker) || worker->quit);
     if (confirmed && !worker->verdict.asked)
         publish_verdict(worker);
 }
@@ -131,6 +138,8 @@ static void begin_sweep(MachineWorker *worker) {
     forget_points(worker);
     worker->news.swept = worker->news.sweep_begins = true;
     worker->news.sweep_done = 0;
+    worker->news.bands = (MachineBands){.count = 0};
+    worker->news.bands_all = 0;
     worker->news.sweep_all = machine_sweep_values(&task);
 }
 
@@ -148,12 +157,55 @@ static void go_on_sweeping(MachineWorker *worker) {
     worker->news.sweep_done = worker->sweeping.done;
 }
 
+/* Following and types along the diagram -----------------------------------------------------------------------------*/
+
+static void follow(MachineWorker *worker) {
+    MachineSweepTask task = worker->follow_task;
+    double state[MACHINE_STATES_MOST];
+    size_t count = worker->state_count;
+    MachineLines lines = {.period = 0};
+    memcpy(state, worker->state, sizeof state);
+    take_up(&worker->follow);
+    worker->news.following = true;
+    pthread_mutex_unlock(&worker->lock);
+    bool whole =
+        worker->kind->follow(&task.machine, state, count, task.name, task.from, task.to, &lines, &worker->follow.stop);
+    pthread_mutex_lock(&worker->lock);
+    worker->news.following = false;
+    if (!whole || worker->follow.asked || stop_requested(&worker->follow.stop)) {
+        machine_lines_clear(&lines);
+        return;
+    }
+    machine_lines_clear(&worker->news.lines);
+    worker->news.lines = lines;
+    worker->news.followed = true;
+}
+
+static void tell_band(MachineWorker *worker) {
+    const MachineSweepTask task = worker->sweeping.task;
+    MachineBands *bands = &worker->news.bands;
+    bands->step = (task.to - task.from) / (double)worker->kind->bands;
+    double value = task.from + ((double)bands->count + 0.5) * bands->step;
+    stop_withdraw(&worker->stop_type);
+    worker->news.bands_all = worker->kind->bands;
+    pthread_mutex_unlock(&worker->lock);
+    TypesKind type =
+        machine_verdict_type_at(worker->kind, &task.machine, task.name, value, worker->jobs, &worker->stop_type);
+    pthread_mutex_lock(&worker->lock);
+    if (stop_requested(&worker->stop_type))
+        return;
+    bands->value[bands->count] = value;
+    bands->type[bands->count++] = type >= TYPES_I && type <= TYPES_III ? (double)type : (double)NAN;
+    worker->news.bands_all = bands->count < worker->kind->bands ? worker->kind->bands : 0;
+    worker->news.banded = true;
+}
+
 /* The thread --------------------------------------------------------------------------------------------------------*/
 
 static void wait_for_questions(MachineWorker *worker) {
     double until = HUGE_VAL;
-    const Question *const questions[] = {&worker->verdict, &worker->sweep};
-    for (size_t q = 0; q < 2; q++)
+    const Question *const questions[] = {&worker->verdict, &worker->sweep, &worker->follow};
+    for (size_t q = 0; q < sizeof questions / sizeof *questions; q++)
         if (questions[q]->asked)
             until = fmin(until, questions[q]->since + MACHINE_WORKER_PAUSE);
     if (isinf(until)) {
@@ -169,12 +221,15 @@ static bool sweeps(const MachineWorker *worker) {
 }
 
 static bool wants_type(const MachineWorker *worker) {
-    return worker->decided && !worker->typed && !worker->verdict.asked && !worker->sweep.asked;
+    return worker->decided && !worker->typed && !is_asked(worker);
 }
 
 static bool wants_confirmation(const MachineWorker *worker) {
-    return worker->typed && worker->own.facts.quick && !worker->confirmed && !worker->verdict.asked &&
-           !worker->sweep.asked;
+    return worker->typed && worker->own.facts.quick && !worker->confirmed && !is_asked(worker);
+}
+
+static bool wants_band(const MachineWorker *worker) {
+    return worker->sweeps && worker->swept && !is_asked(worker) && worker->news.bands.count < worker->kind->bands;
 }
 
 /* Works until the worker is stopped. Threads started by this one inherit its low priority. */
@@ -186,6 +241,8 @@ static void *work(void *context) {
         double now = stopwatch_now();
         if (is_due(&worker->verdict, now))
             tell_verdict(worker);
+        else if (is_due(&worker->follow, now))
+            follow(worker);
         else if (is_due(&worker->sweep, now))
             begin_sweep(worker);
         else if (sweeps(worker) && (worker->sweeping.done < worker->kind->before_type || !wants_type(worker)))
@@ -194,6 +251,8 @@ static void *work(void *context) {
             tell_type(worker);
         else if (wants_confirmation(worker))
             confirm_verdict(worker);
+        else if (wants_band(worker))
+            tell_band(worker);
         else
             wait_for_questions(worker);
     }
@@ -223,6 +282,7 @@ void machine_worker_stop(MachineWorker *worker) {
     worker->quit = true;
     stop_request(&worker->verdict.stop);
     stop_request(&worker->sweep.stop);
+    stop_request(&worker->follow.stop);
     stop_request(&worker->stop_type);
     pthread_cond_signal(&worker->wake);
     pthread_mutex_unlock(&worker->lock);
@@ -232,6 +292,7 @@ void machine_worker_stop(MachineWorker *worker) {
     if (worker->sweeps)
         machine_sweep_close(&worker->sweeping);
     machine_verdict_clear(&worker->news.result);
+    machine_lines_clear(&worker->news.lines);
     forget_points(worker);
     pthread_cond_destroy(&worker->wake);
     pthread_mutex_destroy(&worker->lock);
@@ -262,11 +323,34 @@ void machine_worker_ask_sweep(MachineWorker *worker, const MachineSweepTask *tas
     pthread_mutex_unlock(&worker->lock);
 }
 
+void machine_worker_ask_follow(MachineWorker *worker, const MachineSweepTask *task, const double *state, size_t count) {
+    pthread_mutex_lock(&worker->lock);
+    worker->follow_task = *task;
+    worker->state_count = count < MACHINE_STATES_MOST ? count : 0;
+    if (worker->state_count)
+        memcpy(worker->state, state, worker->state_count * sizeof *state);
+    ask(worker, &worker->follow);
+    worker->follow.since = 0; /* at once: a key asks once */
+    pthread_mutex_unlock(&worker->lock);
+}
+
+void machine_worker_drop_follow(MachineWorker *worker) {
+    pthread_mutex_lock(&worker->lock);
+    worker->follow.asked = false;
+    stop_request(&worker->follow.stop);
+    machine_lines_clear(&worker->news.lines);
+    worker->news.followed = false;
+    pthread_mutex_unlock(&worker->lock);
+}
+
 void machine_worker_take(MachineWorker *worker, MachineNews *news) {
     pthread_mutex_lock(&worker->lock);
     *news = worker->news;
     news->deciding = worker->deciding || worker->verdict.asked;
+    news->following = worker->news.following || worker->follow.asked;
     worker->news.verdict = worker->news.swept = worker->news.sweep_begins = false;
+    worker->news.followed = worker->news.banded = false;
+    worker->news.lines = (MachineLines){.period = 0};
     worker->news.result = (MachineVerdict){.advice = NULL};
     memset(worker->news.points, 0, sizeof worker->news.points);
     pthread_mutex_unlock(&worker->lock);

@@ -120,6 +120,59 @@ static bool is_idle(void *session) {
     return is_typed(session) && !beam_laboratory.answer(session).doing;
 }
 
+static bool is_banded(void *session) {
+    return beam_laboratory.plot(session, running_beam_find_plot("orbit")).plot->area_count > 0;
+}
+
+/* The series of the diagram after the saved points and the passes. */
+enum { STABLE = MACHINE_SWEEP_PASSES + 1, UNSTABLE, LOCATED };
+
+static const PlotSeries *orbit_series(void *session, size_t series) {
+    return &beam_laboratory.plot(session, running_beam_find_plot("orbit")).plot->series[series];
+}
+
+static bool is_followed(void *session) {
+    return orbit_series(session, STABLE)->count > 0;
+}
+
+static bool tells(void *session, const char *words) {
+    size_t count;
+    const PanelRow *rows = beam_laboratory.rows(session, &count);
+    for (size_t i = 0; i < count; i++)
+        if (rows[i].row.cells[0] && strstr(rows[i].row.cells[0], words))
+            return true;
+    return false;
+}
+
+static bool tells_why(void *session) {
+    return tells(session, "no stable orbit");
+}
+
+TEST(an_orbit_is_followed_along_the_diagram_removed_and_forgotten_with_other_numbers) {
+    const char *const settings[] = {QUICK, "drive.frequency=230"};
+    void *session = running_beam_open("ibs", settings, 4);
+    Fault fault = {0};
+    CHECK(beam_laboratory.follow(session));
+    CHECK(wait_for(session, is_followed, 100));
+    CHECK(orbit_series(session, UNSTABLE)->count > 0 && orbit_series(session, LOCATED)->count > 0);
+    CHECK_TEXT(orbit_series(session, STABLE)->name, "stable");
+    CHECK(wait_for(session, is_decided, 60) && tells(session, "Followed orbit, period 1") && tells(session, "fold"));
+    CHECK(!beam_laboratory.follow(session)); /* removes it */
+    CHECK(!is_followed(session));
+    CHECK(beam_laboratory.follow(session) && wait_for(session, is_followed, 100));
+    CHECK(beam_laboratory.set(session, "joint.damping", 150, &fault));
+    CHECK(!is_followed(session));
+    beam_laboratory.close(session);
+}
+
+TEST(without_a_stable_orbit_the_window_says_so) {
+    const char *const settings[] = {"run.transient_cycles=60", "run.cycles=20"}; /* chaotic at 300 Hz */
+    void *session = running_beam_open("ibs", settings, 2);
+    CHECK(beam_laboratory.follow(session));
+    CHECK(wait_for(session, tells_why, 100) && !is_followed(session));
+    beam_laboratory.close(session);
+}
+
 LONG_TEST(verdict_type_and_orbit_diagram_come_by_themselves) {
     const char *const settings[] = {QUICK};
     void *session = running_beam_open("ibs", settings, 3);
@@ -128,7 +181,7 @@ LONG_TEST(verdict_type_and_orbit_diagram_come_by_themselves) {
     CHECK(wait_for(session, is_decided, 60));
     CHECK(wait_for(session, is_swept, 100));
     CHECK(wait_for(session, is_typed, 200));
-    CHECK(wait_for(session, is_idle, 20));
+    CHECK(wait_for(session, is_banded, 100) && wait_for(session, is_idle, 100));
     size_t count;
     const PanelRow *rows = beam_laboratory.rows(session, &count);
     CHECK(count > 6 && rows[0].row.kind == ROW_HEADING);
