@@ -8,6 +8,7 @@
 #include "base/json.h"
 #include "result/json.h"
 #include "result/study.h"
+#include "study/basins.h"
 
 static void set(json_t *object, const char *key, json_t *value) {
     json_object_set_new(object, key, value);
@@ -51,6 +52,31 @@ static json_t *make_distributions(const Study *study) {
     return json_pack("{s:o, s:o}", "share_regular", share, "observables", distributions);
 }
 
+/* Returns the shares of the basins at each value. */
+static json_t *make_basins(const Study *study) {
+    json_t *values = json_array();
+    for (size_t i = 0; i < study_steps(study, 0); i++) {
+        Basins basins = basins_at(study, i);
+        json_t *list = json_array();
+        for (size_t k = 0; k < basins.count; k++) {
+            const Basin *basin = &basins.of[k];
+            char name[60];
+            basins_name(study, basin, name, sizeof name);
+            json_array_append_new(list, json_pack("{s:s, s:o, s:I, s:o, s:o, s:o, s:I}", "answer", name,
+                                                  study->experiment->observables[study->experiment->measure].name,
+                                                  json_number(basin->measure), "starts", (json_int_t)basin->share.good,
+                                                  "share", json_number(basin->share.value), "low",
+                                                  json_number(basin->share.low), "high", json_number(basin->share.high),
+                                                  "others", (json_int_t)basin->others));
+        }
+        json_array_append_new(values,
+                              json_pack("{s:o, s:I, s:o, s:o}", "value", json_number(study_value(&study->axes[0], i)),
+                                        "starts", (json_int_t)basins.starts, "unseen_below",
+                                        json_number(basins.unseen_below), "basins", list));
+    }
+    return values;
+}
+
 json_t *study_answer_make(const Study *study, const char *file) {
     char digest[17];
     snprintf(digest, sizeof digest, "%016" PRIx64, summary_digest(study));
@@ -65,6 +91,8 @@ json_t *study_answer_make(const Study *study, const char *file) {
         set(answer, "passes_differ_at", make_differences(study));
     set(answer, "best", make_extreme(study, false));
     set(answer, "worst", make_extreme(study, true));
+    if (basins_exist(study))
+        set(answer, "basins", make_basins(study));
     if (!study->axis_count && study->runs > 1)
         set(answer, "distribution", make_distributions(study));
     set(answer, "digest", json_string(digest));

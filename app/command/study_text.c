@@ -9,6 +9,7 @@
 #include "result/study.h"
 #include "result/study_number.h"
 #include "result/text.h"
+#include "study/basins.h"
 #include "study/montecarlo.h"
 
 enum {
@@ -293,6 +294,35 @@ static void add_differences(Text *text, const Study *study) {
                     count, study_steps(study, 0), at);
 }
 
+/* Adds how many values have several answers, what random starts miss, and what they cannot see. */
+static void add_basins(Text *text, const Study *study) {
+    size_t several = 0, missed = 0, first = SIZE_MAX, starts = 0;
+    double unseen = 0;
+    for (size_t i = 0; i < study_steps(study, 0); i++) {
+        Basins basins = basins_at(study, i);
+        bool misses = false;
+        for (size_t k = 0; k < basins.count; k++)
+            misses |= !basins.of[k].share.good;
+        several += basins.count > 1;
+        missed += misses;
+        first = misses && first == SIZE_MAX ? i : first;
+        starts = i && basins.starts > starts ? starts : basins.starts;
+        unseen = fmax(unseen, basins.unseen_below);
+    }
+    text_format(text,
+                "basins: several motions at %zu of %zu values; after %zu starts without it, the basin of another "
+                "motion has a share below %.0f %% (95 %%)\n",
+                several, study_steps(study, 0), starts, 100 * unseen);
+    char at[WORD];
+    if (!missed)
+        return;
+    study_number_step(study, 0, first, true, at);
+    text_format(text,
+                "at %zu values, the first %s, another start reaches a motion that no random one does: a sweep, or the "
+                "motion without contact\n",
+                missed, at);
+}
+
 /* Tables ----------------------------------------------------------------------------------------------------------- */
 
 /* Chooses the rows to show: both ends, both sides of each change while there is room, and others evenly in between. */
@@ -454,6 +484,8 @@ void study_text_add(Text *text, const Study *study, const char *file) {
     add_verdicts(text, study);
     if (study->axis_count == 1)
         add_differences(text, study);
+    if (basins_exist(study))
+        add_basins(text, study);
     if (study->axis_count == 2) {
         add_extremes(text, study);
         for (size_t pass = 0; pass < study->pass_count; pass++)

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "visual/study/basin_plots.h"
 #include "visual/study/measured_marks.h"
 #include "visual/study/study_axes.h"
 #include "visual/study/study_maps.h"
@@ -158,6 +159,16 @@ static void add_orbit_diagram(StudyPlots *plots, Sweep sweep) {
         add_dots(&sweep, pass);
     add_types(&sweep);
     lay_measured_series(&sweep);
+}
+
+/* Adds the shares of basins, where each value has several starts. */
+static void add_basins(StudyPlots *plots, Sweep sweep) {
+    sweep.plot = add_plot(plots, sweep.study, "basins", BASIN_PLOTS_BANDS);
+    sweep.plot->title = "Basins: where random starts lead";
+    sweep.plot->note = text_in_arena(sweep.arena, "%zu starts at each value", sweep.study->runs);
+    sweep.plot->x = sweep.scale.axis;
+    sweep.plot->y = (PlotAxis){.title = "share of the starts", .low = 0, .high = 1};
+    basin_plots_add(sweep.plot, sweep.study, sweep.scale.factor, sweep.arena);
 }
 
 /* One observable --------------------------------------------------------------------------------------------------- */
@@ -341,7 +352,7 @@ static void add_histogram(StudyPlots *plots, const Study *study, size_t observab
 StudyPlots study_plots_make(const Study *study, const Measured *measured) {
     StudyPlots plots = {.count = 0};
     const Experiment *experiment = study->experiment;
-    size_t most = experiment->observable_count + 1 + study_maps_most(study);
+    size_t most = experiment->observable_count + 2 + study_maps_most(study);
     plots.plots = arena_allocate(&plots.arena, most * sizeof *plots.plots);
     Sweep sweep = {.study = study, .measured = measured, .arena = &plots.arena};
     if (study->axis_count == 1) {
@@ -350,6 +361,8 @@ StudyPlots study_plots_make(const Study *study, const Measured *measured) {
         sweep.scale.axis.high = sweep.scale.factor * fmax(study->axes[0].from, study->axes[0].to);
         if (experiment->series)
             add_orbit_diagram(&plots, sweep);
+        if (basins_exist(study))
+            add_basins(&plots, sweep);
     }
     for (size_t o = 0; o < experiment->observable_count && study->axis_count < 2; o++) {
         bool words = experiment->verdict_count && o == experiment->verdict;

@@ -2,6 +2,7 @@
  *
  *     no axis     how often each value came: bars, mean, what lies between 5 and 95 % of the runs
  *     one axis    the orbit diagram (all that each run lists, pass by pass); each observable against the parameter
+ *                 where each value has several starts, the shares of the basins
  *     two axes    a map of each observable: classes, or a quantity from light to dark; over starts, the basins
  *
  * A parameter in m or s is shown in mm or ms where its values are small. */
