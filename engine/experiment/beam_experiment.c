@@ -488,7 +488,7 @@ bool beam_experiment_of(Experiment *experiment, const Beam *beam, const char *pl
 
 void beam_experiment_be_thorough(Experiment *experiment, size_t lanes, size_t cycles) {
     Given *given = experiment->given;
-    given->thorough = true;
+    given->thorough = experiment->slow = true;
     given->lanes = lanes;
     given->lane_cycles = cycles;
     experiment->identity = digest_chain(digest_chain(digest_chain(experiment->identity, 1), lanes), cycles);

@@ -50,7 +50,7 @@ static void add_special(Basins *basins, const Study *study, size_t step) {
     double at = study_value(&study->axes[0], step);
     double *observed = memory_zeroed(experiment->observable_count, sizeof *observed);
     Trial trial = {.at = &at, .observed = observed, .seed = experiment->special};
-    if (experiment->special) {
+    if (experiment->special && !experiment->slow) {
         Basin told, *known;
         experiment->run(experiment->given, &(const char *){study->axes[0].name}, 1, &trial, 1, false, NULL);
         known = tell(study, &trial, &told) ? find(basins, &told) : NULL;

@@ -49,6 +49,7 @@ typedef struct Experiment {
     size_t verdict_count;        /* 0: there is no such observable */
     size_t verdict_quick;        /* the first of the words of quick runs */
 
+    bool slow;        /* True if a trial may take seconds */
     uint64_t special; /* seed of a start of its own, which is always among those of a type; 0: none */
     bool carries;     /* a run can continue from the end of the previous one: sweeps up and down */
     size_t batch;     /* number of runs that are best simulated together */
