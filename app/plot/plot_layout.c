@@ -200,11 +200,16 @@ static double add_rows(PlotLayout *layout, const Plot *plot, bool names) {
         add_item(&rows, title, plot->title ? AXIS_TEXT : TITLE_TEXT - 2, !plot->title, 0);
     if (plot->note)
         add_item(&rows, plot->note, AXIS_TEXT, false, 0)->role = ROLE_DIM_TEXT;
-    if (*title && !low && plot->title) {
+    bool above = names && plot->right_factor != 0 && names_width(plot) > 0; /* both titles stand in the last row */
+    if (above) {
+        begin_row(&rows);
+        add_names(&rows, plot);
+    }
+    if ((*title || above) && !low && plot->title) {
         begin_row(&rows);
         add_item(&rows, title, AXIS_TEXT, false, 0);
     }
-    if (names)
+    if (names && !above)
         add_names(&rows, plot);
     return rows.middle + ROW_HEIGHT / 2;
 }

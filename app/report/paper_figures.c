@@ -8,7 +8,11 @@
 #include "visual/study/study_axes.h"
 #include "visual/study/type_bands.h"
 
-#define SIGN 8.0 /* design points, of a type's mark on the map */
+#define SIGN 8.0    /* design points, of a type's mark on the map */
+#define GROUND 15.0 /* design points, of what it stands on */
+
+#define LOW_PEAKS "peaks-to-1000"
+#define LOW_REACH 1000.0 /* N */
 
 /* The source of a figure's plot: a run, or a study. */
 typedef struct Source {
@@ -34,6 +38,9 @@ static const Source sources[PAPER_FIGURES] = {
      "Largest force of each of 100 cycles against the drive's frequency: each from rest, and swept upwards and "
      "downwards; where these differ, motions coexist. Along the foot: the types I, II and III there.",
      false, PAPER_FREQUENCIES, "peaks"},
+    {"figure-8-peaks-to-1000", "Figures 7 and 8",
+     "The same up to 1,000 N, the range of the paper's figures; what is larger is cut off.", false, PAPER_FREQUENCIES,
+     LOW_PEAKS},
     {"figure-9-map", "Figure 9",
      "Responses over frequency and clearance, from rest; on the right the clearance over the static deflection of the "
      "tip under the drive's amplitude, without the joint. Marks: the type within 1 % of each place by quick runs, from "
@@ -87,11 +94,23 @@ static void add_plane(StudyPlots *plots, const Paper *paper, double x_factor, do
         if (strcmp(plots->plots[p].name, "map-period") != 0)
             continue;
         PlotSeries *series =
-            arena_allocate(arena, (plot->series_count + TYPES_III + FOLLOW_PLOTS_CURVES) * sizeof *series);
+            arena_allocate(arena, (plot->series_count + 1 + TYPES_III + FOLLOW_PLOTS_CURVES) * sizeof *series);
         if (plot->series_count)
             memcpy(series, plot->series, plot->series_count * sizeof *series);
         plot->series = series;
         follow_plots_add_curves(plot, paper->follow.curves, paper->follow.curve_count, x_factor, y_factor, arena);
+        double *all_x = arena_allocate(arena, PLACES * sizeof *all_x),
+               *all_y = arena_allocate(arena, PLACES * sizeof *all_y);
+        for (size_t i = 0; i < PLACES; i++) {
+            all_x[i] = x_factor * paper->plane_frequency[i % PAPER_PLANE_FREQUENCIES];
+            all_y[i] = y_factor * paper->plane_clearance[i / PAPER_PLANE_FREQUENCIES];
+        }
+        series[plot->series_count++] = (PlotSeries){.x = all_x, /* the ground of the marks */
+                                                    .y = all_y,
+                                                    .count = PLACES,
+                                                    .role = ROLE_PAPER,
+                                                    .symbol = SYMBOL_DISC,
+                                                    .size = GROUND};
         for (TypesKind kind = TYPES_I; kind <= TYPES_III; kind++) {
             double *x = arena_allocate(arena, PLACES * sizeof *x), *y = arena_allocate(arena, PLACES * sizeof *y);
             size_t count = 0;
@@ -114,6 +133,26 @@ static void add_plane(StudyPlots *plots, const Paper *paper, double x_factor, do
     }
 }
 
+/* Makes the plot of the peaks up to LOW_REACH, with bands of types as high as in the whole one. */
+static Plot cut_peaks(const Plot *whole, Arena *arena) {
+    Plot cut = *whole;
+    double most = 0;
+    for (size_t s = 0; s < whole->series_count; s++)
+        for (size_t i = 0; i < whole->series[s].count; i++)
+            most = fmax(most, plot_value(&whole->series[s], i).y);
+    cut.y.low = 0;
+    cut.y.high = LOW_REACH;
+    cut.areas = arena_allocate(arena, (whole->area_count + 1) * sizeof *cut.areas);
+    for (size_t a = 0; a < whole->area_count; a++) {
+        double *high = arena_allocate(arena, whole->areas[a].count * sizeof *high);
+        for (size_t i = 0; i < whole->areas[a].count; i++)
+            high[i] = whole->areas[a].high[i] * (most > LOW_REACH ? LOW_REACH / most : 1);
+        cut.areas[a] = whole->areas[a];
+        cut.areas[a].high = high;
+    }
+    return cut;
+}
+
 PaperFigures *paper_figures_make(const Paper *paper) {
     PaperFigures *figures = memory_zeroed(1, sizeof *figures);
     char fault[PLOT_CHOICE_FAULT];
@@ -134,12 +173,16 @@ PaperFigures *paper_figures_make(const Paper *paper) {
     StudyPlots *maps = &figures->studies[PAPER_MAP];
     add_plane(maps, paper, study_axes_parameter(map, 0, &maps->arena).factor,
               study_axes_parameter(map, 1, &maps->arena).factor);
+    const Plot *whole = find_study_plot(&figures->studies[PAPER_FREQUENCIES], "peaks");
+    if (whole)
+        figures->low_peaks = cut_peaks(whole, &figures->studies[PAPER_FREQUENCIES].arena);
     for (size_t i = 0; i < PAPER_FIGURES; i++) {
         const Source *source = &sources[i];
-        figures->figures[i] =
-            (PaperFigure){source->name, source->title, source->caption,
-                          source->is_run ? find_beam_plot(&figures->responses[source->of], source->plot)
-                                         : find_study_plot(&figures->studies[source->of], source->plot)};
+        figures->figures[i] = (PaperFigure){
+            source->name, source->title, source->caption,
+            source->is_run                         ? find_beam_plot(&figures->responses[source->of], source->plot)
+            : strcmp(source->plot, LOW_PEAKS) == 0 ? (whole ? &figures->low_peaks : NULL)
+                                                   : find_study_plot(&figures->studies[source->of], source->plot)};
     }
     return figures;
 }

@@ -6,7 +6,7 @@
 #include "experiment/paper.h"
 #include "visual/study/study_plots.h"
 
-enum { PAPER_FIGURES = 9 };
+enum { PAPER_FIGURES = 10 };
 
 typedef struct PaperFigure {
     const char *name;    /* of its files: "figure-2-phase" */
@@ -19,6 +19,7 @@ typedef struct PaperFigures {
     PaperFigure figures[PAPER_FIGURES];
     BeamPlots responses[PAPER_RUNS];
     StudyPlots studies[PAPER_STUDIES];
+    Plot low_peaks; /* the peaks against frequency in the paper's range of forces */
 } PaperFigures;
 
 /* Makes the figures; the paper must outlive them; paper_figures_free releases them. */
