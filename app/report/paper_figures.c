@@ -9,7 +9,7 @@
 #include "visual/study/type_bands.h"
 
 #define SIGN 8.0    /* design points, of a type's mark on the map */
-#define GROUND 15.0 /* design points, of what it stands on */
+#define GROUND 13.0 /* design points, of what it stands on */
 
 #define LOW_PEAKS "peaks-to-1000"
 #define LOW_REACH 1000.0 /* N */
@@ -101,13 +101,17 @@ static void add_plane(StudyPlots *plots, const Paper *paper, double x_factor, do
         follow_plots_add_curves(plot, paper->follow.curves, paper->follow.curve_count, x_factor, y_factor, arena);
         double *all_x = arena_allocate(arena, PLACES * sizeof *all_x),
                *all_y = arena_allocate(arena, PLACES * sizeof *all_y);
+        size_t all = 0;
         for (size_t i = 0; i < PLACES; i++) {
-            all_x[i] = x_factor * paper->plane_frequency[i % PAPER_PLANE_FREQUENCIES];
-            all_y[i] = y_factor * paper->plane_clearance[i / PAPER_PLANE_FREQUENCIES];
+            size_t c = i / PAPER_PLANE_FREQUENCIES, f = i % PAPER_PLANE_FREQUENCIES;
+            if (paper->plane[c][f] < TYPES_I || paper->plane[c][f] > TYPES_III)
+                continue;
+            all_x[all] = x_factor * paper->plane_frequency[f];
+            all_y[all++] = y_factor * paper->plane_clearance[c];
         }
         series[plot->series_count++] = (PlotSeries){.x = all_x, /* the ground of the marks */
                                                     .y = all_y,
-                                                    .count = PLACES,
+                                                    .count = all,
                                                     .role = ROLE_PAPER,
                                                     .symbol = SYMBOL_DISC,
                                                     .size = GROUND};

@@ -38,7 +38,7 @@ enum { SWEEP_STEPS = 301, LENGTH_STEPS = 61, MAP_FREQUENCIES = 111, MAP_CLEARANC
 #define MAP_FROM 100.0      /* Hz */
 #define CLEARANCE_FROM 0.05 /* of the clearance */
 #define CLEARANCE_TO 2.0    /* the joint could be set to +-.25 mm */
-#define PLANE_FROM 100.0    /* Hz, of the types over figure 9 */
+#define PLANE_FROM 110.0    /* Hz, of the types over figure 9 */
 #define PLANE_STEP 20.0
 #define CURVE_STEPS 24  /* clearances of a curve of folds or flips */
 #define SMOOTH 0.1      /* 1, largest change of a peak that grows smoothly, from one hertz to the next */

@@ -28,8 +28,8 @@ typedef enum PaperStudy {
     PAPER_STUDIES,
 } PaperStudy;
 
-/* The plane of figure 9: frequencies from 100 Hz on, and shares of the clearance, where types are told. */
-enum { PAPER_PLANE_FREQUENCIES = 12, PAPER_PLANE_CLEARANCES = 4 };
+/* The plane of figure 9: frequencies from 110 Hz on, and shares of the clearance, where types are told. */
+enum { PAPER_PLANE_FREQUENCIES = 11, PAPER_PLANE_CLEARANCES = 4 };
 
 enum { PAPER_TYPES = 15 /* classified frequencies */, PAPER_LENGTH_TYPES = 13 /* and lengths, at 290 Hz */ };
 
