@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "cycle/half_life.h"
+#include "base/real.h"
 #include "study/types.h"
 
 bool basins_exist(const Study *study) {
@@ -88,7 +88,7 @@ Basins basins_at(const Study *study, size_t step) {
     for (size_t i = 0; i < basins.count; i++)
         basins.of[i].share = montecarlo_share(basins.of[i].share.good, basins.starts);
     qsort(basins.of, basins.count, sizeof *basins.of, compare);
-    basins.unseen_below = basins.starts ? half_life_unseen(basins.starts) : 1;
+    basins.unseen_below = basins.starts ? 1 - real_exp(real_log(0.05) / (double)basins.starts) : 1;
     return basins;
 }
 

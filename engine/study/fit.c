@@ -162,7 +162,7 @@ static bool leave_out(FitSearch *search, const double *best) {
 static void tell_samples(Fit *fit, const FitSamples *samples, const double *best) {
     size_t n = fit->unknown_count;
     double mean[U], covariance[U * U], values[U];
-    fit_samples_moments(samples, n, mean, covariance);
+    fit_sample_moments(samples, n, mean, covariance);
     fit->effective = samples->effective;
     for (size_t i = 0; i < n; i++) {
         FitUnknown *unknown = &fit->unknowns[i];
@@ -175,10 +175,10 @@ static void tell_samples(Fit *fit, const FitSamples *samples, const double *best
         unknown->told = unknown->learned >= FIT_LEARNED_LEAST;
         unknown->best = fit_search_value(unknown, best[i]);
         unknown->value = unknown->told ? unknown->best : unknown->prior;
-        unknown->low = fit_search_value(unknown, fit_samples_quantile(samples, i, 0.05));
-        unknown->high = fit_search_value(unknown, fit_samples_quantile(samples, i, 0.95));
-        unknown->least = fit_search_value(unknown, fit_samples_quantile(samples, i, 0.025));
-        unknown->most = fit_search_value(unknown, fit_samples_quantile(samples, i, 0.975));
+        unknown->low = fit_search_value(unknown, fit_sample_quantile(samples, i, 0.05));
+        unknown->high = fit_search_value(unknown, fit_sample_quantile(samples, i, 0.95));
+        unknown->least = fit_search_value(unknown, fit_sample_quantile(samples, i, 0.025));
+        unknown->most = fit_search_value(unknown, fit_sample_quantile(samples, i, 0.975));
     }
     /* the data add s^2 to the priors' precision, which is 1 */
     if (LAPACKE_dsyev(LAPACK_COL_MAJOR, 'N', 'U', (lapack_int)n, covariance, (lapack_int)n, values) == 0)
@@ -190,16 +190,16 @@ static void tell_samples(Fit *fit, const FitSamples *samples, const double *best
 static bool fit_by_samples(FitSearch *search, double *best, double *least) {
     Fit *fit = search->fit;
     FitSamples samples;
-    bool good = fit_samples_draw(&samples, search);
+    bool good = fit_sample_draw(&samples, search);
     if (good) {
-        memcpy(best, samples.at + fit_samples_best(&samples) * U, U * sizeof *best);
+        memcpy(best, samples.at + fit_sample_best(&samples) * U, U * sizeof *best);
         good = fit_search_from(search, best, least);
     }
     if (good)
         tell_samples(fit, &samples, best);
     for (size_t r = 0; r < fit->row_count && good && fit->leave_out; r++)
-        count_left_out(fit, &fit->rows[r], fit_samples_left_out(&samples, search, r));
-    fit_samples_clear(&samples);
+        count_left_out(fit, &fit->rows[r], fit_sample_left_out(&samples, search, r));
+    fit_sample_clear(&samples);
     return good;
 }
 

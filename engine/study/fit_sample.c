@@ -75,7 +75,7 @@ static double weigh(FitSamples *samples, const Proposal *proposals, size_t round
     return effective;
 }
 
-void fit_samples_moments(const FitSamples *samples, size_t n, double *mean, double *covariance) {
+void fit_sample_moments(const FitSamples *samples, size_t n, double *mean, double *covariance) {
     memset(mean, 0, n * sizeof *mean);
     memset(covariance, 0, n * n * sizeof *covariance);
     for (size_t s = 0; s < samples->count; s++)
@@ -91,7 +91,7 @@ void fit_samples_moments(const FitSamples *samples, size_t n, double *mean, doub
 /* Makes the normal proposal that follows from the weighted samples; false: their covariance is none. */
 static bool next_proposal(const FitSamples *samples, size_t n, Proposal *proposal) {
     *proposal = (Proposal){0};
-    fit_samples_moments(samples, n, proposal->mean, proposal->factor);
+    fit_sample_moments(samples, n, proposal->mean, proposal->factor);
     for (size_t i = 0; i < n * n; i++)
         proposal->factor[i] *= SPREAD_OUT;
     for (size_t i = 0; i < n; i++)
@@ -128,7 +128,7 @@ static bool draw_round(FitSamples *samples, FitSearch *search, const Proposal *p
     return good;
 }
 
-bool fit_samples_draw(FitSamples *samples, FitSearch *search) {
+bool fit_sample_draw(FitSamples *samples, FitSearch *search) {
     size_t n = search->fit->unknown_count, rounds = 0;
     Proposal proposals[FIT_SAMPLE_ROUNDS] = {first_proposal(n)};
     *samples = (FitSamples){.at = memory_zeroed((size_t)ALL * U, sizeof(double)),
@@ -157,7 +157,7 @@ static int order_weighed(const void *a, const void *b) {
     return x->at != y->at ? (x->at < y->at ? -1 : 1) : (x->weight > y->weight) - (x->weight < y->weight);
 }
 
-double fit_samples_quantile(const FitSamples *samples, size_t unknown, double share) {
+double fit_sample_quantile(const FitSamples *samples, size_t unknown, double share) {
     Weighed *list = memory_zeroed(samples->count + 1, sizeof *list);
     for (size_t s = 0; s < samples->count; s++)
         list[s] = (Weighed){samples->at[s * U + unknown], samples->weight[s]};
@@ -177,14 +177,14 @@ double fit_samples_quantile(const FitSamples *samples, size_t unknown, double sh
     return at;
 }
 
-size_t fit_samples_best(const FitSamples *samples) {
+size_t fit_sample_best(const FitSamples *samples) {
     size_t best = 0;
     for (size_t s = 1; s < samples->count; s++)
         best = samples->sum[s] < samples->sum[best] ? s : best;
     return best;
 }
 
-double fit_samples_left_out(const FitSamples *samples, const FitSearch *search, size_t row) {
+double fit_sample_left_out(const FitSamples *samples, const FitSearch *search, size_t row) {
     const Fit *fit = search->fit;
     double whole = 0, sum = 0, most = -HUGE_VAL;
     double *logs = memory_zeroed(samples->count + 1, sizeof *logs);
@@ -208,7 +208,7 @@ double fit_samples_left_out(const FitSamples *samples, const FitSearch *search, 
     return whole > 0 ? sum / whole : (double)NAN;
 }
 
-void fit_samples_clear(FitSamples *samples) {
+void fit_sample_clear(FitSamples *samples) {
     memory_free(samples->at);
     memory_free(samples->sum);
     memory_free(samples->value);

@@ -22,19 +22,19 @@ typedef struct FitSamples {
     double effective; /* samples of equal weight that would say as much */
 } FitSamples;
 
-/* Draws samples. Returns false after an interruption; fit_samples_clear releases them in either case. */
-bool fit_samples_draw(FitSamples *samples, FitSearch *search);
+/* Draws samples. Returns false after an interruption; fit_sample_clear releases them in either case. */
+bool fit_sample_draw(FitSamples *samples, FitSearch *search);
 
 /* Writes the mean (unknown_count) and covariance (unknown_count x unknown_count). */
-void fit_samples_moments(const FitSamples *samples, size_t unknown_count, double *mean, double *covariance);
+void fit_sample_moments(const FitSamples *samples, size_t unknown_count, double *mean, double *covariance);
 
 /* Returns the value of an unknown, in spreads, below which this share of the weights lies. */
-double fit_samples_quantile(const FitSamples *samples, size_t unknown, double share);
+double fit_sample_quantile(const FitSamples *samples, size_t unknown, double share);
 
 /* Returns the index of the sample with the least sum. */
-size_t fit_samples_best(const FitSamples *samples);
+size_t fit_sample_best(const FitSamples *samples);
 
 /* Predicts the value of a row by the samples as all rows but those of its group weigh them. */
-double fit_samples_left_out(const FitSamples *samples, const FitSearch *search, size_t row);
+double fit_sample_left_out(const FitSamples *samples, const FitSearch *search, size_t row);
 
-void fit_samples_clear(FitSamples *samples);
+void fit_sample_clear(FitSamples *samples);

@@ -2,7 +2,7 @@
 
 #include "beam/beam_cycle.h"
 #include "experiment/beam_experiment.h"
-#include "laboratory/beam/follow.h"
+#include "laboratory/beam/lines.h"
 #include "laboratory/machine/verdict.h"
 #include "result/beam.h"
 

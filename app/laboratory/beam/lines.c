@@ -1,4 +1,4 @@
-#include "laboratory/beam/follow.h"
+#include "laboratory/beam/lines.h"
 
 #include <math.h>
 
