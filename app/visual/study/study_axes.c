@@ -6,8 +6,9 @@
 #include "base/text.h"
 
 /* A length below this is shown in mm, a time in ms. */
-#define SHORT 0.01 /* m */
-#define BRIEF 0.1  /* s */
+#define SHORT 0.01     /* m, of houses */
+#define OF_MACHINE 1.0 /* m, of what is not a house */
+#define BRIEF 0.1      /* s */
 
 #define MILLI 1000.0
 
@@ -26,7 +27,8 @@ StudyScale study_axes_parameter(const Study *study, size_t axis, Arena *arena) {
     const char *unit = row && row->unit ? row->unit : "1";
     double largest = fmax(fabs(varied->from), fabs(varied->to));
     StudyScale scale = {{.title = spoken(arena, varied->name), .unit = unit}, 1};
-    bool length = strcmp(unit, "m") == 0 && largest < SHORT, time = strcmp(unit, "s") == 0 && largest < BRIEF;
+    double below = strcmp(study->experiment->kind, "house") == 0 ? SHORT : OF_MACHINE;
+    bool length = strcmp(unit, "m") == 0 && largest < below, time = strcmp(unit, "s") == 0 && largest < BRIEF;
     if (length || time) {
         scale.axis.unit = length ? "mm" : "ms";
         scale.factor = MILLI;
