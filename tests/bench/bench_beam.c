@@ -1,11 +1,12 @@
 /* Measures the impact beam: cycles of the drive per second on one core, with 4 and 12 modes, alone and in lanes; an
- * orbit diagram and a map on all cores. */
+ * orbit diagram and a map on all cores, and how long it takes to confirm chaos. */
 
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "beam/beam_cycle.h"
 #include "beam/lanes.h"
 #include "bench.h"
 
@@ -87,6 +88,27 @@ static void measure_map(const char *source, const char *modes, double low, size_
     rig_clear(&rig);
 }
 
+/* Confirms that set B with 12 modes is chaotic at 300 Hz: s of this thread and by the clock. */
+static void measure_survival(const char *source) {
+    char path[4096];
+    Beam beam = {0};
+    Fault fault = {0};
+    Rig rig;
+    Response response;
+    snprintf(path, sizeof path, "%s/assets/beams/ibs.json", source);
+    if (!beam_read(&beam, path, NULL, 0, &fault) || !rig_build(&rig, &beam, path, &fault))
+        exit(1);
+    beam_cycle_respond(&response, &rig, &beam, NULL, NULL);
+    double begin = bench_now(), clock = bench_clock();
+    response_confirm(&response, beam_cycle_of(&rig),
+                     &(SurvivalTask){SURVIVAL_LANES, SURVIVAL_CYCLES, parallel_processors(), NULL});
+    printf("%d motions of %d cycles: %.1f s of this thread, %.1f s by the clock on all cores\n", SURVIVAL_LANES,
+           SURVIVAL_CYCLES, bench_now() - begin, bench_clock() - clock);
+    response_clear(&response);
+    rig_clear(&rig);
+    beam_free(&beam);
+}
+
 int main(int argc, char **argv) {
     if (argc < 2)
         return 2;
@@ -100,6 +122,7 @@ int main(int argc, char **argv) {
         measure_map(argv[1], modes[i], 20, 301, 1, true);
         measure_map(argv[1], modes[i], 120, 200, 100, false);
     }
+    measure_survival(argv[1]);
     printf("reference (8 million dependent square roots): %.1f ms\n", 1000 * bench_median(reference, TURNS));
     return 0;
 }

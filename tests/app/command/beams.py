@@ -63,6 +63,19 @@ def check_follow():
                              "drive.force=20:80", "--json").stdout)
     touch = [p["value"] for p in free["points"] if p["point"] == "touching"]
     check(len(touch) == 1 and abs(touch[0] - 63.0773) < 1e-3, f"end of the branch without contact: {touch}")
+    plane = ("study", beam, "--set", "drive.frequency=230", "--follow", "drive.frequency=200:300", "--vary",
+             "joint.clearance=0.0001:0.00015:6")
+    curves = json.loads(expect(0, *plane, "--json").stdout)
+    check(curves["over"] == "joint.clearance" and len(curves["curves"]) > 1, f"curves over two numbers: {curves['curves']}")
+    near = [p for c in curves["curves"] if c["point"] == "fold" for p in c["points"] if p[1] == 0.000127]
+    check(any(abs(p[0] - 276.658) < 0.01 for p in near), f"the curve of a fold goes through it: {near}")
+    for curve in curves["curves"]:
+        seconds = [p[1] for p in curve["points"]]
+        check(seconds == sorted(seconds) and seconds[-1] <= 0.00015, f"a curve by rising second number: {seconds}")
+    check(expect(0, *plane, "--json", "--jobs", "1").stdout == expect(0, *plane, "--json", "--jobs", "4").stdout,
+          "curves do not depend on the number of jobs")
+    expect(2, *plane[:-1], "joint.clearance=1:2:3", says="outside the range 1 to 2")
+    expect(2, *plane[:-1], "drive.frequency=100:200:3", says="is not another number")
     expect(1, "study", beam, "--follow", "drive.frequency=180:320", says="the motion is chaotic")
     expect(2, "study", beam, "--follow", "beam.modes=1:2", says="beam.modes is not a number that changes")
     expect(2, "study", beam, "--follow", "beam.length=2:1", says="--follow takes NAME=FROM:TO")
