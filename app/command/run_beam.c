@@ -19,7 +19,7 @@
 #include "mechanics/trace.h"
 #include "plot/plot_write.h"
 #include "result/beam.h"
-#include "result/beam_survival.h"
+#include "result/survival.h"
 #include "result/json.h"
 #include "result/text.h"
 #include "study/study.h"
@@ -84,14 +84,14 @@ static void print_orbit(const Response *response) {
 
 static void print_verdict(const Response *response, const Beam *beam, const Rig *rig) {
     Text text = {0};
-    result_beam_survival_name(&text, response);
+    result_survival_name(&text, response, "cycle");
     printf("%s: ", text.text);
     print_peaks(response, beam, rig);
     memory_free(text.text);
     text = (Text){0};
     if (response->verdict == RESPONSE_PERIODIC)
         print_orbit(response);
-    result_beam_survival_say(&text, response);
+    result_survival_say(&text, response, "cycle");
     if (text.text)
         printf("%s", text.text);
     memory_free(text.text);
@@ -183,8 +183,8 @@ int run_beam_file(const Options *options) {
     Response response;
     TypeAnswer type;
     beam_cycle_respond(&response, &rig, &beam, NULL, &progress_stop);
-    response_confirm(&response, beam_cycle_of(&rig),
-                     &(SurvivalTask){(size_t)options->lanes, SURVIVAL_CYCLES, options->jobs, &progress_stop});
+    SurvivalTask watch = survival_task(&beam_cycle, options->lanes, options->jobs, &progress_stop);
+    response_confirm(&response, beam_cycle_of(&rig), &watch);
     if (!type_tell(&type, &beam, options, &fault)) {
         beam_frames_plots_end(&files);
         response_clear(&response);

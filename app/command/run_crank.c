@@ -14,6 +14,7 @@
 #include "plot/plot_write.h"
 #include "result/crank.h"
 #include "result/json.h"
+#include "result/survival.h"
 #include "result/text.h"
 #include "visual/crank/crank_film.h"
 #include "visual/crank/crank_plots.h"
@@ -53,35 +54,18 @@ static void print_peaks(const CrankRun *run) {
 
 static void print_verdict(const CrankRun *run) {
     const Response *response = &run->response;
-    switch (response->verdict) {
-    case RESPONSE_PERIODIC:
-        printf("Periodic, period %zu: ", response->orbit.period);
-        break;
-    case RESPONSE_CHAOTIC:
-        printf("Chaotic: ");
-        break;
-    case RESPONSE_QUASI_PERIODIC:
-        printf("Quasi-periodic: ");
-        break;
-    case RESPONSE_TRANSIENT:
-        printf("A transient, which settles: ");
-        break;
-    case RESPONSE_UNDETERMINED:
-        printf("Undetermined, neither periodic nor chaotic after %zu revolutions: ", response->cycles);
-        break;
-    case RESPONSE_CHATTERS:
-        printf("Chatter, more than %d switches in one revolution, after %zu revolutions: ", TURN_SWITCHES_MOST,
-               response->cycles);
-        break;
-    case RESPONSE_DIVERGED:
-        printf("The numbers diverged%s after %zu revolutions: ", run->tree.turns ? ", or the motor stalled," : "",
-               response->cycles);
-        break;
-    case RESPONSE_INTERRUPTED:
-        printf("Interrupted before a verdict, after %zu recorded revolutions: ", response->section.count);
-        break;
-    }
+    Text text = {0};
+    result_survival_name(&text, response, "revolution");
+    printf("%s: ", text.text);
     print_peaks(run);
+    memory_free(text.text);
+    text = (Text){0};
+    result_survival_say(&text, response, "revolution");
+    if (response->verdict == RESPONSE_DIVERGED && run->tree.turns)
+        text_add(&text, "The motor may have stalled\n");
+    if (text.text)
+        printf("%s", text.text);
+    memory_free(text.text);
 }
 
 static void print_contact(const CrankRun *run) {
@@ -279,7 +263,9 @@ int run_crank_file(const Options *options) {
     run.tree = tree_of(&run.crank);
     response_run(&run.response, crank_cycle_of(&run.tree), run.crank.transient_cycles, run.crank.cycles, NULL,
                  &progress_stop);
-    bool interrupted = run.response.verdict == RESPONSE_INTERRUPTED;
+    SurvivalTask watch = survival_task(&crank_cycle, options->lanes, options->jobs, &progress_stop);
+    response_confirm(&run.response, crank_cycle_of(&run.tree), &watch);
+    bool interrupted = run.response.verdict == RESPONSE_INTERRUPTED || stop_requested(&progress_stop);
     if (interrupted)
         fprintf(stderr, "clearance: interrupted after %zu recorded revolutions; the results up to there are kept\n",
                 run.response.section.count);
@@ -297,7 +283,7 @@ int run_crank_file(const Options *options) {
         print_answer(&run, options);
     if (options->out && written && !options->json)
         printf("\nplots and data are in %s\n", options->out);
-    bool resolved = run.response.verdict == RESPONSE_PERIODIC || run.response.verdict == RESPONSE_CHAOTIC;
+    bool resolved = response_is_told(run.response.verdict);
     json_decref(answer);
     result_clear(&run.motion);
     result_clear(&run.forces);

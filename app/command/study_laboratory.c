@@ -1,7 +1,7 @@
 #include "command/study_laboratory.h"
 
-#include "beam/beam.h"
-#include "crank/crank.h"
+#include "beam/beam_cycle.h"
+#include "crank/crank_cycle.h"
 #include "cycle/survival.h"
 #include "experiment/beam_experiment.h"
 #include "experiment/crank_experiment.h"
@@ -24,8 +24,9 @@ static bool open_beam(Experiment *experiment, const Options *options, Fault *fau
     if (refuse_foreign(options, "beam", fault) ||
         !beam_experiment_open(experiment, options->files[0], options->settings, options->setting_count, fault))
         return false;
+    SurvivalTask watch = survival_task(&beam_cycle, options->lanes, 1, NULL);
     if (options->thorough)
-        beam_experiment_be_thorough(experiment, (size_t)options->lanes, SURVIVAL_CYCLES);
+        beam_experiment_be_thorough(experiment, watch.lanes, watch.cycles);
     return true;
 }
 
@@ -33,8 +34,9 @@ static bool open_crank(Experiment *experiment, const Options *options, Fault *fa
     if (refuse_foreign(options, "crank", fault) ||
         !crank_experiment_open(experiment, options->files[0], options->settings, options->setting_count, fault))
         return false;
+    SurvivalTask watch = survival_task(&crank_cycle, options->lanes, 1, NULL);
     if (options->thorough)
-        crank_experiment_be_thorough(experiment);
+        crank_experiment_be_thorough(experiment, watch.lanes, watch.cycles);
     return true;
 }
 
@@ -52,10 +54,18 @@ static bool open_house(Experiment *experiment, const Options *options, Fault *fa
     return house_experiment_open(experiment, options->files[0], &house_options, options->route, fault);
 }
 
+static void type_beam(Experiment *experiment) {
+    beam_experiment_be_thorough(experiment, BEAM_EXPERIMENT_LANES, BEAM_EXPERIMENT_CYCLES);
+}
+
+static void type_crank(Experiment *experiment) {
+    crank_experiment_be_thorough(experiment, CRANK_LANES, CRANK_LANE_CYCLES);
+}
+
 static const StudyLaboratory laboratories[] = {
-    {beam_is_file, open_beam, beam_experiment_close},
-    {crank_is_file, open_crank, crank_experiment_close},
-    {NULL, open_house, house_experiment_close},
+    {beam_is_file, open_beam, beam_experiment_close, type_beam},
+    {crank_is_file, open_crank, crank_experiment_close, type_crank},
+    {NULL, open_house, house_experiment_close, NULL},
 };
 
 const StudyLaboratory *study_laboratory_open(Experiment *experiment, const Options *options, Fault *fault) {

@@ -8,6 +8,7 @@ typedef struct StudyLaboratory {
     bool (*is_file)(const char *path); /* NULL: any other file */
     bool (*open)(Experiment *experiment, const Options *options, Fault *fault);
     void (*close)(Experiment *experiment);
+    void (*type_thoroughly)(Experiment *experiment); /* makes later trials thorough enough for a type; NULL: all are */
 } StudyLaboratory;
 
 /* Opens the experiment of the command line's file. NULL: `fault` says where and what is wrong. Its `close`

@@ -8,7 +8,6 @@
 #include "command/output.h"
 #include "command/study_laboratory.h"
 #include "command/types_answer.h"
-#include "experiment/beam_experiment.h"
 
 /* Splits the list of names at its commas. */
 static void split_names(StudyTypes *types, const char *list) {
@@ -25,13 +24,13 @@ bool study_types_open(StudyTypes *types, const Options *options, Fault *fault) {
     types->laboratory = study_laboratory_open(&types->quick, options, fault);
     if (!types->laboratory)
         return false;
-    types->both = strcmp(types->quick.kind, "beam") == 0;
+    types->both = types->laboratory->type_thoroughly != NULL;
     if (types->both && !study_laboratory_open(&types->thorough, options, fault)) {
         types->laboratory->close(&types->quick);
         return false;
     }
     if (types->both)
-        beam_experiment_be_thorough(&types->thorough, BEAM_EXPERIMENT_LANES, BEAM_EXPERIMENT_CYCLES);
+        types->laboratory->type_thoroughly(&types->thorough);
     split_names(types, options->types);
     return true;
 }

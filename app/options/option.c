@@ -149,8 +149,10 @@ const Option option_rows[] = {
     {"--until", OPTION_READ, NO_FIELD, 0, UNTIL_MOST, "SECONDS", "stop at this simulated time", GROUP_SIMULATION,
      FOR_RUN | FOR_COMPARE | FOR_STUDY, NULL, read_until},
     {"--lanes", OPTION_WHOLE, FIELD(lanes), 0, 1024, "N",
-     "beams only: motions that are watched for 20,000 cycles each, to tell whether one that is not periodic lasts "
-     "(default 64; 0: none, and the verdict is marked quick); of a study, with --thorough",
+     "beams and cranks: motions that are watched, to tell whether one that is not periodic lasts (default: of a beam "
+     "64 "
+     "for 20,000 cycles each, of a crank 16 for 400 revolutions each; 0: none, and the verdict is marked quick); of a "
+     "study, with --thorough",
      GROUP_SIMULATION, FOR_RUN | FOR_STUDY, NULL, NULL},
     {"--seed", OPTION_WHOLE, FIELD(seed), 0, (double)INT64_MAX, "N", "seed of all random numbers (default 1)",
      GROUP_SIMULATION, FOR_HOUSES | FOR_CASES | FOR_OPEN, NULL, NULL},
@@ -193,8 +195,8 @@ const Option option_rows[] = {
      "of another number, follow the folds and flips over both",
      GROUP_STUDY, FOR_STUDY, NULL, read_follow},
     {"--thorough", OPTION_FLAG, FIELD(thorough), NO_RANGE, NULL,
-     "beams and cranks: full analysis of every run (Lyapunov exponents, 0-1 test, and of a beam whether it lasts, by "
-     "--lanes); slower",
+     "beams and cranks: full analysis of every run (Lyapunov exponents, 0-1 test, and whether it lasts, by --lanes); "
+     "slower",
      GROUP_STUDY, FOR_STUDY, NULL, NULL},
     {"--paper", OPTION_FLAG, FIELD(paper), NO_RANGE, NULL,
      "beams only: compare each claim and figure of Gu and Dubowsky's paper with our results; --out holds the page",

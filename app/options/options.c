@@ -14,7 +14,7 @@ void options_begin(Options *options, int argc, char **argv) {
     *options = (Options){.seed = 1,
                          .driving = -1,
                          .jobs = parallel_processors(),
-                         .lanes = SURVIVAL_LANES,
+                         .lanes = SURVIVAL_USUAL,
                          .width = 1280,
                          .height = 720,
                          .from = -1,

@@ -62,7 +62,7 @@ typedef struct Options {
     StudyRequest study;
     bool paper;
     bool thorough;
-    int lanes;          /* motions that are watched to tell whether chaos lasts; 0: none */
+    int lanes;          /* motions that are watched to tell whether chaos lasts; 0: none; or SURVIVAL_USUAL */
     const char *follow; /* NAME=FROM:TO, or NULL */
     const char *types;  /* names of parameters, separated by commas, or NULL */
     int text;           /* size of the window's text, 1 to 3; 0: not given */

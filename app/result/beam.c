@@ -1,7 +1,7 @@
 #include "result/beam.h"
 
 #include "base/text.h"
-#include "result/beam_survival.h"
+#include "result/survival.h"
 
 /* A length on either side of the middle, which people read in millimetres. */
 static const char *either_side(Arena *arena, double length) {
@@ -52,7 +52,7 @@ ResultTable result_beam_motion(const Beam *beam, const Response *response) {
                                    .kind = RESULT_NUMBER,
                                    .number = response->zero_one,
                                    .decimals = 3});
-    result_beam_survival_add(&table, response);
+    result_survival_add(&table, response, "cycle");
     result_add(&table, (ResultRow){.key = "cycles",
                                    .label = "cycles analysed",
                                    .kind = RESULT_COUNT,

@@ -1,6 +1,7 @@
 #include "result/crank.h"
 
 #include "base/text.h"
+#include "result/survival.h"
 
 static void add_number(ResultTable *table, const char *key, const char *label, double number, const char *unit,
                        int significant, bool unknown) {
@@ -16,7 +17,7 @@ static void add_number(ResultTable *table, const char *key, const char *label, d
 ResultTable result_crank_motion(const Crank *crank, const Response *response) {
     ResultTable table = {.numbers = RESULT_SHORTEST};
     const ChaosExponent *exponent = &response->exponent;
-    bool periodic = response->verdict == RESPONSE_PERIODIC, known = isfinite(exponent->value);
+    bool periodic = response->orbit.period > 0, known = isfinite(exponent->value);
     const char *words =
         known ? text_in_arena(&table.arena, "%+.3f \u00b1 %.3f", exponent->value, exponent->error) : NULL;
     result_add(&table, (ResultRow){.key = "frequency",
@@ -33,8 +34,11 @@ ResultTable result_crank_motion(const Crank *crank, const Response *response) {
                                    .factor = 1000,
                                    .unit = "mm",
                                    .significant = 4});
-    result_add(&table,
-               (ResultRow){.key = "verdict", .label = "response", .text = response_verdict_name(response->verdict)});
+    result_add(&table, (ResultRow){.key = "verdict", .label = "response", .text = response_name(response)});
+    result_add(&table, (ResultRow){.key = "quick",
+                                   .label = "quick verdict",
+                                   .kind = RESULT_FLAG,
+                                   .number = response_is_quick(response)});
     result_add(&table, (ResultRow){.key = "period",
                                    .label = "period in revolutions",
                                    .kind = RESULT_COUNT,
@@ -56,6 +60,7 @@ ResultTable result_crank_motion(const Crank *crank, const Response *response) {
                                    .kind = RESULT_NUMBER,
                                    .number = response->zero_one,
                                    .decimals = 3});
+    result_survival_add(&table, response, "revolution");
     result_add(&table, (ResultRow){.key = "cycles",
                                    .label = "revolutions analysed",
                                    .kind = RESULT_COUNT,
@@ -67,7 +72,7 @@ ResultTable result_crank_motion(const Crank *crank, const Response *response) {
 ResultTable result_crank_forces(const Tree *tree, const Response *response, double ideal) {
     ResultTable table = {.numbers = RESULT_SHORTEST};
     const SectionPeaks *peaks = &response->peaks;
-    bool periodic = response->verdict == RESPONSE_PERIODIC, touches = peaks->count > 0;
+    bool periodic = response->orbit.period > 0, touches = peaks->count > 0;
     result_add(&table, (ResultRow){.key = "multiplier",
                                    .label = "largest multiplier",
                                    .kind = RESULT_NUMBER,

@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "beam/lanes.h"
+#include "cycle/survival.h"
 
 static const TraceColumn columns[] = {[BEAM_TIME] = {"time", "s"},
                                       [BEAM_DEFLECTION] = {"displacement", "m"},
@@ -126,37 +127,41 @@ static void many(const void *given, CycleRun *runs, size_t count, const Stop *st
     memory_free(lanes);
 }
 
-static const CycleKind kind = {.columns = columns,
-                               .column_count = sizeof columns / sizeof *columns,
-                               .samples = BEAM_SAMPLES,
-                               .closing = 1e-11,
-                               .cycles_least = BEAM_CYCLES_LEAST,
-                               .cycles_most = BEAM_CYCLES_MOST,
-                               .states = states_of,
-                               .period = period_of,
-                               .rest_tip = rest_tip,
-                               .rest_state = rest_state,
-                               .create = create,
-                               .destroy = destroy,
-                               .copy = copy,
-                               .state = state_of,
-                               .set_state = set_state,
-                               .tangent = tangent_of,
-                               .set_tangent = set_tangent,
-                               .unit_tangents = unit_tangents,
-                               .run = run,
-                               .status = status_of,
-                               .tally = tally_of,
-                               .peaks = peaks_of,
-                               .tip = tip_of,
-                               .sample = sample,
-                               .saved_size = saved_size,
-                               .save = save,
-                               .restore = restore,
-                               .many = many};
+const CycleKind beam_cycle = {.columns = columns,
+                              .column_count = sizeof columns / sizeof *columns,
+                              .samples = BEAM_SAMPLES,
+                              .closing = 1e-11,
+                              .cycles_least = BEAM_CYCLES_LEAST,
+                              .cycles_most = BEAM_CYCLES_MOST,
+                              .lanes = SURVIVAL_LANES,
+                              .lane_cycles = SURVIVAL_CYCLES,
+                              .lane_apart = 300,
+                              .together = 16,
+                              .states = states_of,
+                              .period = period_of,
+                              .rest_tip = rest_tip,
+                              .rest_state = rest_state,
+                              .create = create,
+                              .destroy = destroy,
+                              .copy = copy,
+                              .state = state_of,
+                              .set_state = set_state,
+                              .tangent = tangent_of,
+                              .set_tangent = set_tangent,
+                              .unit_tangents = unit_tangents,
+                              .run = run,
+                              .status = status_of,
+                              .tally = tally_of,
+                              .peaks = peaks_of,
+                              .tip = tip_of,
+                              .sample = sample,
+                              .saved_size = saved_size,
+                              .save = save,
+                              .restore = restore,
+                              .many = many};
 
 Cycle beam_cycle_of(const Rig *rig) {
-    return (Cycle){&kind, rig};
+    return (Cycle){&beam_cycle, rig};
 }
 
 CycleMotion beam_cycle_motion(Motion *motion) {

@@ -20,6 +20,8 @@ enum { BEAM_SAMPLES = 200 /* rows of a recording per cycle of the drive */ };
 /* Cycles after the transient on which a verdict rests: the least, and the most before it is given up. */
 enum { BEAM_CYCLES_LEAST = 2000, BEAM_CYCLES_MOST = 16000 };
 
+extern const CycleKind beam_cycle; /* `given` is a Rig */
+
 /* The rig as a cycle; it must outlive it. */
 Cycle beam_cycle_of(const Rig *rig);
 

@@ -260,6 +260,27 @@ static void restore(void *own, const double *saved) {
         place_neighbours(motion, i);
 }
 
+/* Runs motions by coarser steps, as sweeps do: the statistics of many motions do not need the steps of an answer. */
+static void many(const void *given, CycleRun *runs, size_t count, const Stop *stop) {
+    for (size_t i = 0; i < count; i++) {
+        CycleRun *run = &runs[i];
+        Turn turn = turn_create(given, TURN_QUICK);
+        crank_cycle_set_state(&turn, run->start);
+        for (run->recorded = 0; run->recorded < run->cycles && !stop_requested(stop); run->recorded++) {
+            double tip[2];
+            turn.peak[0] = turn.peak[1] = 0;
+            if (turn_cycle(&turn) != CYCLE_GOOD)
+                break;
+            crank_cycle_tip(&turn, tip);
+            run->deflection[run->recorded] = tip[0];
+            run->velocity[run->recorded] = tip[1];
+            memcpy(run->peak + CYCLE_SIDES * run->recorded, turn.peak, sizeof turn.peak);
+        }
+        run->status = turn.status;
+        crank_cycle_state(&turn, run->end);
+    }
+}
+
 const CycleKind crank_cycle = {
     .columns = columns,
     .column_count = CRANK_COLUMNS,
@@ -267,6 +288,10 @@ const CycleKind crank_cycle = {
     .closing = 1e-9,
     .cycles_least = 200,
     .cycles_most = 1600,
+    .lanes = CRANK_LANES,
+    .lane_cycles = CRANK_LANE_CYCLES,
+    .lane_apart = 100,
+    .together = 1,
     .states = states_of,
     .period = period_of,
     .rest_tip = rest_tip,
@@ -288,6 +313,7 @@ const CycleKind crank_cycle = {
     .saved_size = saved_size,
     .save = save,
     .restore = restore,
+    .many = many,
 };
 
 Cycle crank_cycle_of(const Tree *tree) {

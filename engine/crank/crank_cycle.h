@@ -29,6 +29,10 @@ enum { CRANK_SAMPLES = 1440 /* rows of the trace per revolution: 4 per degree */
 /* Part of the clearance below which a motion counts as rest. */
 #define CRANK_REST 1e-2
 
+/* Motions that are watched to confirm one, and revolutions of each: a revolution costs some 5 ms, and so many are
+ * enough to exclude (95 %) a half-life below 1,000 revolutions when none settles. */
+enum { CRANK_LANES = 16, CRANK_LANE_CYCLES = 400 };
+
 extern const CycleKind crank_cycle;
 
 /* Returns the cycle of a tree, which must outlive it. */

@@ -45,6 +45,11 @@ typedef struct CycleKind {
     double closing; /* fraction of a state's length within which an orbit closes: what rounding leaves, with room */
     size_t cycles_least, cycles_most; /* after the transient, on which a verdict rests; the most until it is given up */
 
+    /* How a motion that is not periodic is watched (survival.h), by what a cycle costs: by default `lanes` motions for
+     * `lane_cycles` cycles each, which forget within `lane_apart` cycles the motion that they were started on; one
+     * thread runs `together` of them at a time. */
+    size_t lanes, lane_cycles, lane_apart, together;
+
     size_t (*states)(const void *given);
     double (*period)(const void *given);     /* s, of one cycle */
     double (*rest_tip)(const void *given);   /* deflection of the tip, m, below which it counts as rest */

@@ -1,5 +1,7 @@
 #include "cycle/motion_class.h"
 
+#include <math.h>
+
 const char *const motion_class_names[MOTION_CLASSES] = {
     [MOTION_CLASS_FREE] = "without contact",
     [MOTION_CLASS_PERIODIC] = "periodic",
@@ -41,4 +43,30 @@ MotionClass motion_class_of_record(CycleStatus status, int period, bool touches)
     if (period == SECTION_NONE)
         return MOTION_CLASS_NOT_PERIODIC;
     return touches ? MOTION_CLASS_PERIODIC : MOTION_CLASS_FREE;
+}
+
+double motion_class_life(const Response *response) {
+    const HalfLife *half = &response->survival.half_life;
+    if (!response->survival.lanes)
+        return (double)response->wandering.count;
+    return isfinite(half->value) ? half->value : half->low;
+}
+
+static bool is_even(const Response *response) {
+    return response->verdict == RESPONSE_QUASI_PERIODIC &&
+           response->peaks.max - response->peaks.min <= MOTION_CLASS_EVEN * response->peaks.max;
+}
+
+bool motion_class_is_regular(const Response *response) {
+    return response->verdict == RESPONSE_PERIODIC || is_even(response) ||
+           (response->verdict == RESPONSE_TRANSIENT && motion_class_life(response) <= MOTION_CLASS_LASTS);
+}
+
+size_t motion_class_attractor(const Response *response, double *peak) {
+    const Survival *survival = &response->survival;
+    const SurvivalAttractor *most = survival->attractor_count ? &survival->attractors[0] : NULL;
+    for (size_t i = 1; i < survival->attractor_count; i++)
+        most = survival->attractors[i].lanes > most->lanes ? &survival->attractors[i] : most;
+    *peak = most ? most->peak : response->orbit.period ? response->orbit_peak : (double)NAN;
+    return most ? most->period : response->orbit.period;
 }

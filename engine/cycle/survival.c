@@ -10,7 +10,7 @@
 #include "base/random.h"
 #include "cycle/orbit.h"
 
-enum { CHUNK = 100 /* cycles between two looks at whether a lane has settled */, GROUP = 16 /* lanes run together */ };
+enum { CHUNK = 100 /* cycles between two looks at whether a lane has settled */, TOGETHER_MOST = 16 /* lanes */ };
 
 static const double SPREAD = 1e-6; /* of a state's length */
 static const double NEAR_ORBIT = 0.05;
@@ -63,13 +63,14 @@ static bool goes_on(const Watch *watch, const Lane *lane) {
 
 static void watch_group(void *context, size_t group) {
     const Watch *watch = context;
-    size_t states = cycle_states(watch->cycle), first = group * GROUP, last = first + GROUP;
+    size_t together = watch->cycle.kind->together;
+    size_t states = cycle_states(watch->cycle), first = group * together, last = first + together;
     last = last < watch->task->lanes ? last : watch->task->lanes;
     size_t room = 4 * CHUNK + states;
-    double *memory = memory_zeroed(GROUP * room, sizeof *memory);
+    double *memory = memory_zeroed(together * room, sizeof *memory);
     for (size_t left = 1; left && !stop_requested(watch->task->stop);) {
-        CycleRun runs[GROUP] = {0};
-        Lane *whose[GROUP];
+        CycleRun runs[TOGETHER_MOST] = {0};
+        Lane *whose[TOGETHER_MOST];
         left = 0;
         for (size_t i = first; i < last; i++) {
             Lane *lane = &watch->lanes[i];
@@ -112,18 +113,18 @@ static void note_attractor(Survival *survival, const SurvivalAttractor *reached)
 }
 
 /* Returns after how many cycles a lane has a peak of at least `level`; HUGE_VAL: not. */
-static double wait_of(const Lane *lane, double level) {
-    for (size_t i = SURVIVAL_APART; i < lane->used; i++)
+static double wait_of(const Lane *lane, size_t apart, double level) {
+    for (size_t i = apart; i < lane->used; i++)
         if (lane->peak[i] >= level)
-            return (double)(i + 1 - SURVIVAL_APART);
+            return (double)(i + 1 - apart);
     return HUGE_VAL;
 }
 
-static SurvivalWait wait_for(const Lane *lanes, size_t count, double level) {
+static SurvivalWait wait_for(const Lane *lanes, size_t count, size_t apart, double level) {
     double *wait = memory_zeroed(count, sizeof *wait);
     SurvivalWait result = {HUGE_VAL, HUGE_VAL, 0, 0};
     for (size_t i = 0; i < count; i++) {
-        double cycles = wait_of(&lanes[i], level);
+        double cycles = wait_of(&lanes[i], apart, level);
         if (lanes[i].failed || (lanes[i].settled && isinf(cycles)))
             continue;
         wait[result.lanes++] = cycles;
@@ -138,20 +139,21 @@ static SurvivalWait wait_for(const Lane *lanes, size_t count, double level) {
     return result;
 }
 
-static void tell_peaks(Survival *survival, const Lane *lanes, const double *peaks) {
+static void tell_peaks(Survival *survival, const Lane *lanes, size_t apart, const double *peaks) {
     size_t *used = memory_zeroed(survival->lanes, sizeof *used);
     for (size_t i = 0; i < survival->lanes; i++) {
-        used[i] = lanes[i].used > SURVIVAL_APART ? lanes[i].used - SURVIVAL_APART : 0;
-        for (size_t c = SURVIVAL_APART; c < lanes[i].used; c++)
+        used[i] = lanes[i].used > apart ? lanes[i].used - apart : 0;
+        for (size_t c = apart; c < lanes[i].used; c++)
             survival->largest = fmax(survival->largest, lanes[i].peak[c]);
     }
-    survival->within[0] = wait_for(lanes, survival->lanes, 0.95 * survival->largest);
-    survival->within[1] = wait_for(lanes, survival->lanes, 0.99 * survival->largest);
+    survival->within[0] = wait_for(lanes, survival->lanes, apart, 0.95 * survival->largest);
+    survival->within[1] = wait_for(lanes, survival->lanes, apart, 0.99 * survival->largest);
     if (survival->largest > 0)
-        survival->extreme =
-            extreme_estimate(peaks + SURVIVAL_APART, survival->lanes, survival->cycles, used, SURVIVAL_AHEAD);
+        survival->extreme = extreme_estimate(peaks + apart, survival->lanes, survival->cycles, used, SURVIVAL_AHEAD);
     if (survival->extreme.high < survival->largest)
         survival->extreme.known = false; /* what was seen contradicts the extrapolation */
+    if (survival->lanes * survival->cycles < SURVIVAL_AHEAD)
+        survival->extreme.level = fmax(survival->extreme.level, survival->largest); /* it is among those ahead */
     memory_free(used);
 }
 
@@ -171,8 +173,12 @@ static void start_lanes(Lane *lanes, size_t count, const Section *section) {
     }
 }
 
+SurvivalTask survival_task(const CycleKind *kind, int lanes, int jobs, const Stop *stop) {
+    return (SurvivalTask){lanes == SURVIVAL_USUAL ? kind->lanes : (size_t)lanes, kind->lane_cycles, jobs, stop};
+}
+
 Survival survival_run(Cycle cycle, const Section *section, const SurvivalTask *task) {
-    size_t states = cycle_states(cycle), late = 0;
+    size_t states = cycle_states(cycle), apart = cycle.kind->lane_apart, together = cycle.kind->together, late = 0;
     Survival survival = {.lanes = task->lanes, .cycles = task->cycles};
     Lane *lanes = memory_zeroed(task->lanes, sizeof *lanes);
     double *place = memory_zeroed(task->lanes * states, sizeof *place),
@@ -183,18 +189,18 @@ Survival survival_run(Cycle cycle, const Section *section, const SurvivalTask *t
     }
     start_lanes(lanes, task->lanes, section);
     Watch watch = {cycle, task, lanes};
-    parallel_for(task->jobs, (task->lanes + GROUP - 1) / GROUP, watch_group, &watch);
+    parallel_for(task->jobs, (task->lanes + together - 1) / together, watch_group, &watch);
     survival.whole = !stop_requested(task->stop);
     for (size_t i = 0; i < task->lanes; i++) {
         survival.settled += lanes[i].settled;
         survival.failed += lanes[i].failed;
-        late += lanes[i].settled && lanes[i].used >= SURVIVAL_APART;
-        survival.risk += lanes[i].used > SURVIVAL_APART ? (double)(lanes[i].used - SURVIVAL_APART) : 0;
+        late += lanes[i].settled && lanes[i].used >= apart;
+        survival.risk += lanes[i].used > apart ? (double)(lanes[i].used - apart) : 0;
         if (lanes[i].settled)
             note_attractor(&survival, &lanes[i].attractor);
     }
     survival.half_life = half_life_tell(late, survival.risk);
-    tell_peaks(&survival, lanes, peaks);
+    tell_peaks(&survival, lanes, apart, peaks);
     memory_free(peaks);
     memory_free(place);
     memory_free(lanes);

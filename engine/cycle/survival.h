@@ -11,11 +11,10 @@
 #include "cycle/half_life.h"
 #include "cycle/section.h"
 
-enum { SURVIVAL_LANES = 64, SURVIVAL_CYCLES = 20000, SURVIVAL_ATTRACTORS_MOST = 8, SURVIVAL_AHEAD = 1000000 };
+/* Motions that are watched, and cycles of each, where thousands of cycles cost next to nothing. */
+enum { SURVIVAL_LANES = 64, SURVIVAL_CYCLES = 20000 };
 
-/* Cycles until lanes have forgotten the motion that they were started on: what settles within them counts neither for
- * the half-life nor for the peaks. */
-enum { SURVIVAL_APART = 300 };
+enum { SURVIVAL_ATTRACTORS_MOST = 8, SURVIVAL_AHEAD = 1000000 };
 
 /* An orbit that lanes settle on. An orbit and its mirror image, whose peaks are the same, are one. */
 typedef struct SurvivalAttractor {
@@ -34,7 +33,7 @@ typedef struct SurvivalWait {
 typedef struct Survival {
     size_t lanes, cycles;   /*0 lanes: not run */
     size_t settled, failed; /* lanes; failed: chattered or diverged */
-    double risk;            /* cycles after SURVIVAL_APART during which lanes could settle, of all lanes */
+    double risk;            /* cycles after lane_apart during which lanes could settle, of all lanes */
     HalfLife half_life;
     SurvivalAttractor attractors[SURVIVAL_ATTRACTORS_MOST];
     size_t attractor_count;
@@ -49,6 +48,11 @@ typedef struct SurvivalTask {
     int jobs; /* the result does not depend on it */
     const Stop *stop;
 } SurvivalTask;
+
+enum { SURVIVAL_USUAL = -1 /* number of lanes: the kind's */ };
+
+/* Returns the task of watching so many lanes, or SURVIVAL_USUAL, for as long as the kind does. */
+SurvivalTask survival_task(const CycleKind *kind, int lanes, int jobs, const Stop *stop);
 
 /* Watches lanes that start at the states of a section. */
 Survival survival_run(Cycle cycle, const Section *section, const SurvivalTask *task);

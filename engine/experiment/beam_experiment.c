@@ -281,48 +281,16 @@ static void run_quickly(Case **cases, size_t count, const Rig *rig, double *stat
     memory_free(lanes);
 }
 
-/* True if a motion that is not periodic is regular all the same: on a torus, with peaks that hardly vary. */
-static bool is_even(const Response *response) {
-    return response->verdict == RESPONSE_QUASI_PERIODIC &&
-           response->peaks.max - response->peaks.min <= BEAM_EXPERIMENT_EVEN * response->peaks.max;
-}
-
-/* Returns the half-life of a transient, or what is known to be below it, in cycles. */
-static double transient_life(const Response *response) {
-    const HalfLife *half = &response->survival.half_life;
-    if (!response->survival.lanes)
-        return (double)response->wandering.count;
-    return isfinite(half->value) ? half->value : half->low;
-}
-
-static bool is_regular(const Response *response) {
-    return response->verdict == RESPONSE_PERIODIC || is_even(response) ||
-           (response->verdict == RESPONSE_TRANSIENT && transient_life(response) <= BEAM_EXPERIMENT_LASTS);
-}
-
-/* Tells the orbit that the motion is on, or that most of the motions started on it settle on. */
-static size_t tell_attractor(Trial *trial, const Response *response) {
-    const Survival *survival = &response->survival;
-    const SurvivalAttractor *most = survival->attractor_count ? &survival->attractors[0] : NULL;
-    for (size_t i = 1; i < survival->attractor_count; i++)
-        most = survival->attractors[i].lanes > most->lanes ? &survival->attractors[i] : most;
-    if (most)
-        trial->observed[BEAM_ATTRACTOR_PEAK] = most->peak;
-    else if (response->orbit.period)
-        trial->observed[BEAM_ATTRACTOR_PEAK] = response->orbit_peak;
-    return most ? most->period : response->orbit.period;
-}
-
 static void tell_response(Trial *trial, const Response *response) {
     double *observed = trial->observed;
     list_peaks(trial, response->section.peak, response->section.count);
-    size_t period = tell_attractor(trial, response);
+    size_t period = motion_class_attractor(response, &observed[BEAM_ATTRACTOR_PEAK]);
     if (response_is_told(response->verdict))
-        tell_regular(trial, is_regular(response), period);
+        tell_regular(trial, motion_class_is_regular(response), period);
     observed[BEAM_MOTION] = motion_class_of(response);
     observed[BEAM_ROTATION] = response->rotation.value;
     if (response->verdict == RESPONSE_TRANSIENT)
-        observed[BEAM_HALF_LIFE] = transient_life(response);
+        observed[BEAM_HALF_LIFE] = motion_class_life(response);
     observed[BEAM_LYAPUNOV] = response->exponent.value;
     observed[BEAM_LYAPUNOV_ERROR] = response->exponent.error;
     observed[BEAM_ZERO_ONE] = response->zero_one;

@@ -53,14 +53,8 @@ typedef enum BeamObservable {
  * closed form, and may have a basin that random starts miss. */
 #define BEAM_EXPERIMENT_FREE UINT64_MAX
 
-/* Largest relative variation of the peaks of a quasi-periodic motion that counts as regular. */
-#define BEAM_EXPERIMENT_EVEN 0.1
-
-/* Cycles: a transient of a longer half-life counts as irregular. */
-#define BEAM_EXPERIMENT_LASTS 1000.0
-
 /* Motions that are watched, and for how many cycles, where only the type is asked: enough that a half-life of
- * BEAM_EXPERIMENT_LASTS is told from a longer one. */
+ * MOTION_CLASS_LASTS is told from a longer one. */
 enum { BEAM_EXPERIMENT_LANES = 16, BEAM_EXPERIMENT_CYCLES = 2000 };
 
 /* Number of parameters of the window for a beam's type. */

@@ -9,7 +9,7 @@
 #include "base/real.h"
 #include "base/text.h"
 #include "crank/crank_cycle.h"
-#include "cycle/response.h"
+#include "cycle/motion_class.h"
 
 /* Part of the clearance within which the ball begins at random. */
 static const double START_WITHIN = 0.9;
@@ -22,9 +22,13 @@ static const Observable observables[CRANK_OBSERVABLES] = {
     [CRANK_PEAK_MEAN] = {"peak_mean", "N", "mean peak force"},
     [CRANK_TOUCHES] = {"touches", "1", "touches a revolution"},
     [CRANK_CLEARANCE_RATIO] = {"clearance_ratio", "1", "clearance by the crank's radius, c/r"},
+    [CRANK_MOTION] = {"motion", "1", "kind of motion"},
     [CRANK_LYAPUNOV] = {"lyapunov", "1", "largest exponent a revolution"},
     [CRANK_LYAPUNOV_ERROR] = {"lyapunov_error", "1", "standard error of the largest exponent"},
     [CRANK_ZERO_ONE] = {"zero_one", "1", "K of the 0-1 test"},
+    [CRANK_ROTATION] = {"rotation", "1", "rotation number of a quasi-periodic motion"},
+    [CRANK_HALF_LIFE] = {"half_life", "1", "half-life of a transient in revolutions"},
+    [CRANK_ATTRACTOR_PEAK] = {"attractor_peak", "N", "largest force on the orbit where it settles"},
 };
 
 static const Observable series = {"peak", "N", "peak force of each revolution"};
@@ -36,6 +40,7 @@ typedef struct Given {
     Crank crank;
     bool owned; /* the crank's texts */
     bool thorough;
+    size_t lanes, lane_cycles; /* that are watched in thorough trials */
 } Given;
 
 /* Parameters ------------------------------------------------------------------------------------------------------- */
@@ -144,9 +149,10 @@ static void note(Record *record, Turn *turn) {
     turn->peak[0] = 0;
 }
 
-static void tell_record(Trial *trial, const Crank *crank, const Record *record) {
+static void tell_record(Trial *trial, const Crank *crank, const Record *record, bool touches) {
     int period = section_period(record->along, record->rate, record->count, 2 * M_PI * crank->frequency,
                                 CRANK_REST * crank->clearance);
+    trial->observed[CRANK_MOTION] = motion_class_of_record(CYCLE_GOOD, period, touches);
     if (period != SECTION_UNDECIDED)
         tell_regular(trial, period != SECTION_NONE, (size_t)period);
 }
@@ -169,8 +175,10 @@ static void run_quickly(Trial *trial, const Crank *crank, const Tree *tree, Cran
     if (record.count)
         trial->observed[CRANK_TOUCHES] = (double)(turn.touches - touches) / (double)record.count;
     trial->done = record.count == cycles || turn.status != CYCLE_GOOD;
-    if (record.count == cycles)
-        tell_record(trial, crank, &record);
+    if (turn.status != CYCLE_GOOD)
+        trial->observed[CRANK_MOTION] = motion_class_of_record(turn.status, SECTION_UNDECIDED, true);
+    else if (record.count == cycles)
+        tell_record(trial, crank, &record, trial->observed[CRANK_PEAK_MAX] > 0);
     if (carry) {
         carry->states = turn.status == CYCLE_GOOD ? 2 * tree->coordinates : 0;
         crank_cycle_state(&turn, carry->state);
@@ -178,18 +186,30 @@ static void run_quickly(Trial *trial, const Crank *crank, const Tree *tree, Cran
     memory_free(room);
 }
 
-static void run_thoroughly(Trial *trial, const Crank *crank, const Tree *tree, CrankCarry *carry, const Stop *stop) {
+static void tell_response(Trial *trial, const Response *response) {
+    double *observed = trial->observed;
+    list_peaks(trial, response->section.peak, CYCLE_SIDES, response->section.count);
+    size_t period = motion_class_attractor(response, &observed[CRANK_ATTRACTOR_PEAK]);
+    if (response_is_told(response->verdict))
+        tell_regular(trial, motion_class_is_regular(response), period);
+    observed[CRANK_MOTION] = motion_class_of(response);
+    observed[CRANK_ROTATION] = response->rotation.value;
+    if (response->verdict == RESPONSE_TRANSIENT)
+        observed[CRANK_HALF_LIFE] = motion_class_life(response);
+    observed[CRANK_LYAPUNOV] = response->exponent.value;
+    observed[CRANK_LYAPUNOV_ERROR] = response->exponent.error;
+    observed[CRANK_ZERO_ONE] = response->zero_one;
+}
+
+static void run_thoroughly(const Given *given, Trial *trial, const Crank *crank, const Tree *tree, CrankCarry *carry,
+                           const Stop *stop) {
     Response response;
     bool carried = carry && carry->states == 2 * tree->coordinates;
     response_run(&response, crank_cycle_of(tree), crank->transient_cycles, crank->cycles, carried ? carry->state : NULL,
                  stop);
-    list_peaks(trial, response.section.peak, CYCLE_SIDES, response.section.count);
-    if (response_is_told(response.verdict))
-        tell_regular(trial, response.orbit.period > 0, response.orbit.period);
-    trial->observed[CRANK_LYAPUNOV] = response.exponent.value;
-    trial->observed[CRANK_LYAPUNOV_ERROR] = response.exponent.error;
-    trial->observed[CRANK_ZERO_ONE] = response.zero_one;
-    trial->done = response.verdict != RESPONSE_INTERRUPTED;
+    response_confirm(&response, crank_cycle_of(tree), &(SurvivalTask){given->lanes, given->lane_cycles, 1, stop});
+    tell_response(trial, &response);
+    trial->done = response.verdict != RESPONSE_INTERRUPTED && !(given->lanes && response_is_quick(&response));
     if (carry && response.section.count) {
         carry->states = response.section.states;
         memcpy(carry->state, section_last(&response.section), carry->states * sizeof(double));
@@ -208,7 +228,7 @@ static void run_trials(const Given *given, const char *const *names, size_t name
         Tree tree = tree_of(&crank);
         trials[i].observed[CRANK_CLEARANCE_RATIO] = crank.clearance / crank.radius;
         if (given->thorough)
-            run_thoroughly(&trials[i], &crank, &tree, carry, stop);
+            run_thoroughly(given, &trials[i], &crank, &tree, carry, stop);
         else
             run_quickly(&trials[i], &crank, &tree, carry, stop);
     }
@@ -236,6 +256,10 @@ static void begin(Experiment *experiment, Given *given) {
                                .outcome = CRANK_PERIOD,
                                .periods = true,
                                .measure = CRANK_PEAK_MAX,
+                               .verdict = CRANK_MOTION,
+                               .verdicts = motion_class_names,
+                               .verdict_count = MOTION_CLASSES,
+                               .verdict_quick = MOTION_CLASS_NOT_PERIODIC,
                                .carries = true,
                                .batch = 1,
                                .given = given,
@@ -263,9 +287,12 @@ void crank_experiment_of(Experiment *experiment, const Crank *crank) {
     begin(experiment, given);
 }
 
-void crank_experiment_be_thorough(Experiment *experiment) {
-    ((Given *)experiment->given)->thorough = true;
-    experiment->identity = digest_chain(experiment->identity, 1);
+void crank_experiment_be_thorough(Experiment *experiment, size_t lanes, size_t cycles) {
+    Given *given = experiment->given;
+    given->thorough = true;
+    given->lanes = lanes;
+    given->lane_cycles = cycles;
+    experiment->identity = digest_chain(digest_chain(digest_chain(experiment->identity, 1), lanes), cycles);
 }
 
 void crank_experiment_close(Experiment *experiment) {

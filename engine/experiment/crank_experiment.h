@@ -8,7 +8,8 @@
  * the coupler has another number of modes, as its seed says.
  *
  * Quick trials are told by how the ball returns (section.h) in run.cycles revolutions after run.transient_cycles;
- * thorough ones as `clearance run` tells them (response.h). */
+ * thorough ones as `clearance run` tells them (response.h), confirmed by motions that are watched until they settle
+ * (survival.h). */
 #pragma once
 
 #include <stdbool.h>
@@ -27,9 +28,13 @@ typedef enum CrankObservable {
     CRANK_PEAK_MEAN,
     CRANK_TOUCHES,
     CRANK_CLEARANCE_RATIO, /* 1, c/r */
+    CRANK_MOTION,          /* its class, by index into motion_class_names */
     CRANK_LYAPUNOV,        /* this and the following in thorough trials only */
     CRANK_LYAPUNOV_ERROR,
     CRANK_ZERO_ONE,
+    CRANK_ROTATION,       /* 1, rotation number of a quasi-periodic motion */
+    CRANK_HALF_LIFE,      /* 1, revolutions, of a transient */
+    CRANK_ATTRACTOR_PEAK, /* N, largest force of the orbit that a motion is on or settles on */
     CRANK_OBSERVABLES,
 } CrankObservable;
 
@@ -41,8 +46,9 @@ bool crank_experiment_open(Experiment *experiment, const char *path, const char 
 /* Opens the experiment of a crank that is already read and must outlive it. */
 void crank_experiment_of(Experiment *experiment, const Crank *crank);
 
-/* Analyses each later trial fully. */
-void crank_experiment_be_thorough(Experiment *experiment);
+/* Analyses each later trial fully, and watches `lanes` motions for `cycles` revolutions where it is not periodic; 0:
+ * none. */
+void crank_experiment_be_thorough(Experiment *experiment, size_t lanes, size_t cycles);
 
 /* What a trial hands on to the next one: its last state in the scales of its cycle. */
 typedef struct CrankCarry {

@@ -18,7 +18,7 @@ bool names_open_experiment(Experiment *experiment, const Lesson *lesson, const c
     }
     if (!crank_experiment_open(experiment, lesson->file, settings, count, fault))
         return false;
-    crank_experiment_be_thorough(experiment);
+    crank_experiment_be_thorough(experiment, 0, 0); /* what is asked in a lesson does not wait for a confirmation */
     return true;
 }
 

@@ -109,6 +109,8 @@ Cycle planar_map_cycle(const PlanarMap *map) {
                                    .closing = 1e-11,
                                    .cycles_least = 2000,
                                    .cycles_most = 16000,
+                                   .lane_apart = 300,
+                                   .together = 16,
                                    .states = states_of,
                                    .period = one,
                                    .rest_tip = small,

@@ -56,20 +56,36 @@ static const char *const over[] = {"drive.frequency", "joint.clearance", "couple
 static const char *const over_words[] = {"speed",         "clearance",         "coupler's length",
                                          "slider's mass", "contact stiffness", "contact damping"};
 
-static bool decide(const Machine *machine, MachineFacts *facts, const Stop *stop) {
-    const Crank *crank = &machine->crank;
+/* Runs a crank from its start, where `task` is given with a confirmation of what is not periodic, and tells the facts.
+ */
+static bool respond(const Crank *crank, MachineFacts *facts, const SurvivalTask *task, const Stop *stop) {
     Tree tree = tree_of(crank);
     Response response;
     response_run(&response, crank_cycle_of(&tree), crank->transient_cycles, crank->cycles, NULL, stop);
+    if (task)
+        response_confirm(&response, crank_cycle_of(&tree), task);
     *facts = (MachineFacts){response.verdict,
                             response.orbit.period,
                             response.peaks,
                             response.exponent,
                             result_crank_motion(crank, &response),
                             result_crank_forces(&tree, &response, crank_cycle_ideal_force(crank)),
-                            false};
+                            response_is_quick(&response)};
     response_clear(&response);
     return facts->verdict != RESPONSE_INTERRUPTED;
+}
+
+static bool decide(const Machine *machine, MachineFacts *facts, const Stop *stop) {
+    return respond(&machine->crank, facts, NULL, stop);
+}
+
+static bool confirm(const Machine *machine, MachineFacts *facts, int jobs, const Stop *stop) {
+    SurvivalTask task = survival_task(&crank_cycle, SURVIVAL_USUAL, jobs, stop);
+    return respond(&machine->crank, facts, &task, stop) && !facts->quick;
+}
+
+static void be_thorough(Experiment *experiment) {
+    crank_experiment_be_thorough(experiment, CRANK_LANES, CRANK_LANE_CYCLES);
 }
 
 static int cycles_of(const Machine *machine) {
@@ -119,10 +135,11 @@ const MachineKind crank_machine = {
     .window = crank_experiment_window,
     .window_count = CRANK_EXPERIMENT_WINDOW,
     .decide = decide,
+    .confirm = confirm,
     .cycles = cycles_of,
     .open_experiment = open_experiment,
     .close_experiment = crank_experiment_close,
-    .be_thorough = crank_experiment_be_thorough,
+    .be_thorough = be_thorough,
     .run_on = run_on,
     .clear_carry = clear_carry,
 };

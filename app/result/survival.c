@@ -1,4 +1,4 @@
-#include "result/beam_survival.h"
+#include "result/survival.h"
 
 #include <math.h>
 
@@ -37,28 +37,33 @@ static void add_attractors(ResultTable *table, const Survival *survival) {
     memory_free(all.text);
 }
 
-static void add_survival(ResultTable *table, const Survival *survival) {
+static void add_survival(ResultTable *table, const Survival *survival, const char *cycle) {
+    Arena *arena = &table->arena;
     const HalfLife *half = &survival->half_life;
     add_count(table, "survival.lanes", "motions watched", survival->lanes, false);
-    add_count(table, "survival.cycles", "cycles of each", survival->cycles, false);
+    add_count(table, "survival.cycles", text_in_arena(arena, "%ss of each", cycle), survival->cycles, false);
     add_count(table, "survival.settled", "of these settled", survival->settled, false);
     add_attractors(table, survival);
-    add_number(table, "survival.half_life", "half-life in cycles", half->value, NULL);
+    add_number(table, "survival.half_life", text_in_arena(arena, "half-life in %ss", cycle), half->value, NULL);
     add_number(table, "survival.half_life_low", "half-life, at least", half->low, NULL);
     add_number(table, "survival.half_life_high", "half-life, at most", half->high, NULL);
     add_number(table, "survival.largest", "largest peak of all", survival->largest, "N");
-    add_number(table, "survival.cycles_to_95", "cycles to 95 % of it", survival->within[0].median, NULL);
+    add_number(table, "survival.cycles_to_95", text_in_arena(arena, "%ss to 95 %% of it", cycle),
+               survival->within[0].median, NULL);
     add_number(table, "survival.cycles_to_95_most", "of 95 % of the motions", survival->within[0].most, NULL);
-    add_number(table, "survival.cycles_to_99", "cycles to 99 % of it", survival->within[1].median, NULL);
+    add_number(table, "survival.cycles_to_99", text_in_arena(arena, "%ss to 99 %% of it", cycle),
+               survival->within[1].median, NULL);
     add_number(table, "survival.cycles_to_99_most", "of 95 % of the motions", survival->within[1].most, NULL);
     const Extreme *extreme = &survival->extreme;
-    add_number(table, "survival.million", "largest in a million cycles", extreme->known ? extreme->level : NAN, "N");
+    add_number(table, "survival.million", text_in_arena(arena, "largest in a million %ss", cycle),
+               extreme->known ? extreme->level : NAN, "N");
     add_number(table, "survival.million_low", "at least", extreme->known ? extreme->low : NAN, "N");
     add_number(table, "survival.million_high", "at most", extreme->known ? extreme->high : NAN, "N");
 }
 
-void result_beam_survival_add(ResultTable *table, const Response *response) {
-    add_count(table, "zero_one_step", "K of every so many cycles", response->zero_one_step, isnan(response->zero_one));
+void result_survival_add(ResultTable *table, const Response *response, const char *cycle) {
+    add_count(table, "zero_one_step", text_in_arena(&table->arena, "K of every so many %ss", cycle),
+              response->zero_one_step, isnan(response->zero_one));
     result_add(table, (ResultRow){.key = "rotation",
                                   .label = "rotation number",
                                   .kind = RESULT_NUMBER,
@@ -66,19 +71,19 @@ void result_beam_survival_add(ResultTable *table, const Response *response) {
                                   .decimals = 6});
     result_add(table, (ResultRow){.key = "rotation_error", .kind = RESULT_NUMBER, .number = response->rotation.error});
     result_add(table, (ResultRow){.key = "second_exponent",
-                                  .label = "second exponent per cycle",
+                                  .label = text_in_arena(&table->arena, "second exponent per %s", cycle),
                                   .kind = RESULT_NUMBER,
                                   .number = response->second.value,
                                   .decimals = 3});
     add_count(table, "bands", "bands", response->bands, !response->bands);
     if (response->survival.lanes)
-        add_survival(table, &response->survival);
+        add_survival(table, &response->survival, cycle);
 }
 
 /* Words -------------------------------------------------------------------------------------------------------------
  */
 
-void result_beam_survival_name(Text *text, const Response *response) {
+void result_survival_name(Text *text, const Response *response, const char *cycle) {
     const char *many = response->bands > 1 ? "s that are visited in turn" : "";
     switch (response->verdict) {
     case RESPONSE_PERIODIC:
@@ -108,78 +113,79 @@ void result_beam_survival_name(Text *text, const Response *response) {
             text_format(text, ", has settled into period %zu", response->orbit.period);
         break;
     case RESPONSE_UNDETERMINED:
-        text_format(text, "Undetermined after %zu cycles", response->cycles);
+        text_format(text, "Undetermined after %zu %ss", response->cycles, cycle);
         break;
     case RESPONSE_CHATTERS:
-        text_format(text, "Chatter, too many switches in one cycle to follow, after %zu cycles", response->cycles);
+        text_format(text, "Chatter, too many switches in one %s to follow, after %zu %ss", cycle, response->cycles,
+                    cycle);
         break;
     case RESPONSE_DIVERGED:
-        text_format(text, "The numbers diverged after %zu cycles", response->cycles);
+        text_format(text, "The numbers diverged after %zu %ss", response->cycles, cycle);
         break;
     case RESPONSE_INTERRUPTED:
-        text_format(text, "Interrupted before a verdict, after %zu recorded cycles", response->section.count);
+        text_format(text, "Interrupted before a verdict, after %zu recorded %ss", response->section.count, cycle);
         break;
     }
     if (response_is_quick(response))
         text_add(text, " (quick verdict)");
 }
 
-static void say_tried(Text *text, const Response *response) {
+static void say_tried(Text *text, const Response *response, const char *cycle) {
     if (response->verdict != RESPONSE_UNDETERMINED)
         return;
     text_format(
         text,
-        "Tried: orbits of up to %d cycles near the motion, the largest exponent (%+.4f \u00b1 %.4f a cycle) and K "
-        "of the 0-1 test (%.2f at most, of every cycle to every 8th)\n",
-        ORBIT_PERIOD_MOST, response->exponent.value, response->exponent.error, response->zero_one);
+        "Tried: orbits of up to %d %ss near the motion, the largest exponent (%+.4f \u00b1 %.4f a %s) and K of the 0-1 "
+        "test (%.2f at most, of every %s to every 8th)\n",
+        ORBIT_PERIOD_MOST, cycle, response->exponent.value, response->exponent.error, cycle, response->zero_one, cycle);
     if (response->exponent.value < 0)
         text_add(text, "It shrinks: a larger run.transient_cycles lets it settle\n");
 }
 
-static void say_lasting(Text *text, const Survival *survival) {
+static void say_lasting(Text *text, const Survival *survival, const char *cycle) {
     const HalfLife *half = &survival->half_life;
     if (!survival->settled) {
-        text_format(text, "It lasted for %zu x %zu cycles: none of %zu motions that were started on it settled; ",
-                    survival->lanes, survival->cycles, survival->lanes);
-        text_format(text, "a half-life, if there is one, is above %.0f cycles (95 %%)\n", half->low);
+        text_format(text, "It lasted for %zu x %zu %ss: none of %zu motions that were started on it settled; ",
+                    survival->lanes, survival->cycles, cycle, survival->lanes);
+        text_format(text, "a half-life, if there is one, is above %.0f %ss (95 %%)\n", half->low, cycle);
         return;
     }
-    text_format(text, "%zu of %zu motions that were started on it settled within %zu cycles: ", survival->settled,
-                survival->lanes, survival->cycles);
+    text_format(text, "%zu of %zu motions that were started on it settled within %zu %ss: ", survival->settled,
+                survival->lanes, survival->cycles, cycle);
     for (size_t i = 0; i < survival->attractor_count; i++) {
         const SurvivalAttractor *one = &survival->attractors[i];
         text_format(text, "%s%zu into period %zu, %.2f N", i ? ", " : "", one->lanes, one->period, one->peak);
     }
     if (isfinite(half->value))
-        text_format(text, "; half-life %.0f cycles (95 %%: %.0f to %.0f)\n", half->value, half->low, half->high);
+        text_format(text, "; half-life %.0f %ss (95 %%: %.0f to %.0f)\n", half->value, cycle, half->low, half->high);
     else
         text_format(text, "; the half-life is too short to tell\n");
 }
 
-static void say_wait(Text *text, const SurvivalWait *wait, const char *share) {
+static void say_wait(Text *text, const SurvivalWait *wait, const char *share, const char *cycle) {
     if (isfinite(wait->median))
-        text_format(text, "; %s of it takes %.0f cycles in the median", share, wait->median);
+        text_format(text, "; %s of it takes %.0f %ss in the median", share, wait->median, cycle);
     if (isfinite(wait->median) && isfinite(wait->most))
         text_format(text, " and %.0f in 95 %% of the motions", wait->most);
 }
 
-static void say_peaks(Text *text, const Survival *survival) {
+static void say_peaks(Text *text, const Survival *survival, const char *cycle) {
     const Extreme *extreme = &survival->extreme;
     if (survival->largest <= 0)
         return;
     text_format(text, "The largest peak of all these motions is %.1f N", survival->largest);
-    say_wait(text, &survival->within[0], "95 %");
-    say_wait(text, &survival->within[1], "99 %");
+    say_wait(text, &survival->within[0], "95 %", cycle);
+    say_wait(text, &survival->within[1], "99 %", cycle);
     text_add(text, "\n");
     if (extreme->known)
-        text_format(text, "The largest in a million cycles, extrapolated, is %.0f N (95 %%: %.0f to %.0f)\n",
+        text_format(text, "The largest in a million %ss, extrapolated, is %.0f N (95 %%: %.0f to %.0f)\n", cycle,
                     extreme->level, extreme->low, extreme->high);
 }
 
-void result_beam_survival_say(Text *text, const Response *response) {
-    say_tried(text, response);
+void result_survival_say(Text *text, const Response *response, const char *cycle) {
+    say_tried(text, response, cycle);
     if (!response->survival.lanes)
         return;
-    say_lasting(text, &response->survival);
-    say_peaks(text, &response->survival);
+    say_lasting(text, &response->survival, cycle);
+    say_peaks(text, &response->survival, cycle);
 }

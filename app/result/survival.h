@@ -1,5 +1,5 @@
 /* What is known of a motion that is not periodic: its shape, whether it lasts, and how many cycles its peaks rest on.
- */
+ * `cycle` is the word for one: "cycle", "revolution". */
 #pragma once
 
 #include "base/text.h"
@@ -7,10 +7,10 @@
 #include "result/result.h"
 
 /* Adds the rows to those of the motion. */
-void result_beam_survival_add(ResultTable *table, const Response *response);
+void result_survival_add(ResultTable *table, const Response *response, const char *cycle);
 
 /* Adds sentences, one per line. */
-void result_beam_survival_say(Text *text, const Response *response);
+void result_survival_say(Text *text, const Response *response, const char *cycle);
 
 /* Adds the verdict as the beginning of a sentence: "Periodic, period 2", "Chaotic in 3 bands". */
-void result_beam_survival_name(Text *text, const Response *response);
+void result_survival_name(Text *text, const Response *response, const char *cycle);
