@@ -4,7 +4,7 @@
 #include <string.h>
 
 /* Places of the coordinates. */
-enum { SLIDER, ALPHA, BETA, STRETCH };
+enum { SLIDER, ALPHA, BETA, STRETCH, BASE /* all before the sines, with STRETCH */ };
 
 static size_t first_sine(const Tree *tree) {
     return 3 + tree->axial;
@@ -161,7 +161,19 @@ static double dot(const double *a, const double *b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Equations of motion ---------------------------------------------------------------------------------------------- */
+/* Equations of motion ----------------------------------------------------------------------------------------------
+ *
+ * This is where the time goes. The functions are inlined with the usual numbers of modes as constants, so that their
+ * loops are unrolled; the order of the sums, and with it the bits, are those of any other number. */
+
+#define ALWAYS_INLINE inline __attribute__((always_inline))
+
+/* Numbers of modes of the coupler. */
+typedef struct Counts {
+    size_t bending, axial;
+} Counts;
+
+static const Counts USUAL = {2, 1};
 
 /* Integrals over the rod's mass; a letter with _rate is its derivative. */
 typedef struct Moments {
@@ -171,13 +183,13 @@ typedef struct Moments {
     double d[3][3];                      /* of rho_i rho_j' */
 } Moments;
 
-static Moments moments_of(const Tree *tree, const double *q, const double *rate) {
-    size_t n = tree->bending;
-    const double *eta = q + first_sine(tree), *zeta = eta + n;
-    const double *eta_rate = rate + first_sine(tree), *zeta_rate = eta_rate + n;
+static ALWAYS_INLINE Moments moments_of(const Tree *tree, Counts counts, const double *q, const double *rate) {
+    size_t n = counts.bending;
+    const double *eta = q + BASE - 1 + counts.axial, *zeta = eta + n;
+    const double *eta_rate = rate + BASE - 1 + counts.axial, *zeta_rate = eta_rate + n;
     double m = tree->mass, ml = m * tree->length;
-    double sigma = 1 + (tree->axial ? q[STRETCH] / tree->length : 0);
-    double sigma_rate = tree->axial ? rate[STRETCH] / tree->length : 0;
+    double sigma = 1 + (counts.axial ? q[STRETCH] / tree->length : 0);
+    double sigma_rate = counts.axial ? rate[STRETCH] / tree->length : 0;
     double s2 = 0, s3 = 0, s2r = 0, s3r = 0, h2 = 0, h3 = 0, h2r = 0, h3r = 0;
     double ee = 0, ez = 0, zz = 0, eer = 0, ezr = 0, zer = 0, zzr = 0;
     for (size_t i = 0; i < n; i++) {
@@ -213,7 +225,7 @@ typedef struct Bias {
     double g[3]; /* m/s2, gravity as an acceleration, in the rod's frame */
 } Bias;
 
-static Bias bias_of(const Tree *tree, const TreePose *pose, double alpha_rate, double beta_rate) {
+static ALWAYS_INLINE Bias bias_of(const Tree *tree, const TreePose *pose, double alpha_rate, double beta_rate) {
     const double *w = pose->turn;
     double g1 = -alpha_rate * beta_rate * pose->beta.cosine, g3 = -alpha_rate * beta_rate * pose->beta.sine;
     double square = dot(w, w);
@@ -227,20 +239,27 @@ static Bias bias_of(const Tree *tree, const TreePose *pose, double alpha_rate, d
 }
 
 /* Returns the component of w x + 2 turn x x_rate. */
-static double bias_row(const Bias *bias, size_t row, const double *x, const double *rate) {
+static ALWAYS_INLINE double bias_row(const Bias *bias, size_t row, const double *x, const double *rate) {
     size_t next = (row + 1) % 3, last = (row + 2) % 3;
     return dot(bias->w[row], x) + 2 * (bias->turn[next] * rate[last] - bias->turn[last] * rate[next]);
 }
 
-/* The lower half of the mass matrix of slider and rod (rod x rod) and their bias forces (rod) without the end mass. */
-static void rod_equations(const Tree *tree, const TreePose *pose, const double *q, const double *rate,
-                          double matrix[TREE_ROD_MOST][TREE_ROD_MOST], double *bias_force) {
-    size_t n = tree->bending, sines = first_sine(tree);
+/* The equations of slider and rod: a mass matrix of the first coordinates (lower half), of these with the sines, and a
+ * diagonal of the sines, all without the end mass; and the right side. */
+typedef struct Equations {
+    double base[BASE][BASE], couple[BASE][TREE_SINES];
+    double base_force[BASE], sine_force[TREE_SINES];
+} Equations;
+
+/* Sets the equations of slider and rod without the end mass. */
+static ALWAYS_INLINE void rod_equations(const Tree *tree, Counts counts, const TreePose *pose, const Bias *bias,
+                                        const double *q, const double *rate, Equations *equations) {
+    size_t n = counts.bending, sines = BASE - 1 + counts.axial;
     const double *eta = q + sines, *zeta = eta + n, *eta_rate = rate + sines, *zeta_rate = eta_rate + n;
-    Moments o = moments_of(tree, q, rate);
-    Bias bias = bias_of(tree, pose, rate[ALPHA], rate[BETA]);
+    Moments o = moments_of(tree, counts, q, rate);
     double m = tree->mass, ml = m * tree->length;
     double x1 = pose->along[0], x2 = pose->across[0], x3 = pose->up[0], z1 = -pose->beta.sine, z3 = pose->beta.cosine;
+    double(*matrix)[BASE] = equations->base;
 
     matrix[SLIDER][SLIDER] = tree->slider_mass + m;
     matrix[ALPHA][SLIDER] = -x1 * z3 * o.s[1] + x2 * (z3 * o.s[0] - z1 * o.s[2]) + x3 * z1 * o.s[1];
@@ -251,80 +270,103 @@ static void rod_equations(const Tree *tree, const TreePose *pose, const double *
 
     double force[3], q12, q21, q23, q32, q31, q13;
     for (size_t i = 0; i < 3; i++)
-        force[i] = bias_row(&bias, i, o.s, o.s_rate) + m * bias.g[i];
+        force[i] = bias_row(bias, i, o.s, o.s_rate) + m * bias->g[i];
     const double i1[3] = {o.i11, o.i12, o.i13}, i2[3] = {o.i12, o.i22, o.i23}, i3[3] = {o.i13, o.i23, o.i33};
-    q12 = bias_row(&bias, 1, i1, o.d[0]) + o.s[0] * bias.g[1];
-    q13 = bias_row(&bias, 2, i1, o.d[0]) + o.s[0] * bias.g[2];
-    q21 = bias_row(&bias, 0, i2, o.d[1]) + o.s[1] * bias.g[0];
-    q23 = bias_row(&bias, 2, i2, o.d[1]) + o.s[1] * bias.g[2];
-    q31 = bias_row(&bias, 0, i3, o.d[2]) + o.s[2] * bias.g[0];
-    q32 = bias_row(&bias, 1, i3, o.d[2]) + o.s[2] * bias.g[1];
-    bias_force[SLIDER] = x1 * force[0] + x2 * force[1] + x3 * force[2] + tree->slider_damping * rate[SLIDER];
-    bias_force[ALPHA] = z3 * (q12 - q21) + z1 * (q23 - q32) + tree->universal_damping * rate[ALPHA];
-    bias_force[BETA] = q31 - q13 + tree->universal_damping * rate[BETA];
+    q12 = bias_row(bias, 1, i1, o.d[0]) + o.s[0] * bias->g[1];
+    q13 = bias_row(bias, 2, i1, o.d[0]) + o.s[0] * bias->g[2];
+    q21 = bias_row(bias, 0, i2, o.d[1]) + o.s[1] * bias->g[0];
+    q23 = bias_row(bias, 2, i2, o.d[1]) + o.s[1] * bias->g[2];
+    q31 = bias_row(bias, 0, i3, o.d[2]) + o.s[2] * bias->g[0];
+    q32 = bias_row(bias, 1, i3, o.d[2]) + o.s[2] * bias->g[1];
+    equations->base_force[SLIDER] =
+        -(x1 * force[0] + x2 * force[1] + x3 * force[2] + tree->slider_damping * rate[SLIDER]);
+    equations->base_force[ALPHA] = -(z3 * (q12 - q21) + z1 * (q23 - q32) + tree->universal_damping * rate[ALPHA]);
+    equations->base_force[BETA] = -(q31 - q13 + tree->universal_damping * rate[BETA]);
 
-    if (tree->axial) {
+    if (counts.axial) {
         matrix[STRETCH][SLIDER] = x1 * m / 2;
         matrix[STRETCH][ALPHA] = -z3 * o.h[1];
         matrix[STRETCH][BETA] = o.h[2];
         matrix[STRETCH][STRETCH] = m / 3;
-        bias_force[STRETCH] = bias_row(&bias, 0, o.h, o.h_rate) + bias.g[0] * m / 2 +
-                              tree->axial_stiffness * q[STRETCH] + tree->axial_damping * rate[STRETCH];
+        equations->base_force[STRETCH] = -(bias_row(bias, 0, o.h, o.h_rate) + bias->g[0] * m / 2 +
+                                           tree->axial_stiffness * q[STRETCH] + tree->axial_damping * rate[STRETCH]);
     }
-    double sigma = 1 + (tree->axial ? q[STRETCH] / tree->length : 0);
-    double sigma_rate = tree->axial ? rate[STRETCH] / tree->length : 0;
+    double sigma = 1 + (counts.axial ? q[STRETCH] / tree->length : 0);
+    double sigma_rate = counts.axial ? rate[STRETCH] / tree->length : 0;
     for (size_t i = 0; i < n; i++) {
         double p[3] = {sigma * ml * tree->lever[i], m / 2 * eta[i], m / 2 * zeta[i]};
         double p_rate[3] = {sigma_rate * ml * tree->lever[i], m / 2 * eta_rate[i], m / 2 * zeta_rate[i]};
-        size_t e = sines + i, z = e + n;
-        double *level = matrix[e], *rise = matrix[z];
-        level[SLIDER] = x2 * m * tree->mean[i];
-        level[ALPHA] = z3 * p[0] - z1 * p[2];
-        rise[SLIDER] = x3 * m * tree->mean[i];
-        rise[ALPHA] = z1 * p[1];
-        rise[BETA] = -p[0];
-        level[e] = rise[z] = m / 2;
-        bias_force[e] = bias_row(&bias, 1, p, p_rate) + bias.g[1] * m * tree->mean[i] +
-                        tree->sine_stiffness[i] * eta[i] + tree->sine_damping[i] * eta_rate[i];
-        bias_force[z] = bias_row(&bias, 2, p, p_rate) + bias.g[2] * m * tree->mean[i] +
-                        tree->sine_stiffness[i] * zeta[i] + tree->sine_damping[i] * zeta_rate[i];
+        equations->couple[SLIDER][i] = x2 * m * tree->mean[i];
+        equations->couple[SLIDER][n + i] = x3 * m * tree->mean[i];
+        equations->couple[ALPHA][i] = z3 * p[0] - z1 * p[2];
+        equations->couple[ALPHA][n + i] = z1 * p[1];
+        equations->couple[BETA][i] = 0;
+        equations->couple[BETA][n + i] = -p[0];
+        equations->sine_force[i] = -(bias_row(bias, 1, p, p_rate) + bias->g[1] * m * tree->mean[i] +
+                                     tree->sine_stiffness[i] * eta[i] + tree->sine_damping[i] * eta_rate[i]);
+        equations->sine_force[n + i] = -(bias_row(bias, 2, p, p_rate) + bias->g[2] * m * tree->mean[i] +
+                                         tree->sine_stiffness[i] * zeta[i] + tree->sine_damping[i] * zeta_rate[i]);
     }
 }
 
-/* The ball's velocity per rate of each coordinate, in the rod's frame: one row a direction. */
-static void ball_columns(const Tree *tree, const TreePose *pose, double columns[3][TREE_ROD_MOST]) {
-    memset(columns, 0, 3 * sizeof *columns);
-    columns[0][SLIDER] = pose->along[0];
-    columns[1][SLIDER] = pose->across[0];
-    columns[2][SLIDER] = pose->up[0];
-    columns[1][ALPHA] = pose->beta.cosine * pose->span;
-    columns[2][BETA] = -pose->span;
-    if (tree->axial)
-        columns[0][STRETCH] = 1;
-    memcpy(columns[0] + first_sine(tree), pose->column, 2 * tree->bending * sizeof(double));
-}
-
 /* The ball's acceleration without second derivatives, in the rod's frame; gravity is not in it. */
-static void ball_bias(const Tree *tree, const TreePose *pose, double alpha_rate, double beta_rate, double *bias_rate) {
-    Bias bias = bias_of(tree, pose, alpha_rate, beta_rate);
+static ALWAYS_INLINE void ball_bias(const TreePose *pose, const Bias *bias, double *acceleration) {
     const double at[3] = {pose->span, 0, 0}, rate[3] = {pose->span_rate, 0, 0};
     for (size_t i = 0; i < 3; i++)
-        bias_rate[i] = bias_row(&bias, i, at, rate);
-    bias_rate[0] += pose->span_rest;
+        acceleration[i] = bias_row(bias, i, at, rate);
+    acceleration[0] += pose->span_rest;
+}
+
+/* Adds the end mass, except to the sines' own block, and a force and a moment on the ball, in the rod's frame. The
+ * ball moves with the first coordinates by columns (x1, x2, x3), (0, cos beta l, 0), (0, 0, -l) and (1, 0, 0), with the
+ * sines along the rod alone. */
+static ALWAYS_INLINE void add_ball(const Tree *tree, Counts counts, const TreePose *pose, const double *push,
+                                   const double *moment, Equations *equations) {
+    double x1 = pose->along[0], x2 = pose->across[0], x3 = pose->up[0], mass = tree->end_mass;
+    double level = pose->beta.cosine * pose->span, rise = -pose->span;
+    double(*matrix)[BASE] = equations->base;
+    size_t n = counts.bending;
+    matrix[SLIDER][SLIDER] += mass;
+    matrix[ALPHA][SLIDER] += mass * (x2 * level);
+    matrix[ALPHA][ALPHA] += mass * (level * level);
+    matrix[BETA][SLIDER] += mass * (x3 * rise);
+    matrix[BETA][BETA] += mass * (rise * rise);
+    equations->base_force[SLIDER] += x1 * push[0] + x2 * push[1] + x3 * push[2];
+    equations->base_force[ALPHA] += level * push[1] + pose->beta.cosine * moment[2] - pose->beta.sine * moment[0];
+    equations->base_force[BETA] += rise * push[2] + moment[1];
+    if (counts.axial) {
+        matrix[STRETCH][SLIDER] += mass * x1;
+        matrix[STRETCH][STRETCH] += mass;
+        equations->base_force[STRETCH] += push[0];
+    }
+    for (size_t i = 0; i < n; i++) {
+        equations->sine_force[i] += tree->slope[i] * moment[2];
+        equations->sine_force[n + i] -= tree->slope[i] * moment[1];
+    }
+    for (size_t i = 0; i < 2 * n; i++) {
+        equations->couple[SLIDER][i] += mass * (x1 * pose->column[i]);
+        if (counts.axial)
+            equations->couple[STRETCH][i] = mass * pose->column[i];
+        equations->sine_force[i] += pose->column[i] * push[0];
+    }
 }
 
 /* Solves the symmetric positive definite system of `n` rows whose lower half is given, by L D L^T; `x` is the right
  * side, then the solution. */
-static void solve(double matrix[TREE_ROD_MOST][TREE_ROD_MOST], double *x, size_t n) {
-    double inverse[TREE_ROD_MOST];
+static ALWAYS_INLINE void solve_base(double matrix[BASE][BASE], double *x, size_t n) {
+    double inverse[BASE];
+#pragma GCC unroll 4
     for (size_t j = 0; j < n; j++) {
         double *row = matrix[j], diagonal = row[j];
+#pragma GCC unroll 4
         for (size_t k = 0; k < j; k++) {
             double sum = row[k];
+#pragma GCC unroll 4
             for (size_t l = 0; l < k; l++)
                 sum -= row[l] * matrix[k][l];
             row[k] = sum;
         }
+#pragma GCC unroll 4
         for (size_t k = 0; k < j; k++) {
             double part = row[k] * inverse[k];
             diagonal -= part * row[k];
@@ -333,24 +375,57 @@ static void solve(double matrix[TREE_ROD_MOST][TREE_ROD_MOST], double *x, size_t
         }
         inverse[j] = 1 / diagonal;
     }
+#pragma GCC unroll 4
     for (size_t j = n; j-- > 0;) {
         x[j] *= inverse[j];
+#pragma GCC unroll 4
         for (size_t k = j + 1; k < n; k++)
             x[j] -= matrix[k][j] * x[k];
     }
 }
 
-/* Adds a force and a moment on the ball, in the rod's frame. */
-static void add_push(const Tree *tree, double columns[3][TREE_ROD_MOST], const TreePose *pose, const double *force,
-                     const double *moment, double *push) {
-    for (size_t i = 0; i < tree->rod; i++)
-        push[i] += columns[0][i] * force[0] + columns[1][i] * force[1] + columns[2][i] * force[2];
-    push[ALPHA] += pose->beta.cosine * moment[2] - pose->beta.sine * moment[0];
-    push[BETA] += moment[1];
-    for (size_t i = 0; i < tree->bending; i++) {
-        push[first_sine(tree) + i] += tree->slope[i] * moment[2];
-        push[first_sine(tree) + tree->bending + i] -= tree->slope[i] * moment[1];
+/* Returns the sum of a[i] b[i] of `count` numbers. */
+static ALWAYS_INLINE double product(const double *a, const double *b, size_t count) {
+    double sum = 0;
+#pragma GCC unroll 12
+    for (size_t i = 0; i < count; i++)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+/* Solves for the accelerations of the first coordinates, then of the sines. The sines' block is a diagonal of m / 2 and
+ * the end mass times c c^T, c the ball's column, whose inverse is (1 - kappa c c^T) 2 / m with kappa = m_B / (m / 2 +
+ * m_B c c): they are eliminated in closed form, and four rows are left at most. */
+static ALWAYS_INLINE void solve(const Tree *tree, Counts counts, const TreePose *pose, Equations *equations,
+                                double *acceleration) {
+    size_t n = 2 * counts.bending, rows = BASE - 1 + counts.axial;
+    const double *column = pose->column;
+    double per = 2 / tree->mass, along[BASE];
+    double factor = tree->end_mass / (tree->mass / 2 + tree->end_mass * product(column, column, n));
+    double force_along = product(column, equations->sine_force, n);
+#pragma GCC unroll 4
+    for (size_t i = 0; i < rows; i++) {
+        along[i] = product(equations->couple[i], column, n);
+#pragma GCC unroll 4
+        for (size_t j = 0; j <= i; j++)
+            equations->base[i][j] -=
+                per * (product(equations->couple[i], equations->couple[j], n) - factor * (along[i] * along[j]));
+        acceleration[i] = equations->base_force[i] - per * (product(equations->couple[i], equations->sine_force, n) -
+                                                            factor * (along[i] * force_along));
     }
+    solve_base(equations->base, acceleration, rows);
+    double *sine = acceleration + rows;
+#pragma GCC unroll 12
+    for (size_t i = 0; i < n; i++) {
+        sine[i] = equations->sine_force[i];
+#pragma GCC unroll 4
+        for (size_t j = 0; j < rows; j++)
+            sine[i] -= equations->couple[j][i] * acceleration[j];
+    }
+    double rest = factor * product(column, sine, n);
+#pragma GCC unroll 12
+    for (size_t i = 0; i < n; i++)
+        sine[i] = per * (sine[i] - rest * column[i]);
 }
 
 /* The bearing block and, with a motor, the crank. */
@@ -368,30 +443,31 @@ static void add_support(const Tree *tree, const TreePose *pose, const double *q,
             tree->inertia;
 }
 
+/* Computes the accelerations of slider and rod. */
+static ALWAYS_INLINE void rod_accelerations(const Tree *tree, Counts counts, const TreePose *pose, const double *q,
+                                            const double *rate, const double *force, const double *moment,
+                                            double *acceleration) {
+    Equations equations;
+    Bias bias = bias_of(tree, pose, rate[ALPHA], rate[BETA]);
+    double ball[3], push[3] = {dot(force, pose->along), dot(force, pose->across), dot(force, pose->up)};
+    const double twist[3] = {dot(moment, pose->along), dot(moment, pose->across), dot(moment, pose->up)};
+    ball_bias(pose, &bias, ball);
+    for (size_t i = 0; i < 3; i++)
+        push[i] -= tree->end_mass * (ball[i] + bias.g[i]);
+    rod_equations(tree, counts, pose, &bias, q, rate, &equations);
+    add_ball(tree, counts, pose, push, twist, &equations);
+    solve(tree, counts, pose, &equations, acceleration);
+}
+
 void tree_rates(const Tree *tree, const TreePose *pose, const double *state, const double *force, const double *moment,
                 double *rates) {
-    size_t n = tree->coordinates, rod = tree->rod;
+    size_t n = tree->coordinates;
     const double *q = state, *rate = state + n;
-    double matrix[TREE_ROD_MOST][TREE_ROD_MOST], columns[3][TREE_ROD_MOST], bias[TREE_ROD_MOST], ball[3];
-    for (size_t i = 0; i < rod; i++)
-        memset(matrix[i], 0, (i + 1) * sizeof(double));
-    rod_equations(tree, pose, q, rate, matrix, bias);
-    ball_columns(tree, pose, columns);
-    ball_bias(tree, pose, rate[ALPHA], rate[BETA], ball);
-    const double down[3] = {-pose->beta.sine * tree->gravity, 0, pose->beta.cosine * tree->gravity};
-    double push[3] = {dot(force, pose->along), dot(force, pose->across), dot(force, pose->up)};
-    const double twist[3] = {dot(moment, pose->along), dot(moment, pose->across), dot(moment, pose->up)};
-    for (size_t i = 0; i < 3; i++)
-        push[i] -= tree->end_mass * (ball[i] + down[i]);
-    for (size_t i = 0; i < rod; i++)
-        for (size_t j = 0; j <= i; j++)
-            matrix[i][j] += tree->end_mass * (columns[0][i] * columns[0][j] + columns[1][i] * columns[1][j] +
-                                              columns[2][i] * columns[2][j]);
     double *acceleration = rates + n;
-    for (size_t i = 0; i < rod; i++)
-        acceleration[i] = -bias[i];
-    add_push(tree, columns, pose, push, twist, acceleration);
-    solve(matrix, acceleration, rod);
+    if (tree->bending == USUAL.bending && tree->axial == USUAL.axial)
+        rod_accelerations(tree, USUAL, pose, q, rate, force, moment, acceleration);
+    else
+        rod_accelerations(tree, (Counts){tree->bending, tree->axial}, pose, q, rate, force, moment, acceleration);
     add_support(tree, pose, q, rate, force, moment, acceleration);
     memcpy(rates, rate, n * sizeof *rates);
 }
@@ -399,12 +475,13 @@ void tree_rates(const Tree *tree, const TreePose *pose, const double *state, con
 void tree_apart_acceleration(const Tree *tree, const TreePose *pose, const double *rates, double *acceleration) {
     size_t n = tree->coordinates;
     const double *rate = rates, *second = rates + n;
-    double columns[3][TREE_ROD_MOST], own[3];
-    ball_columns(tree, pose, columns);
-    ball_bias(tree, pose, rate[ALPHA], rate[BETA], own);
-    for (size_t i = 0; i < 3; i++)
-        for (size_t k = 0; k < tree->rod; k++)
-            own[i] += columns[i][k] * second[k];
+    double own[3], slide = second[SLIDER];
+    Bias bias = bias_of(tree, pose, rate[ALPHA], rate[BETA]);
+    ball_bias(pose, &bias, own);
+    own[0] += pose->along[0] * slide + (tree->axial ? second[STRETCH] : 0) +
+              product(pose->column, second + first_sine(tree), 2 * tree->bending);
+    own[1] += pose->across[0] * slide + pose->beta.cosine * pose->span * second[ALPHA];
+    own[2] += pose->up[0] * slide - pose->span * second[BETA];
     double theta_second = tree->turns ? second[n - 1] : 0, square = pose->theta_rate * pose->theta_rate;
     for (size_t i = 0; i < 3; i++)
         acceleration[i] = own[0] * pose->along[i] + own[1] * pose->across[i] + own[2] * pose->up[i] -
