@@ -1,6 +1,7 @@
 #include "crank/stepper.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/real.h"
 
@@ -130,34 +131,33 @@ static const Sum third = {8,
 /* Safety of the next step's length, and its least and most as a part of this one. */
 static const double SAFETY = 0.9, SHRINK = 0.2, GROW = 5;
 
-static double sum_of(const Sum *sum, double rates[STAGES][STEPPER_STATES_MOST], size_t state) {
-    double total = 0;
+/* States that are computed at a time: a whole number of them fits into the arrays. */
+enum { TOGETHER = 2 };
+typedef double Pack __attribute__((vector_size(TOGETHER * sizeof(double)), aligned(8), may_alias));
+
+static inline Pack sum_of(const Sum *sum, double rates[STAGES][STEPPER_STATES_MOST], size_t state) {
+    Pack total = {0};
     for (size_t k = 0; k < sum->count; k++)
-        total += sum->weights[k].value * rates[sum->weights[k].stage][state];
+        total += sum->weights[k].value * *(const Pack *)&rates[sum->weights[k].stage][state];
     return total;
 }
 
-/* Computes to = from + step x sum, for all states. */
+/* Computes to = from + step x sum, for all states, and for what follows them up to a multiple of TOGETHER. */
 static void combine(const Sum *sum, double rates[STAGES][STEPPER_STATES_MOST], double step, const double *from,
                     double *to, size_t count) {
-    double total[STEPPER_STATES_MOST] = {0};
-    for (size_t k = 0; k < sum->count; k++) {
-        const double *rate = rates[sum->weights[k].stage];
-        double weight = sum->weights[k].value;
-        for (size_t i = 0; i < count; i++)
-            total[i] += weight * rate[i];
-    }
-    for (size_t i = 0; i < count; i++)
-        to[i] = from[i] + step * total[i];
+    for (size_t i = 0; i < count; i += TOGETHER)
+        *(Pack *)&to[i] = *(const Pack *)&from[i] + step * sum_of(sum, rates, i);
 }
 
 static double error_of(const Stepper *stepper, double rates[STAGES][STEPPER_STATES_MOST], double step) {
     double five = 0, three = 0;
-    for (size_t i = 0; i < stepper->states; i++) {
-        double scale = stepper->tolerance * stepper->scale[i];
-        double a = sum_of(&fifth, rates, i) / scale, b = sum_of(&third, rates, i) / scale;
-        five += a * a;
-        three += b * b;
+    for (size_t i = 0; i < stepper->states; i += TOGETHER) {
+        Pack a = sum_of(&fifth, rates, i), b = sum_of(&third, rates, i);
+        for (size_t k = 0; k < TOGETHER && i + k < stepper->states; k++) {
+            double per = 1 / (stepper->tolerance * stepper->scale[i + k]);
+            five += a[k] * per * (a[k] * per);
+            three += b[k] * per * (b[k] * per);
+        }
     }
     double size = five + 0.01 * three;
     return size > 0 ? fabs(step) * five / sqrt(size * (double)stepper->states) : size;
@@ -165,15 +165,19 @@ static double error_of(const Stepper *stepper, double rates[STAGES][STEPPER_STAT
 
 double stepper_try(const Stepper *stepper, double time, double step, const double *state, const double *rates,
                    double *next, double *next_rates) {
-    double stage[STAGES][STEPPER_STATES_MOST];
-    size_t count = stepper->states;
-    for (size_t i = 0; i < count; i++)
-        stage[0][i] = rates[i];
+    double stage[STAGES][STEPPER_STATES_MOST], begin[STEPPER_STATES_MOST], at[STEPPER_STATES_MOST];
+    size_t count = stepper->states, size = count * sizeof(double);
+    for (size_t k = 0; k < STAGES; k++)
+        memset(&stage[k][count / TOGETHER * TOGETHER], 0, TOGETHER * sizeof(double));
+    memset(&begin[count / TOGETHER * TOGETHER], 0, TOGETHER * sizeof(double));
+    memcpy(begin, state, size);
+    memcpy(stage[0], rates, size);
     for (size_t k = 1; k < STAGES; k++) {
-        combine(&stages[k], stage, step, state, next, count);
-        stepper->rates(stepper->system, time + instants[k] * step, next, stage[k]);
+        combine(&stages[k], stage, step, begin, at, count);
+        stepper->rates(stepper->system, time + instants[k] * step, at, stage[k]);
     }
-    combine(&whole, stage, step, state, next, count);
+    combine(&whole, stage, step, begin, at, count);
+    memcpy(next, at, size);
     stepper->rates(stepper->system, time + step, next, next_rates);
     return error_of(stepper, stage, step);
 }

@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-enum { STEPPER_STATES_MOST = 48 };
+enum { STEPPER_STATES_MOST = 48 /* fewer than this */ };
 
 typedef struct Stepper {
     size_t states;

@@ -14,6 +14,21 @@ static size_t first_support(const Tree *tree) {
     return tree->rod;
 }
 
+/* This file is where the time goes. Its functions are inlined with the usual numbers of modes as constants, so that
+ * loops are unrolled; the order of the sums, and with it the bits, are those of other numbers. */
+#define ALWAYS_INLINE inline __attribute__((always_inline))
+
+/* Numbers of modes of the coupler. */
+typedef struct Counts {
+    size_t bending, axial;
+} Counts;
+
+static const Counts USUAL = {2, 1};
+
+static inline bool is_usual(const Tree *tree) {
+    return tree->bending == USUAL.bending && tree->axial == USUAL.axial;
+}
+
 /* Constants -------------------------------------------------------------------------------------------------------- */
 
 static void set_rod(Tree *tree, const Crank *crank) {
@@ -117,17 +132,19 @@ static void set_frame(TreePose *pose, double alpha, double beta, double alpha_ra
 }
 
 /* The distance of the ball from the slider, which bending shortens. */
-static void set_span(const Tree *tree, TreePose *pose, const double *q, const double *rate) {
-    size_t n = tree->bending;
-    const double *sine = q + first_sine(tree), *sine_rate = rate + first_sine(tree);
-    pose->span = tree->length + (tree->axial ? q[STRETCH] : 0);
-    pose->span_rate = tree->axial ? rate[STRETCH] : 0;
+static ALWAYS_INLINE void set_span(const Tree *tree, Counts counts, TreePose *pose, const double *q,
+                                   const double *rate) {
+    size_t n = counts.bending, sines = BASE - 1 + counts.axial;
+    const double *sine = q + sines, *sine_rate = rate + sines;
+    pose->span = tree->length + (counts.axial ? q[STRETCH] : 0);
+    pose->span_rate = counts.axial ? rate[STRETCH] : 0;
     pose->span_rest = 0;
     pose->end_turn[0] = pose->end_turn[1] = 0;
     for (size_t i = 0; i < n; i++) {
         pose->end_turn[0] -= tree->slope[i] * sine_rate[n + i];
         pose->end_turn[1] += tree->slope[i] * sine_rate[i];
     }
+#pragma GCC unroll 12
     for (size_t i = 0; i < 2 * n; i++) {
         double shortening = tree->shortening[i < n ? i : i - n];
         pose->column[i] = -shortening * sine[i];
@@ -145,7 +162,10 @@ TreePose tree_pose(const Tree *tree, double time, const double *state) {
     pose.theta_rate = tree->turns ? rate[tree->coordinates - 1] : tree->omega;
     pose.pin = tree_pin(tree, pose.theta, pose.theta_rate);
     set_frame(&pose, q[ALPHA], q[BETA], rate[ALPHA], rate[BETA]);
-    set_span(tree, &pose, q, rate);
+    if (is_usual(tree))
+        set_span(tree, USUAL, &pose, q, rate);
+    else
+        set_span(tree, (Counts){tree->bending, tree->axial}, &pose, q, rate);
     double level = pose.span * pose.turn[2], rise = -pose.span * pose.turn[1];
     for (size_t i = 0; i < 3; i++) {
         pose.apart[i] = pose.span * pose.along[i] - pose.pin.at[i] - u[i];
@@ -161,19 +181,7 @@ static double dot(const double *a, const double *b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Equations of motion ----------------------------------------------------------------------------------------------
- *
- * This is where the time goes. The functions are inlined with the usual numbers of modes as constants, so that their
- * loops are unrolled; the order of the sums, and with it the bits, are those of any other number. */
-
-#define ALWAYS_INLINE inline __attribute__((always_inline))
-
-/* Numbers of modes of the coupler. */
-typedef struct Counts {
-    size_t bending, axial;
-} Counts;
-
-static const Counts USUAL = {2, 1};
+/* Equations of motion ---------------------------------------------------------------------------------------------- */
 
 /* Integrals over the rod's mass; a letter with _rate is its derivative. */
 typedef struct Moments {
@@ -464,7 +472,7 @@ void tree_rates(const Tree *tree, const TreePose *pose, const double *state, con
     size_t n = tree->coordinates;
     const double *q = state, *rate = state + n;
     double *acceleration = rates + n;
-    if (tree->bending == USUAL.bending && tree->axial == USUAL.axial)
+    if (is_usual(tree))
         rod_accelerations(tree, USUAL, pose, q, rate, force, moment, acceleration);
     else
         rod_accelerations(tree, (Counts){tree->bending, tree->axial}, pose, q, rate, force, moment, acceleration);

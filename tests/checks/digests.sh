@@ -33,7 +33,7 @@ answer "ibs at 305 Hz" run "$beams/ibs.json" --set drive.frequency=305 --lanes 0
 answer "study of a corner" study "$houses/corner-1.20-1.20.json" --vary profile.manual-chair.width=0.5:0.7:3 --runs 2 \
     --spread profile.manual-chair.free_speed=0.1 "$@" || exit 1
 answer "study of a beam" study "$beams/ibs.json" --vary drive.frequency=200:320:25 --sweep reset,up "$@" || exit 1
-answer "ssc" run "$crank" "$@" || exit 1
+answer "ssc" run "$crank" --lanes 0 "$@" || exit 1
 answer "ssc at 600 rpm" run "$crank" --set drive.frequency=10 --set joint.clearance=1e-4 "$@" || exit 1
 answer "study of a crank" study "$crank" --vary drive.frequency=9:12:5 --set run.transient_cycles=20 \
     --set run.cycles=10 "$@" || exit 1
