@@ -9,9 +9,11 @@
 #include "command/house_file.h"
 #include "command/output.h"
 #include "command/progress.h"
+#include "command/report_files.h"
 #include "command/studio.h"
 #include "paint/paint_cairo.h"
 #include "plot/plot_write.h"
+#include "report/crank_report.h"
 #include "result/crank.h"
 #include "result/json.h"
 #include "result/survival.h"
@@ -19,9 +21,6 @@
 #include "visual/crank/crank_film.h"
 #include "visual/crank/crank_plots.h"
 #include "visual/crank/crank_scene.h"
-
-/* A multiple of the speed within this part of a natural frequency is told. */
-#define NEAR_MULTIPLE 0.01
 
 #define FILM_TAIL 0.25 /* revolutions before the present that are drawn thick */
 
@@ -37,71 +36,16 @@ typedef struct CrankRun {
 
 /* Words ------------------------------------------------------------------------------------------------------------ */
 
-static void print_peaks(const CrankRun *run) {
-    const SectionPeaks *peaks = &run->response.peaks;
-    printf("at %.4g rpm ", 60 * run->crank.frequency);
-    if (!peaks->count)
-        printf("the ball does not touch its socket");
-    else if (peaks->max - peaks->min < 0.005)
-        printf("the largest force in the joint is %.2f N", peaks->max);
-    else
-        printf("the largest force in the joint is %.0f to %.0f N a revolution, %.0f N in the mean of %zu", peaks->min,
-               peaks->max, peaks->mean, run->response.section.count);
-    if (peaks->count && run->ideal > 0 && run->crank.clearance > 0)
-        printf(", %.2g times the %.4g N of a joint without clearance", peaks->max / run->ideal, run->ideal);
-    printf("\n");
-}
-
-static void print_verdict(const CrankRun *run) {
-    const Response *response = &run->response;
-    Text text = {0};
-    result_survival_name(&text, response, "revolution");
-    printf("%s: ", text.text);
-    print_peaks(run);
-    memory_free(text.text);
-    text = (Text){0};
-    result_survival_say(&text, response, "revolution");
-    if (response->verdict == RESPONSE_DIVERGED && run->tree.turns)
-        text_add(&text, "The motor may have stalled\n");
-    if (text.text)
-        printf("%s", text.text);
-    memory_free(text.text);
-}
-
-static void print_contact(const CrankRun *run) {
-    const Response *response = &run->response;
-    if (run->crank.clearance <= 0 || !response->section.count)
-        return;
-    if (response->switches > 0)
-        printf("The ball is in contact %.3g %% of the time; contact begins or ends %.3g times a revolution.\n",
-               100 * response->contact_share, response->switches);
-    else
-        printf("The ball never leaves the wall of its socket.\n");
-    if (run->crank.contact.friction <= 0)
-        printf("There is no friction in this joint (joint.friction 0); friction calms such a mechanism.\n");
-}
-
-/* Tells which multiple of the speed meets a natural frequency: a likely cause of forces that change steeply. */
-static void print_meeting(const CrankRun *run, double frequency, const char *what) {
-    double speed = run->crank.frequency, multiple = round(frequency / speed);
-    if (multiple >= 1 && fabs(multiple * speed - frequency) < NEAR_MULTIPLE * frequency)
-        printf("%.0f times the speed, %.4g Hz, is near %s, %.4g Hz: forces may change steeply with the speed.\n",
-               multiple, multiple * speed, what, frequency);
-}
-
 static void print_answer(const CrankRun *run, const Options *options) {
     Text text = {0};
-    print_verdict(run);
-    print_contact(run);
-    if (run->tree.bending)
-        print_meeting(run, tree_bending_frequency(&run->tree, 0), "the coupler's first bending");
-    print_meeting(run, tree_support_frequency(&run->tree, 0), "the support's frequency along the guide");
-    print_meeting(run, tree_support_frequency(&run->tree, 2), "the support's upright frequency");
-    if (run->response.verdict == RESPONSE_PERIODIC && !run->response.settled)
-        printf("The recorded revolutions still hold the transient: use more run.transient_cycles to leave it out\n");
-    printf("Its numbers are %s. For its type I, II or III: clearance study %s --types "
+    result_crank_name(&text, &run->crank, &run->response, run->ideal);
+    result_survival_say(&text, &run->response, "revolution");
+    result_crank_say(&text, &run->crank, &run->tree, &run->response);
+    printf("%sIts numbers are %s. For its type I, II or III: clearance study %s --types "
            "drive.frequency,joint.clearance,coupler.length,slider.mass\n",
-           crank_is_assumed(&run->crank) ? "all assumed" : "not all measured", options->files[0]);
+           text.text, crank_is_assumed(&run->crank) ? "all assumed" : "not all measured", options->files[0]);
+    memory_free(text.text);
+    text = (Text){0};
     result_text_list(&text, (const ResultTable *const[]){&run->motion, &run->forces}, 2);
     printf("\n%s", text.text);
     memory_free(text.text);
@@ -162,6 +106,17 @@ static bool write_still(const CrankRun *run, const Options *options) {
     return !error;
 }
 
+static bool write_report(const CrankRun *run, const Options *options) {
+    char *command = report_files_command(options);
+    const Making making = report_files_making(options, command);
+    Document document = crank_report_make(
+        &(CrankReport){&run->crank, &run->tree, &run->response, run->ideal, options->files[0]}, &making);
+    bool written = report_files_write(&document, "report", options);
+    document_clear(&document);
+    memory_free(command);
+    return written;
+}
+
 static bool write_files(const CrankRun *run, json_t *answer, const Options *options) {
     char path[OUTPUT_PATH];
     snprintf(path, sizeof path, "%s/summary.json", options->out);
@@ -172,7 +127,8 @@ static bool write_files(const CrankRun *run, json_t *answer, const Options *opti
     }
     if (error)
         output_failed(path, error);
-    return !error && write_plots(run, options) && write_still(run, options);
+    return !error && write_plots(run, options) && write_still(run, options) &&
+           (!options->report || write_report(run, options));
 }
 
 /* Films -------------------------------------------------------------------------------------------------------------*/
@@ -228,7 +184,6 @@ static bool check_options(CrankRun *run, const Options *options) {
     char message[PLOT_CHOICE_FAULT];
     const char *foreign = options->route                        ? "--route"
                           : options->driving >= 0               ? "--driving"
-                          : options->report                     ? "--report"
                           : options->observed                   ? "--observed"
                           : options_given(options, "--until")   ? "--until"
                           : options->measured                   ? "--measured"
@@ -243,7 +198,7 @@ static bool check_options(CrankRun *run, const Options *options) {
         fprintf(stderr, "clearance: --plots needs --out DIR, where the plots are written\n");
         return false;
     }
-    if (studio_check(options))
+    if (!report_files_possible(options) || studio_check(options))
         return false;
     const char *words = options->plot_words ? options->plot_words : CRANK_PLOTS_USUAL;
     if (!crank_plots_choose(&run->plots, words, message)) {

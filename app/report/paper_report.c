@@ -1,6 +1,6 @@
 #include "report/paper_report.h"
 
-#include "base/parameters.h"
+#include "report/report_lines.h"
 #include "result/page.h"
 #include "result/paper.h"
 
@@ -64,21 +64,6 @@ static void add_types(Document *document, const Paper *paper) {
     result_page_take(document, NULL, result_paper_types(paper));
 }
 
-static void add_numbers(Document *document, const Paper *paper) {
-    static const Column columns[] = {
-        {"number", ALIGN_LEFT}, {"value", ALIGN_RIGHT}, {"unit", ALIGN_LEFT}, {"source", ALIGN_LEFT}};
-    const ParameterTable *table = beam_table();
-    document_add_heading(document, 2, "All numbers and their sources");
-    document_add_table(document, NULL, columns, sizeof columns / sizeof *columns);
-    for (size_t i = 0; i < table->count; i++) {
-        char *value = parameters_words(&table->rows[i], &paper->beam);
-        const char *cells[] = {table->rows[i].name, document_text(document, "%s", value),
-                               parameters_unit(&table->rows[i]), paper->beam.provenance[i]};
-        document_add_row(document, cells);
-        memory_free(value);
-    }
-}
-
 Document paper_report_make(Paper *paper, PaperFigures *figures, const Making *making) {
     PaperClaim claims[PAPER_CLAIMS];
     paper_claims(paper, claims);
@@ -89,7 +74,7 @@ Document paper_report_make(Paper *paper, PaperFigures *figures, const Making *ma
     add_claims(&document, claims);
     add_figures(&document, figures);
     add_types(&document, paper);
-    add_numbers(&document, paper);
+    report_lines_add_numbers(&document, beam_table(), &paper->beam, paper->beam.provenance);
     report_basis_add_making(&document, making, NULL, 0);
     return document;
 }

@@ -178,7 +178,7 @@ static CycleStatus status_of(const void *own) {
 
 static CycleTally tally_of(const void *own) {
     const Turn *turn = &((const Motion *)own)->turn;
-    return (CycleTally){turn->switches, 0, turn->contact_time};
+    return (CycleTally){turn->switches, 0, turn->contact_time, turn->touches};
 }
 
 static double *peaks_of(void *own) {

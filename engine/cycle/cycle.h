@@ -22,6 +22,7 @@ enum { CYCLE_SIDES = 2 /* of a joint: upper and lower, or outer and inner */ };
 typedef struct CycleTally {
     size_t switches, grazes;
     double contact_time; /* s */
+    size_t touches;      /* contacts that began; 0 for a kind that does not count them */
 } CycleTally;
 
 /* A motion among many, and what is recorded of it. */

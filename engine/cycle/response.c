@@ -111,6 +111,7 @@ static void record(Response *response, Watch *watch, int cycles) {
     CycleTally after = kind->tally(motion->own);
     double seen = fmax(1, (double)section->count);
     response->switches = (double)(after.switches - before.switches) / seen;
+    response->touches = (double)(after.touches - before.touches) / seen;
     response->contact_share = (after.contact_time - before.contact_time) / (seen * cycle_period(motion->cycle));
     response->grazes = after.grazes - before.grazes;
 }

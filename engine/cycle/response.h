@@ -70,6 +70,7 @@ typedef struct Response {
     size_t cycles;          /* cycles after the transient on which the verdict rests */
     double contact_share;   /* 1, fraction of the recorded time */
     double switches;        /* per recorded cycle */
+    double touches;         /* per recorded cycle, of a kind that counts them; otherwise 0 */
     size_t grazes;          /* in the recorded cycles */
     uint64_t digest;        /* of the recorded states */
 } Response;

@@ -74,7 +74,8 @@ static bool respond(const Beam *beam, MachineFacts *facts, const SurvivalTask *t
                             response.exponent,
                             result_beam_motion(beam, &response),
                             result_beam_forces(&rig, &response),
-                            response_is_quick(&response)};
+                            response_is_quick(&response),
+                            NULL};
     response_clear(&response);
     rig_clear(&rig);
     return facts->verdict != RESPONSE_INTERRUPTED;

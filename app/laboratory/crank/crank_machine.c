@@ -64,13 +64,16 @@ static bool respond(const Crank *crank, MachineFacts *facts, const SurvivalTask 
     response_run(&response, crank_cycle_of(&tree), crank->transient_cycles, crank->cycles, NULL, stop);
     if (task)
         response_confirm(&response, crank_cycle_of(&tree), task);
+    Text words = {0};
+    result_crank_say(&words, crank, &tree, &response);
     *facts = (MachineFacts){response.verdict,
                             response.orbit.period,
                             response.peaks,
                             response.exponent,
                             result_crank_motion(crank, &response),
                             result_crank_forces(&tree, &response, crank_cycle_ideal_force(crank)),
-                            response_is_quick(&response)};
+                            response_is_quick(&response),
+                            words.text};
     response_clear(&response);
     return facts->verdict != RESPONSE_INTERRUPTED;
 }

@@ -105,7 +105,7 @@ static void add_row(MachineAnswer *answer, RowKind kind, const char *first, cons
     *row = (PanelRow){.row = {.kind = kind, .role = ROLE_TEXT, .cells = {first, second}}, .time = NAN};
 }
 
-/* Adds a row for each line of the advice. */
+/* Adds a row for each line of a text, or of NULL none. */
 static void add_advice(MachineAnswer *answer, const char *advice) {
     for (const char *line = advice; line && *line; line += strcspn(line, "\n"), line += *line == '\n')
         add_row(answer, ROW_PLAIN, text_in_arena(&answer->arena, "%.*s", (int)strcspn(line, "\n"), line), NULL);
@@ -180,6 +180,7 @@ static void write_rows(MachineAnswer *answer, const MachineLately *lately, const
     }
     add_type(answer, verdict);
     add_row(answer, ROW_HEADING, verdict->kind->from, NULL);
+    add_advice(answer, verdict->facts.words);
     add_facts(answer, &verdict->facts.motion);
     add_facts(answer, &verdict->facts.forces);
     if (is_another(lately, verdict)) {

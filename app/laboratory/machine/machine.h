@@ -55,7 +55,8 @@ typedef struct MachineFacts {
     SectionPeaks peaks;
     ChaosExponent exponent;
     ResultTable motion, forces;
-    bool quick; /* not confirmed, though it could be */
+    bool quick;  /* not confirmed, though it could be */
+    char *words; /* further sentences, one per line; NULL: none; who has the facts releases it with their rows */
 } MachineFacts;
 
 typedef struct MachineKind {

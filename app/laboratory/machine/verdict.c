@@ -79,6 +79,7 @@ bool machine_verdict_confirm(MachineVerdict *verdict, int jobs, const Stop *stop
     }
     result_clear(&facts.motion);
     result_clear(&facts.forces);
+    memory_free(facts.words);
     return confirmed;
 }
 
@@ -86,6 +87,7 @@ MachineVerdict machine_verdict_copy(const MachineVerdict *verdict) {
     MachineVerdict copy = *verdict;
     copy.facts.motion = result_copy(&verdict->facts.motion);
     copy.facts.forces = result_copy(&verdict->facts.forces);
+    copy.facts.words = verdict->facts.words ? text_copy(verdict->facts.words) : NULL;
     copy.advice = verdict->advice ? text_copy(verdict->advice) : NULL;
     return copy;
 }
@@ -93,6 +95,7 @@ MachineVerdict machine_verdict_copy(const MachineVerdict *verdict) {
 void machine_verdict_clear(MachineVerdict *verdict) {
     result_clear(&verdict->facts.motion);
     result_clear(&verdict->facts.forces);
+    memory_free(verdict->facts.words);
     memory_free(verdict->advice);
     *verdict = (MachineVerdict){.advice = NULL};
 }
