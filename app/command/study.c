@@ -13,6 +13,7 @@
 #include "command/output.h"
 #include "command/paper.h"
 #include "command/progress.h"
+#include "command/report_files.h"
 #include "command/run_beam.h"
 #include "command/shake_answer.h"
 #include "command/study_answer.h"
@@ -21,6 +22,7 @@
 #include "command/study_types.h"
 #include "command/study_text.h"
 #include "command/terminal.h"
+#include "report/study_report.h"
 #include "study/study_csv.h"
 #include "study/store.h"
 #include "visual/study/study_plots.h"
@@ -316,6 +318,26 @@ static bool write_plots(const StudyJob *job) {
     return !error;
 }
 
+static bool write_report(const StudyJob *job) {
+    const Options *options = job->options;
+    char *command = report_files_command(options);
+    const Making making = report_files_making(options, command);
+    Text words = {0};
+    study_text_add(&words, &job->study, options->files[0]);
+    Document document = study_report_make(&(StudyReport){.study = &job->study,
+                                                         .measured = options->measured ? &job->measured : NULL,
+                                                         .words = words.text,
+                                                         .file = options->files[0],
+                                                         .add_numbers = job->laboratory->add_numbers,
+                                                         .context = options},
+                                          &making);
+    bool written = report_files_write(&document, "report", options);
+    document_clear(&document);
+    memory_free(words.text);
+    memory_free(command);
+    return written;
+}
+
 static json_t *make_answer(const StudyJob *job) {
     const char *file = job->options->files[0];
     return job->findings ? shake_answer_make(job->findings, file) : study_answer_make(&job->study, file);
@@ -343,7 +365,8 @@ static int answer_study(const StudyJob *job) {
     bool interrupted = is_interrupted(job);
     json_t *answer = make_answer(job);
     answer_mark_interrupted(answer, interrupted);
-    bool written = job->kept && (!options->out || (write_tables(job, answer) && write_plots(job)));
+    bool written = job->kept && (!options->out || (write_tables(job, answer) && write_plots(job) &&
+                                                   (!options->report || job->findings || write_report(job))));
     if (options->json)
         answer_print(json_incref(answer));
     else
@@ -375,7 +398,7 @@ static int answer_all(StudyJob *job) {
     return code;
 }
 
-/* Refuses options that have no effect with --shake, and --report without it. */
+/* Refuses options that have no effect with --shake, and --report where there is none. */
 static bool is_one_chance(const Options *options, Fault *fault) {
     const StudyRequest *asked = &options->study;
     if (asked->shakes && asked->runs)
@@ -384,8 +407,11 @@ static bool is_one_chance(const Options *options, Fault *fault) {
         fault_add(fault, "clearance: --types has no effect with --shake; leave it out");
     else if (asked->shakes && options->measured && !asked->axis_count)
         fault_add(fault, "clearance: --measured has no effect with --shake without --vary; leave it out");
-    else if (options->report && (!asked->shakes || asked->axis_count))
-        fault_add(fault, "clearance: --report of a study needs --shake N, without --vary");
+    else if (options->report && (options->paper || options->follow))
+        fault_add(fault, "clearance: --report has no effect with %s; leave it out",
+                  options->paper ? "--paper, whose page is written to --out" : "--follow");
+    else if (options->report && options->types && !asked->axis_count && asked->runs < 2)
+        fault_add(fault, "clearance: --report of types needs --vary; leave it out");
     else if (options->report && !options->out)
         fault_add(fault, "clearance: --report needs --out DIR, the directory to write it to");
     else

@@ -7,6 +7,7 @@
 #include "experiment/crank_experiment.h"
 #include "experiment/house_experiment.h"
 #include "laboratory/shipped.h"
+#include "report/report_lines.h"
 
 /* Adds an error when the command line has an option for houses only. */
 static bool refuse_foreign(const Options *options, const char *what, Fault *fault) {
@@ -62,10 +63,32 @@ static void type_crank(Experiment *experiment) {
     crank_experiment_be_thorough(experiment, CRANK_LANES, CRANK_LANE_CYCLES);
 }
 
+static void add_beam_numbers(Document *document, const void *given) {
+    const Options *options = given;
+    Fault fault = {0};
+    Beam beam;
+    if (beam_read(&beam, options->files[0], options->settings, options->setting_count, &fault)) {
+        report_lines_add_numbers(document, beam_table(), &beam, beam.provenance);
+        beam_free(&beam);
+    }
+    fault_clear(&fault);
+}
+
+static void add_crank_numbers(Document *document, const void *given) {
+    const Options *options = given;
+    Fault fault = {0};
+    Crank crank;
+    if (crank_read(&crank, options->files[0], options->settings, options->setting_count, &fault)) {
+        report_lines_add_numbers(document, crank_table(), &crank, crank.provenance);
+        crank_free(&crank);
+    }
+    fault_clear(&fault);
+}
+
 static const StudyLaboratory laboratories[] = {
-    {beam_is_file, open_beam, beam_experiment_close, type_beam},
-    {crank_is_file, open_crank, crank_experiment_close, type_crank},
-    {NULL, open_house, house_experiment_close, NULL},
+    {beam_is_file, open_beam, beam_experiment_close, add_beam_numbers, type_beam},
+    {crank_is_file, open_crank, crank_experiment_close, add_crank_numbers, type_crank},
+    {NULL, open_house, house_experiment_close, NULL, NULL},
 };
 
 const StudyLaboratory *study_laboratory_open(Experiment *experiment, const Options *options, Fault *fault) {

@@ -1,6 +1,7 @@
 /* Chooses the experiment for the file of a study. */
 #pragma once
 
+#include "document/document.h"
 #include "options/options.h"
 #include "study/experiment.h"
 
@@ -8,6 +9,7 @@ typedef struct StudyLaboratory {
     bool (*is_file)(const char *path); /* NULL: any other file */
     bool (*open)(Experiment *experiment, const Options *options, Fault *fault);
     void (*close)(Experiment *experiment);
+    void (*add_numbers)(Document *document, const void *options); /* of the file, with their sources; NULL: none */
     void (*type_thoroughly)(Experiment *experiment); /* makes later trials thorough enough for a type; NULL: all are */
 } StudyLaboratory;
 

@@ -256,12 +256,12 @@ const Option option_rows[] = {
     {"--out", OPTION_FOLDER, FIELD(out), NO_RANGE, "DIR",
      "write summary.json, study.csv, plots and study.sqlite to DIR; the same command continues an interrupted study",
      GROUP_OUTPUT, FOR_STUDY, NULL, NULL},
-    {"--report", OPTION_FLAG, FIELD(report), NO_RANGE, NULL, "houses only: write report.html and report.pdf to --out",
-     GROUP_OUTPUT, FOR_RUN, NULL, NULL},
+    {"--report", OPTION_FLAG, FIELD(report), NO_RANGE, NULL,
+     "houses and cranks: write report.html and report.pdf to --out", GROUP_OUTPUT, FOR_RUN, NULL, NULL},
     {"--report", OPTION_FLAG, FIELD(report), NO_RANGE, NULL, "write report.html and report.pdf to --out", GROUP_OUTPUT,
      FOR_COMPARE, NULL, NULL},
-    {"--report", OPTION_FLAG, FIELD(report), NO_RANGE, NULL,
-     "with --shake only: write report.html and report.pdf to --out", GROUP_OUTPUT, FOR_STUDY, NULL, NULL},
+    {"--report", OPTION_FLAG, FIELD(report), NO_RANGE, NULL, "write report.html and report.pdf to --out", GROUP_OUTPUT,
+     FOR_STUDY, NULL, NULL},
 
     {"--plots", OPTION_READ, NO_FIELD, NO_RANGE, HOUSE_PLOTS_NAMES,
      "curves next to the house instead of the list of people, and as DIR/plot-NAME.png, .svg, .pdf and .csv; a list; "

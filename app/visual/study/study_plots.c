@@ -36,8 +36,11 @@ static const struct {
              [STUDY_UP] = {"upwards", ROLE_LOCUS, SYMBOL_TRIANGLE},
              [STUDY_DOWN] = {"downwards", ROLE_GHOST, SYMBOL_BOX}};
 
-/* Later passes have smaller dots, so that equal ones all stay visible. */
-static const double dots[] = {1.2, 2.0, 2.8};
+/* Dots across, of many and of few: 3 design points are 0.5 mm on a page. Later passes have smaller dots, so that equal
+ * ones all stay visible. */
+static const double DOT_LEAST = 1.6, DOT_MOST = 3.4, DOT_GROWTH = 0.8;
+/* Part of the area of a plot, in square design points, that the dots of a pass may cover. */
+static const double DOTS_COVER = 0.15 * 900 * 380;
 
 /* The plot over one parameter that is being made. */
 typedef struct Sweep {
@@ -105,7 +108,8 @@ static void add_dots(Sweep *sweep, size_t pass) {
             *next++ = trial->series[s];
         }
     }
-    size_t later = passes - 1 - pass, largest = sizeof dots / sizeof *dots - 1;
+    double size = DOT_GROWTH * (double)(passes - 1 - pass) +
+                  real_clamp(sqrt(DOTS_COVER / (double)(count + 1)), DOT_LEAST, DOT_MOST);
     sweep->plot->series[sweep->plot->series_count++] = (PlotSeries){.name = looks[study->passes[pass]].name,
                                                                     .x = values,
                                                                     .y = values + 1,
@@ -113,7 +117,7 @@ static void add_dots(Sweep *sweep, size_t pass) {
                                                                     .stride = 2,
                                                                     .role = looks[study->passes[pass]].role,
                                                                     .symbol = looks[study->passes[pass]].symbol,
-                                                                    .size = dots[later < largest ? later : largest]};
+                                                                    .size = size};
 }
 
 /* Adds measured points of the listed values, and of observables derived from them: "peak_max" of "peak". */
