@@ -9,6 +9,7 @@
 #include "command/report_files.h"
 #include "command/terminal.h"
 #include "plot/plot_write.h"
+#include "report/crank_paper_report.h"
 #include "report/paper_report.h"
 #include "result/json.h"
 #include "result/paper.h"
@@ -21,14 +22,14 @@ static void show_progress(void *context, const char *what) {
 
 static json_t *make_answer(const Paper *paper, const PaperClaim *claims) {
     return json_pack("{s:s, s:s, s:s, s:o, s:o}", "kind", "paper", "beam", paper->beam.name, "note", paper->beam.note,
-                     "claims", result_json_take_list(result_paper_claims(claims)), "types",
+                     "claims", result_json_take_list(result_paper_claims(claims, PAPER_CLAIMS)), "types",
                      result_json_take_list(result_paper_types(paper)));
 }
 
-static void print_claims(const Paper *paper, const PaperClaim *claims) {
-    ResultTable table = result_paper_claims(claims);
+static void print_claims(const char *path, const PaperClaim *claims, size_t count) {
+    ResultTable table = result_paper_claims(claims, count);
     Text text = {0};
-    text_format(&text, "%s: %s\n", paper->path, result_paper_summary(claims, &table.arena));
+    text_format(&text, "%s: %s\n", path, result_paper_summary(claims, count, &table.arena));
     for (size_t i = 0; i < table.record_count; i++) {
         text_add(&text, "\n");
         result_text_record(&text, &table, i);
@@ -62,32 +63,81 @@ static bool write_pages(Paper *paper, const json_t *answer, const Options *optio
     return written && !error;
 }
 
+static int tell_interrupted(const Options *options) {
+    fprintf(stderr, "clearance: interrupted; nothing is written\n");
+    if (options->json)
+        answer_print(json_pack("{s:s, s:b}", "kind", "paper", "interrupted", 1));
+    return EXIT_ANSWER_NO;
+}
+
+/* Cranks ----------------------------------------------------------------------------------------------------------- */
+
+static bool write_crank_page(CrankPaper *paper, const json_t *answer, const Options *options) {
+    char path[OUTPUT_PATH], *command = report_files_command(options);
+    const Making making = report_files_making(options, command);
+    Document document = crank_paper_report_make(paper, &making);
+    bool written = report_files_write(&document, "paper", options);
+    snprintf(path, sizeof path, "%s/summary.json", options->out);
+    int error = written ? answer_write(answer, path) : 0;
+    if (error)
+        output_failed(path, error);
+    document_clear(&document);
+    memory_free(command);
+    return written && !error;
+}
+
+static int answer_crank(const Options *options, const PaperOptions *asked) {
+    Fault fault = {0};
+    CrankPaper paper;
+    PaperAnswer made = crank_paper_make(&paper, asked, &fault);
+    if (asked->progress)
+        terminal_clear_progress();
+    if (made == PAPER_FAULTY)
+        return house_file_report(&fault);
+    if (made == PAPER_INTERRUPTED)
+        return tell_interrupted(options);
+    PaperClaim claims[CRANK_PAPER_CLAIMS];
+    crank_paper_claims(&paper, claims);
+    json_t *answer =
+        json_pack("{s:s, s:s, s:s, s:o}", "kind", "paper", "crank", paper.crank.name, "note", paper.crank.note,
+                  "claims", result_json_take_list(result_paper_claims(claims, CRANK_PAPER_CLAIMS)));
+    bool written = !options->out || write_crank_page(&paper, answer, options);
+    if (options->json)
+        answer_print(json_incref(answer));
+    else
+        print_claims(paper.path, claims, CRANK_PAPER_CLAIMS);
+    if (options->out && written && !options->json)
+        printf("\nthe page is %s/paper.html and .pdf\n", options->out);
+    json_decref(answer);
+    crank_paper_clear(&paper);
+    return written ? EXIT_ANSWERED : EXIT_WRONG_INPUT;
+}
+
+/* Both ------------------------------------------------------------------------------------------------------------- */
+
 int paper_answer(const Options *options) {
     Fault fault = {0};
     Paper paper;
+    bool show = progress_is_shown(options), crank = crank_is_file(options->files[0]);
+    const PaperOptions asked = {.path = options->files[0],
+                                .settings = options->settings,
+                                .setting_count = options->setting_count,
+                                .jobs = options->jobs,
+                                .stop = &progress_stop,
+                                .progress = show ? show_progress : NULL};
+    if (crank)
+        return answer_crank(options, &asked);
     if (!beam_is_file(options->files[0])) {
-        fault_add(&fault, "clearance: --paper needs a beam file; %s is not one", options->files[0]);
+        fault_add(&fault, "clearance: --paper needs a beam or crank file; %s is not one", options->files[0]);
         return house_file_report(&fault);
     }
-    bool show = progress_is_shown(options);
-    PaperAnswer made = paper_make(&paper,
-                                  &(PaperOptions){.path = options->files[0],
-                                                  .settings = options->settings,
-                                                  .setting_count = options->setting_count,
-                                                  .jobs = options->jobs,
-                                                  .stop = &progress_stop,
-                                                  .progress = show ? show_progress : NULL},
-                                  &fault);
+    PaperAnswer made = paper_make(&paper, &asked, &fault);
     if (show)
         terminal_clear_progress();
     if (made == PAPER_FAULTY)
         return house_file_report(&fault);
-    if (made == PAPER_INTERRUPTED) {
-        fprintf(stderr, "clearance: interrupted; nothing is written\n");
-        if (options->json)
-            answer_print(json_pack("{s:s, s:b}", "kind", "paper", "interrupted", 1));
-        return EXIT_ANSWER_NO;
-    }
+    if (made == PAPER_INTERRUPTED)
+        return tell_interrupted(options);
     PaperClaim claims[PAPER_CLAIMS];
     paper_claims(&paper, claims);
     json_t *answer = make_answer(&paper, claims);
@@ -95,7 +145,7 @@ int paper_answer(const Options *options) {
     if (options->json)
         answer_print(json_incref(answer));
     else
-        print_claims(&paper, claims);
+        print_claims(paper.path, claims, PAPER_CLAIMS);
     if (options->out && written && !options->json)
         printf("\nthe page is %s/paper.html and .pdf\n", options->out);
     json_decref(answer);

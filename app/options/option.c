@@ -199,7 +199,9 @@ const Option option_rows[] = {
      "slower",
      GROUP_STUDY, FOR_STUDY, NULL, NULL},
     {"--paper", OPTION_FLAG, FIELD(paper), NO_RANGE, NULL,
-     "beams only: compare each claim and figure of Gu and Dubowsky's paper with our results; --out holds the page",
+     "beams and cranks: compare each claim of Gu and Dubowsky's paper with our results, of a beam its figures, too; "
+     "--out "
+     "holds the page",
      GROUP_STUDY, FOR_STUDY, NULL, NULL},
 
     {"--no-series", OPTION_FLAG, FIELD(study.no_series), NO_RANGE, NULL,

@@ -36,7 +36,7 @@ static void add_basis(Document *document, const Paper *paper, const Making *maki
 
 static void add_claims(Document *document, const PaperClaim *claims) {
     document_add_heading(document, 2, "Claims");
-    result_page_take(document, NULL, result_paper_claims(claims));
+    result_page_take(document, NULL, result_paper_claims(claims, PAPER_CLAIMS));
 }
 
 static void paint_figure(const void *context, struct _cairo *cairo, Vec2 size, Theme theme) {
@@ -69,7 +69,7 @@ Document paper_report_make(Paper *paper, PaperFigures *figures, const Making *ma
     paper_claims(paper, claims);
     Document document = document_begin(making->program);
     document_add_title(&document, document_text(&document, "The paper and the beam: %s", name_of(paper)),
-                       result_paper_summary(claims, &document.arena));
+                       result_paper_summary(claims, PAPER_CLAIMS, &document.arena));
     add_basis(&document, paper, making);
     add_claims(&document, claims);
     add_figures(&document, figures);

@@ -9,9 +9,9 @@ static void add_text(ResultTable *table, const char *key, const char *label, con
     result_add(table, (ResultRow){.key = key, .label = label, .text = text});
 }
 
-ResultTable result_paper_claims(const PaperClaim *claims) {
+ResultTable result_paper_claims(const PaperClaim *claims, size_t count) {
     ResultTable table = {.numbers = RESULT_SHORTEST};
-    for (size_t i = 0; i < PAPER_CLAIMS; i++) {
+    for (size_t i = 0; i < count; i++) {
         const PaperClaim *claim = &claims[i];
         const char *met = paper_met_name(claim->met);
         add_text(&table, "id", NULL, claim->id);
@@ -55,9 +55,9 @@ ResultTable result_paper_types(const Paper *paper) {
     return table;
 }
 
-const char *result_paper_summary(const PaperClaim *claims, Arena *arena) {
+const char *result_paper_summary(const PaperClaim *claims, size_t count, Arena *arena) {
     size_t met = 0;
-    for (size_t i = 0; i < PAPER_CLAIMS; i++)
+    for (size_t i = 0; i < count; i++)
         met += claims[i].met == PAPER_MET;
-    return text_in_arena(arena, "%zu of %d claims of the paper are met", met, PAPER_CLAIMS);
+    return text_in_arena(arena, "%zu of %zu claims of the paper are met", met, count);
 }

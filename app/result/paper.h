@@ -4,11 +4,11 @@
 #include "experiment/paper.h"
 #include "result/result.h"
 
-/* A record for each claim (PAPER_CLAIMS): its place, the claim, the paper's figure and ours, and whether they agree. */
-ResultTable result_paper_claims(const PaperClaim *claims);
+/* A record for each of `count` claims: its place, the claim, the paper's figure and ours, and whether they agree. */
+ResultTable result_paper_claims(const PaperClaim *claims, size_t count);
 
 /* A record for each classified frequency. */
 ResultTable result_paper_types(const Paper *paper);
 
 /* "3 of 10 claims of the paper are met"; it lives as long as the arena. */
-const char *result_paper_summary(const PaperClaim *claims, Arena *arena);
+const char *result_paper_summary(const PaperClaim *claims, size_t count, Arena *arena);

@@ -50,12 +50,12 @@ def check_study():
 
 def check_faults():
     expect(2, "run", str(source / "tests/data/bad/cranks/does-not-close.json"), says="the mechanism does not close")
-    expect(2, "run", crank, "--report", "--out", "/nowhere", says="--report is not for cranks")
+    expect(2, "run", crank, "--report", says="--report needs --out DIR")
     expect(2, "run", crank, "--plots", "displacement", "--out", "/nowhere", says="displacement")
     expect(2, "run", crank, "--plots", "phase", says="--plots needs --out DIR")
     expect(2, "run", crank, "--set", "joint.clearence=1", says='did you mean "joint.clearance"')
     expect(2, "study", crank, "--vary", "drive.frequency=5:25:3", "--route", "A", says="is a crank")
-    expect(2, "study", crank, "--paper", says="crank")
+    expect(2, "study", crank, "--paper", "--vary", "drive.frequency=5:6:2", says="--vary has no effect with --paper")
 
 
 check_run()

@@ -194,12 +194,12 @@ TEST(a_claim_of_the_paper_has_the_same_rows_as_lines_as_a_table_and_in_json) {
         claims[i] =
             (PaperClaim){"chaos", "figure 2", "it is chaotic", "chaotic", "periodic", PAPER_NOT_TOLD, "an exponent"};
     claims[1].met = PAPER_MET;
-    ResultTable table = result_paper_claims(claims);
+    ResultTable table = result_paper_claims(claims, PAPER_CLAIMS);
     Text text = {0};
     result_text_record(&text, &table, 0);
     CHECK_TEXT(text.text, "in the paper  figure 2\nclaim         it is chaotic\npaper         chaotic\n"
                           "ours          periodic\nresult        undecided\nmet when      an exponent\n");
-    CHECK_TEXT(result_paper_summary(claims, &table.arena), "1 of 13 claims of the paper are met");
+    CHECK_TEXT(result_paper_summary(claims, PAPER_CLAIMS, &table.arena), "1 of 13 claims of the paper are met");
     json_t *object = result_json_record(&table, 0);
     char *dump = json_dumps(object, JSON_COMPACT);
     CHECK_TEXT(dump, "{\"id\":\"chaos\",\"place\":\"figure 2\",\"claim\":\"it is chaotic\",\"paper\":\"chaotic\","

@@ -1,0 +1,96 @@
+#include "report/crank_paper_report.h"
+
+#include "base/memory.h"
+#include "base/text.h"
+#include "report/report_lines.h"
+#include "result/advice.h"
+#include "result/crank.h"
+#include "result/page.h"
+#include "result/paper.h"
+#include "result/survival.h"
+#include "visual/crank/crank_plots.h"
+#include "visual/crank/crank_scene.h"
+
+/* Design points. */
+#define PICTURE_WIDTH 1027.0
+#define PICTURE_HEIGHT 578.0
+#define PLOT_WIDTH 505.0
+#define PLOT_HEIGHT 340.0
+
+static void paint_plot(const void *context, struct _cairo *cairo, Vec2 size, Theme theme) {
+    plot_paint(&((const CrankPlots *)context)->plots[0], cairo, size, theme);
+}
+
+static void release_plot(void *context) {
+    crank_plots_free(context);
+    memory_free(context);
+}
+
+static void add_plot(Document *document, const CrankPaper *paper, size_t i, const char *name, const char *caption) {
+    char fault[PLOT_CHOICE_FAULT];
+    PlotChoice choice;
+    CrankPlots *plots = memory_zeroed(1, sizeof *plots);
+    crank_plots_choose(&choice, name, fault);
+    *plots = crank_plots_make(&paper->responses[i], &paper->cranks[i], &choice);
+    document_add_picture(document, paint_plot, plots, vec2(PLOT_WIDTH, PLOT_HEIGHT), caption, caption)->release =
+        release_plot;
+}
+
+/* Adds a type with its words, picture and plots. */
+static void add_type(Document *document, const CrankPaper *paper, size_t i) {
+    const Crank *crank = &paper->cranks[i];
+    const Response *response = &paper->responses[i];
+    Text text = {0};
+    document_add_heading(document, 2,
+                         document_text(document, "Type %s: %.0f rpm, clearance %g mm",
+                                       types_kind_name(paper->types[i].kind), 60 * crank->frequency,
+                                       1000 * crank->clearance));
+    advice_write(&text, &paper->types[i], &paper->experiments[i], crank->transient_cycles + crank->cycles);
+    report_lines_add(document, text.text);
+    memory_free(text.text);
+    text = (Text){0};
+    result_crank_name(&text, crank, response, crank_cycle_ideal_force(crank));
+    result_survival_say(&text, response, "revolution");
+    result_crank_say(&text, crank, &paper->trees[i], response);
+    report_lines_add(document, text.text);
+    memory_free(text.text);
+    if (response->trace.rows < CRANK_SAMPLES)
+        return;
+    Scene scene = {0};
+    crank_scene_make(&scene, crank, &paper->trees[i], response);
+    document_add_figures(document);
+    document_add_scene(document, &scene, vec2(PICTURE_WIDTH, PICTURE_HEIGHT),
+                       "The moment of the largest force; bending and the support's motion are magnified.",
+                       "A slider crank with its coupler bent, its ball in the socket, and its force over the angle.");
+    document_add_figures(document);
+    add_plot(document, paper, i, "angle", "Force in the joint over the crank angle.");
+    add_plot(document, paper, i, "phase", "Phase plane of the ball in its socket, along the coupler.");
+}
+
+Document crank_paper_report_make(CrankPaper *paper, const Making *making) {
+    PaperClaim claims[CRANK_PAPER_CLAIMS];
+    crank_paper_claims(paper, claims);
+    Document document = document_begin(making->program);
+    document_add_title(
+        &document,
+        document_text(&document, "The paper and the crank: %s", *paper->crank.name ? paper->crank.name : paper->path),
+        result_paper_summary(claims, CRANK_PAPER_CLAIMS, &document.arena));
+    document_add_paragraph(
+        &document,
+        "Gu and Dubowsky, \u201cChaotic Vibration and Design Criteria for Machine Systems with Clearance "
+        "Connections\u201d, Ninth World Congress on the Theory of Machines and Mechanisms, Milan 1995. Of its second "
+        "machine, a spatial slider crank, it says that it shows types I, II and III. None of its dimensions is "
+        "published: the machine here is another one, and shows that the claim holds for a slider crank with such a "
+        "joint, not that it is that machine.");
+    if (*paper->crank.note)
+        document_add_note(&document, paper->crank.note);
+    report_basis_add_changes(&document, making);
+    document_add_contents(&document);
+    document_add_heading(&document, 2, "Claims");
+    result_page_take(&document, NULL, result_paper_claims(claims, CRANK_PAPER_CLAIMS));
+    for (size_t i = 0; i < CRANK_PAPER_CLAIMS; i++)
+        add_type(&document, paper, i);
+    report_lines_add_numbers(&document, crank_table(), &paper->crank, paper->crank.provenance);
+    report_basis_add_making(&document, making, NULL, 0);
+    return document;
+}
