@@ -91,6 +91,8 @@ LONG_TEST(largest_exponents_of_chaotic_motions) {
     CHECK(exponent.value > 3 * exponent.error);
     tree = cranks_tree("drive.frequency=15,joint.clearance=5e-4");
     CHECK_NEAR(exponent_of(&tree, 150).value, 1.90, 4 * 0.1);
+    tree = cranks_tree("drive.frequency=16.666666666666668");
+    CHECK_NEAR(exponent_of(&tree, 150).value, 0.27, 4 * 0.09);
 }
 
 TEST(a_saved_motion_goes_on_with_the_same_bits) {

@@ -180,6 +180,13 @@ TEST(energy_stays_without_dampers) {
     CHECK(drift(1e-10, 0.05) < 3.5e-12);
 }
 
+/* A prototype with steps of its own drifted by 6e-8, 4.2e-10 and 3.5e-12; here it is 4.6e-8, 4.26e-10 and 3.4e-12. */
+LONG_TEST(energy_stays_for_a_thousand_switches) {
+    CHECK(drift(1e-6, 0.2) < 6e-8);
+    CHECK(drift(1e-8, 0.2) < 4.3e-10);
+    CHECK(drift(1e-10, 0.2) < 3.5e-12);
+}
+
 TEST(friction_only_takes_energy) {
     Tree tree = cranks_tree(
         "drive.frequency=10,joint.clearance=1e-4,joint.damping=0,coupler.damping_ratio=0,crank.tilt=17.188733853924695,"

@@ -1,0 +1,52 @@
+/* Tests verdicts of slider cranks that rest on motions that are watched. */
+
+#include <string.h>
+
+#include "check.h"
+#include "crank/crank_cycle.h"
+#include "cranks.h"
+#include "cycle/motion_class.h"
+
+enum { TRANSIENT = 30, RECORDED = 20 };
+
+TEST(motions_that_are_watched_exclude_a_half_life_that_is_short) {
+    double risk = (double)(crank_cycle.lanes * (crank_cycle.lane_cycles - crank_cycle.lane_apart));
+    CHECK(half_life_tell(0, risk).low > MOTION_CLASS_LASTS);
+    SurvivalTask usual = survival_task(&crank_cycle, SURVIVAL_USUAL, 2, NULL),
+                 none = survival_task(&crank_cycle, 0, 2, NULL);
+    CHECK(usual.lanes == CRANK_LANES && usual.cycles == CRANK_LANE_CYCLES && usual.jobs == 2);
+    CHECK(none.lanes == 0);
+}
+
+TEST(a_periodic_motion_needs_no_confirmation) {
+    Tree tree = cranks_tree("drive.frequency=10,joint.clearance=1e-4");
+    Response response;
+    response_run(&response, crank_cycle_of(&tree), TRANSIENT, RECORDED, NULL, NULL);
+    CHECK(response.verdict == RESPONSE_PERIODIC && response.orbit.period == 1 && !response_is_quick(&response));
+    CHECK_NEAR(response.orbit_peak, 51.1608, 1e-4);
+    CHECK(motion_class_of(&response) == MOTION_CLASS_PERIODIC && motion_class_is_regular(&response));
+    response_clear(&response);
+}
+
+LONG_TEST(a_chaotic_motion_lasts_with_the_same_bits_for_any_number_of_jobs) {
+    enum { TRIES = 3, LANES = 4, CYCLES = 120 };
+    static const int jobs[TRIES] = {1, 2, 4};
+    Tree tree = cranks_tree("");
+    Response response;
+    response_run(&response, crank_cycle_of(&tree), TRANSIENT, RECORDED, NULL, NULL);
+    CHECK(response.verdict == RESPONSE_CHAOTIC && response_is_quick(&response));
+    Survival survival[TRIES];
+    for (size_t i = 0; i < TRIES; i++)
+        survival[i] =
+            survival_run(crank_cycle_of(&tree), &response.analysed, &(SurvivalTask){LANES, CYCLES, jobs[i], NULL});
+    for (size_t i = 0; i < TRIES; i++) {
+        CHECK(survival[i].whole && !survival[i].settled && !survival[i].failed);
+        CHECK(survival[i].largest > 140 && survival[i].largest == survival[0].largest);
+        CHECK(survival[i].risk == LANES * (CYCLES - crank_cycle.lane_apart));
+        CHECK(memcmp(survival[i].within, survival[0].within, sizeof survival[0].within) == 0);
+        CHECK(survival[i].half_life.low == survival[0].half_life.low);
+    }
+    response_confirm(&response, crank_cycle_of(&tree), &(SurvivalTask){LANES, CYCLES, 2, NULL});
+    CHECK(response.verdict == RESPONSE_CHAOTIC && !response_is_quick(&response) && !motion_class_is_regular(&response));
+    response_clear(&response);
+}
