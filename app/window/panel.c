@@ -134,7 +134,7 @@ static void show_presets(Window *window, Tab *tab) {
         return;
     for (size_t i = 0; i < count; i++) {
         if (i % PRESETS_IN_ROW == 0)
-            ui_row(window->ui, PRESETS_IN_ROW);
+            ui_row(window->ui, count - i < PRESETS_IN_ROW ? (int)(count - i) : PRESETS_IN_ROW);
         const char *help = text_in_arena(&window->arena, "%s: %s", presets[i].name, presets[i].meaning);
         if (ui_button(window->ui, &(UiButton){.label = presets[i].name, .help = help})) {
             tab->laboratory->apply_preset(tab->session, i);
