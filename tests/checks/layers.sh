@@ -56,7 +56,7 @@ app/widgets         draw paint
 app/classroom       draw lesson widgets
 app/platform        draw paint plot
 app/window          classroom draw laboratory laboratory/edit laboratory/house paint platform plot widgets
-app/report          beam crank cycle document exchange experiment house plan plot result rules visual/
+app/report          beam crank cycle document exchange experiment house plan plot result rules study visual/
 app/teaching        classroom document draw house inquiry laboratory lesson plan visual/ window
 app/options         cycle draw exchange experiment study visual/beam visual/crank visual/house
 app/command         beam classroom crank cycle document draw exchange experiment house inquiry laboratory lesson mechanics options paint plan platform plot report result rules study teaching visual/ window

@@ -18,13 +18,13 @@ def check_run():
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder, "out")
         text = expect(0, "run", crank, *calm, "--out", str(out), "--plots", "phase,across,spectrum",
-                      "--frames", "5", "--to", "0.02").stdout
+                      "--frames", "5", "--to", "0.02", "--report").stdout
         check(text.startswith("Periodic, period 1: at 600 rpm the largest force in the joint is 51.16 N, 1.5 times the "
                               "34.52 N of a joint without clearance\n"), f"run of a crank: {text}")
-        check("The ball never leaves the wall of its socket." in text, f"contact of a crank: {text}")
+        check("The pin never leaves its socket\n" in text, f"contact of a crank: {text}")
         check("Its numbers are all assumed." in text, f"provenance of a crank: {text}")
         check("friction calms such a mechanism" in text, f"friction of a crank: {text}")
-        check("13 times the speed, 130 Hz, is near the support's frequency along the guide" in text, f"multiples: {text}")
+        check("The 13th multiple of the speed, 130 Hz, meets the support's frequency along the guide" in text, f"multiples: {text}")
         summary = json.loads((out / "summary.json").read_text())
         check((summary["kind"], summary["verdict"], summary["period"]) == ("crank", "periodic", 1), f"summary: {summary}")
         check(abs(summary["multiplier"] - 0.349387) < 1e-4, f"multiplier of a crank: {summary}")
@@ -36,6 +36,9 @@ def check_run():
                 check((out / f"plot-{name}.{ending}").stat().st_size > 1000, f"plot-{name}.{ending}")
         for ending in ("png", "svg", "pdf"):
             check((out / f"crank.{ending}").stat().st_size > 3000, f"crank.{ending}")
+        page = (out / "report.html").read_text()
+        check("Periodic, period 1: at 600 rpm" in page and "All numbers and their sources" in page, "report of a crank")
+        check((out / "report.pdf").stat().st_size > 20000, "report.pdf of a crank")
         frames = sorted(path.name for path in (out / "frames").iterdir())
         check(len(frames) == 7 and frames[0] == "frame-00001.png", f"a film of a crank, 60 times slower: {frames}")
         again = expect(0, "run", crank, *calm, "--json").stdout
@@ -46,6 +49,23 @@ def check_study():
     alike = [expect(0, "study", crank, "--vary", "drive.frequency=9:11:3", *calm, "--set", "run.cycles=8", "--jobs", jobs,
                     "--json").stdout for jobs in ("1", "2")]
     check(alike[0] == alike[1], "a study of a crank is the same with one job and with two")
+
+
+    with tempfile.TemporaryDirectory() as folder:
+        expect(0, "study", crank, "--vary", "drive.frequency=9:11:3", *calm, "--set", "run.cycles=8", "--report",
+               "--out", folder)
+        page = pathlib.Path(folder, "report.html").read_text()
+        check("Study of a crank" in page and "Orbit diagram over drive frequency" in page and "coupler.length" in page,
+              "report of a study of a crank")
+
+
+def check_confirmation():
+    quick = json.loads(expect(0, "run", crank, "--lanes", "0", "--json").stdout)
+    check((quick["verdict"], quick["quick"]) == ("chaotic", True) and "survival" not in quick, f"quick verdict: {quick}")
+    words = expect(0, "run", crank, "--lanes", "1").stdout
+    check("It lasted for 1 x 400 revolutions: none of 1 motions that were started on it settled" in words,
+          f"a confirmed verdict: {words}")
+    check("The pin leaves its socket 15.8 times a revolution, 7.4 % of the time" in words, f"contact lost: {words}")
 
 
 def check_faults():
@@ -60,5 +80,6 @@ def check_faults():
 
 check_run()
 check_study()
+check_confirmation()
 check_faults()
 end()
