@@ -1,5 +1,7 @@
 #include "report/crank_paper_report.h"
 
+#include <string.h>
+
 #include "base/memory.h"
 #include "base/text.h"
 #include "report/report_lines.h"
@@ -45,8 +47,8 @@ static void add_type(Document *document, const CrankPaper *paper, size_t i) {
                          document_text(document, "Type %s: %.0f rpm, clearance %g mm",
                                        types_kind_name(paper->types[i].kind), 60 * crank->frequency,
                                        1000 * crank->clearance));
-    advice_write(&text, &paper->types[i], &paper->experiments[i], crank->transient_cycles + crank->cycles);
-    report_lines_add(document, text.text);
+    advice_write(&text, &paper->types[i], &paper->experiments[i], 0); /* its first line is of the window itself */
+    report_lines_add(document, document_text(document, "%.*s", (int)strcspn(text.text, "\n"), text.text));
     memory_free(text.text);
     text = (Text){0};
     result_crank_name(&text, crank, response, crank_cycle_ideal_force(crank));

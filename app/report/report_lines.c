@@ -5,8 +5,9 @@
 #include "base/memory.h"
 
 void report_lines_add(Document *document, const char *text) {
-    for (const char *line = text; line && *line; line += strcspn(line, "\n"), line += *line == '\n')
-        document_add_paragraph(document, document_text(document, "%.*s.", (int)strcspn(line, "\n"), line));
+    for (const char *line = text; line && *line && *line != '\n'; line += strcspn(line, "\n"), line += *line == '\n')
+        document_add_paragraph(document, document_text(document, "%.*s%s", (int)strcspn(line, "\n"), line,
+                                                       line[strcspn(line, "\n") - 1] == '.' ? "" : "."));
 }
 
 void report_lines_add_numbers(Document *document, const ParameterTable *table, const void *owner,

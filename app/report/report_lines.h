@@ -4,7 +4,7 @@
 #include "base/parameters.h"
 #include "document/document.h"
 
-/* Adds a paragraph for each line of a text; NULL: none. */
+/* Adds a paragraph for each line of a text, up to an empty one; each ends with a full stop. NULL: none. */
 void report_lines_add(Document *document, const char *text);
 
 /* Adds the table of the rows' values in `owner`, each with its provenance (one per row). */

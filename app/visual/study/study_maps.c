@@ -184,8 +184,8 @@ static void classify_regular(Map *map) {
 }
 
 /* Returns 0 without contact, 1 to 4, 5 for 5 to 8, 6 for more, 7 for none. */
-static double period_class(double period, double touches) {
-    if (isnan(period) || touches == 0)
+static double period_class(double period, double force) {
+    if (isnan(period) || force == 0)
         return isnan(period) ? NAN : 0;
     return period < 1 ? 7 : period <= 4 ? floor(period) : period <= 8 ? 5 : 6;
 }
@@ -236,11 +236,11 @@ static void classify_period(Map *map) {
     };
     enum { WILD_FIRST = 8 };
     const double undecided = sizeof classes / sizeof *classes - 1;
-    size_t period = study_axes_find(map->study, "period"), touches = study_axes_find(map->study, "touches");
-    bool known = touches < map->study->experiment->observable_count;
+    size_t period = study_axes_find(map->study, "period"), force = study_axes_find(map->study, "peak_max");
+    bool known = force < map->study->experiment->observable_count;
     for (size_t i = 0; i < map->columns * map->rows; i++) {
         const Trial *trial = map_trial(map, 0, i);
-        double class = period_class(study_axes_value(trial, period), known ? study_axes_value(trial, touches) : NAN);
+        double class = period_class(study_axes_value(trial, period), known ? study_axes_value(trial, force) : NAN);
         size_t wild = wild_class(map, trial);
         map->values[i] = wild < MOTION_CLASSES             ? (double)(WILD_FIRST + wild - MOTION_CLASS_QUASI_PERIODIC)
                          : isnan(class) && was_run(map, i) ? undecided
@@ -328,7 +328,8 @@ static void add_ratio(Map *map) {
         factor = own;
     }
     if (isfinite(factor)) {
-        map->to->plot.right = (PlotAxis){.title = "g/a"};
+        const char *symbol = strrchr(map->study->experiment->observables[ratio].meaning, ' '); /* at its end: "g/a" */
+        map->to->plot.right = (PlotAxis){.title = symbol ? symbol + 1 : NULL};
         map->to->plot.right_factor = factor;
     }
 }
