@@ -96,7 +96,7 @@ def check_wrong_use(folder):
     expect(2, "study", path, "--shake", "3", "--runs", "3", says="--runs has no effect with --shake")
     expect(2, "study", path, "--shake", "3", "--types", "door.d1.width", says="--shake has no effect with --types")
     expect(2, "study", path, "--shake", "3", "--measured", path, says="--measured has no effect with --shake")
-    expect(2, "study", path, "--runs", "3", "--report", says="--report of a study needs --shake")
+    expect(2, "study", path, "--runs", "3", "--report", says="--report needs --out DIR")
     expect(2, "study", path, "--shake", "3", "--report", says="--report needs --out DIR")
     expect(2, "study", beam("ibs"), "--shake", "3", says="--shake is for houses")
 
