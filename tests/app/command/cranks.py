@@ -52,8 +52,12 @@ def check_study():
 
 
     with tempfile.TemporaryDirectory() as folder:
+        measured = pathlib.Path(folder, "measured.csv")
+        measured.write_text("drive.frequency [Hz],peak [N]\n9.5,45\n10,52\n11,66\n")
         expect(0, "study", crank, "--vary", "drive.frequency=9:11:3", *calm, "--set", "run.cycles=8", "--report",
-               "--out", folder)
+               "--measured", str(measured), "--out", folder)
+        check("measured" in pathlib.Path(folder, "plot-peaks.svg").read_text() or
+              "measured" in pathlib.Path(folder, "plot-peaks.csv").read_text(), "measured peaks of a crank")
         page = pathlib.Path(folder, "report.html").read_text()
         check("Study of a crank" in page and "Orbit diagram over drive frequency" in page and "coupler.length" in page,
               "report of a study of a crank")
