@@ -11,6 +11,7 @@
 #include "plan/overlap.h"
 #include "result/check.h"
 #include "result/json.h"
+#include "result/shares.h"
 #include "result/text.h"
 
 /* Prints a line per person; with many people a line per crowd, and one per person without a crowd. */
@@ -102,10 +103,47 @@ static void grade(const Options *options, const House *house, json_t *answer, bo
     memory_free(grading.grades);
 }
 
+/* Adds how many drivers of the population get through, or prints it. */
+static void share(const Options *options, const House *house, const Population *population, json_t *answer,
+                  bool *interrupted) {
+    Shares *shares = memory_zeroed(house->person_count, sizeof *shares);
+    Text text = {0};
+    fflush(stdout);
+    shares_find(shares, house, population, (size_t)options->drivers, SIZE_MAX, options->jobs, &progress_stop);
+    bool any = false;
+    for (size_t i = 0; i < house->person_count; i++) {
+        *interrupted |= shares[i].interrupted;
+        any |= shares[i].drivers > 0;
+    }
+    json_object_set_new(answer, "shares",
+                        json_pack("{s:s, s:i, s:o}", "population", population->id, "count", options->drivers, "people",
+                                  result_json_take_list(result_shares(house, shares))));
+    if (!options->json) {
+        text_format(&text, "\ndrivers of the population %s: %s\n", population->id, population->title);
+        if (!any)
+            text_format(&text, "nobody in this house has its profile, %s\n", population->profile);
+        result_text_take(&text, "", result_shares(house, shares));
+        fputs(text.text, stdout);
+    }
+    memory_free(text.text);
+    memory_free(shares);
+}
+
+/* Reads the house and, for --drivers, the population. Returns false after an error. */
+static bool read_files(House *house, Population *population, const Options *options, Fault *fault) {
+    bool read = house_file_read(house, options, 0, fault);
+    if (!options->drivers || house_file_population(population, options, fault))
+        return read;
+    house_free(house);
+    return false;
+}
+
 int command_check(const Options *options) {
     House house = {0};
+    Population population = {0};
     Fault fault = {0};
-    if (!house_file_read(&house, options, 0, &fault)) {
+    if (!read_files(&house, &population, options, &fault)) {
+        population_free(&population);
         if (options->json)
             answer_print(json_pack("{s:s, s:o, s:[]}", "kind", "check", "faults", fault_lines(&fault), "people"));
         return house_file_report(&fault);
@@ -125,6 +163,8 @@ int command_check(const Options *options) {
     }
     if (options->grades)
         grade(options, &house, answer, &interrupted);
+    if (options->drivers && !interrupted)
+        share(options, &house, &population, answer, &interrupted);
     bool good = !options->suggest || suggest(options, answer, &interrupted, &fault);
     answer_mark_interrupted(answer, interrupted);
     if (interrupted && good)
@@ -133,6 +173,7 @@ int command_check(const Options *options) {
         answer_print(json_incref(answer));
     json_decref(answer);
     journey_free_all(&journeys);
+    population_free(&population);
     house_free(&house);
     return !good ? house_file_report(&fault) : all && !interrupted ? EXIT_ANSWERED : EXIT_ANSWER_NO;
 }

@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "experiment/drivers.h"
 #include "result/result.h"
+#include "study/montecarlo.h"
 
 /* Below this number of drivers who get out a range is from the least to the greatest, from it on from 5 to 95 %. */
 enum { RESULT_DRIVERS_BAND = 40 };
@@ -23,3 +24,6 @@ ResultTable result_drivers_paired(const House houses[2], const Drivers drivers[2
 /* Adds a sentence for each person: "p-a  13.0 s; 9 of 10 drivers 11.9 to 15.2 s; 97 of 100 out; 12 % touch (7 to 20)".
  */
 void result_drivers_say(Text *text, const House *house, const Observation *nominal, const Drivers *drivers);
+
+/* Returns a share with its limits, "12 % (7 to 20)". */
+const char *result_share_words(Arena *arena, const Share *share);

@@ -18,8 +18,6 @@
 #define DRIVERS_WIDTH 0.01  /* m */
 #define DRIVERS_LENGTH 0.05 /* m */
 
-enum { DRIVERS_MOST = 10000 /* the streams of chance of the people of a house are this far apart */ };
-
 /* What one driver in one place of the house does. */
 typedef struct DriverRun {
     bool took_part;

@@ -12,6 +12,8 @@
 #include "base/parameters.h"
 #include "plan/profile.h"
 
+enum { DRIVERS_MOST = 10000 /* the streams of chance of the people of a house are this far apart */ };
+
 typedef enum PopulationLaw { LAW_LOGNORMAL, LAW_NORMAL, LAW_FACTOR } PopulationLaw;
 
 /* A row draws a value: lognormal(median, sigma of the logarithm), normal(mean, deviation), or a factor, lognormal(1,

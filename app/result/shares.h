@@ -1,0 +1,8 @@
+/* How many drivers of a population get through, as rows: one record for each person of the population. */
+#pragma once
+
+#include "inquiry/shares.h"
+#include "result/result.h"
+
+/* shares: (person_count). People whose shares were interrupted are left out. */
+ResultTable result_shares(const House *house, const Shares *shares);
