@@ -18,9 +18,9 @@
 static int (*const acts[VERBS])(const Options *options) = {
     [VERB_OPEN] = command_open,       [VERB_RUN] = command_run,       [VERB_CHECK] = command_check,
     [VERB_COMPARE] = command_compare, [VERB_STUDY] = command_study,   [VERB_LOCI] = command_loci,
-    [VERB_FIT] = command_fit,         [VERB_RULES] = command_rules,   [VERB_CASES] = command_cases,
-    [VERB_IMPORT] = command_import,   [VERB_EXPORT] = command_export, [VERB_SCHEMA] = command_schema,
-    [VERB_HELP] = command_help,       [VERB_LESSON] = command_lesson,
+    [VERB_ABLATE] = command_ablate,   [VERB_FIT] = command_fit,       [VERB_RULES] = command_rules,
+    [VERB_CASES] = command_cases,     [VERB_IMPORT] = command_import, [VERB_EXPORT] = command_export,
+    [VERB_SCHEMA] = command_schema,   [VERB_HELP] = command_help,     [VERB_LESSON] = command_lesson,
 };
 
 static void print(Text *text) {

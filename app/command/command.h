@@ -8,6 +8,7 @@ int command_main(int argc, char **argv);
 
 /* The verbs. */
 int command_run(const Options *options);
+int command_ablate(const Options *options);
 int command_check(const Options *options);
 int command_cases(const Options *options);
 int command_compare(const Options *options);

@@ -145,7 +145,7 @@ const Option option_rows[] = {
 
     {"--driving", OPTION_CHOICE, FIELD(driving), NO_RANGE, "driver|miura",
      "driving model of all chairs: driver is a rectangle that steers along a planned path, miura the disc of the paper",
-     GROUP_SIMULATION, (FOR_HOUSES & ~FOR_LOCI) | FOR_OPEN, "driver|miura", NULL},
+     GROUP_SIMULATION, (FOR_HOUSES & ~FOR_LOCI & ~FOR_ABLATE) | FOR_OPEN, "driver|miura", NULL},
     {"--until", OPTION_READ, NO_FIELD, 0, UNTIL_MOST, "SECONDS", "stop at this simulated time", GROUP_SIMULATION,
      FOR_RUN | FOR_COMPARE | FOR_STUDY, NULL, read_until},
     {"--lanes", OPTION_WHOLE, FIELD(lanes), 0, 1024, "N",
@@ -159,11 +159,11 @@ const Option option_rows[] = {
 
     {"--drivers", OPTION_WHOLE, FIELD(drivers), 1, DRIVERS_MOST, "N",
      "run the house with N drivers of a population, too: their times, how many get out, and how many touch something; "
-     "check: how many of them fit, and how many can drive out",
-     GROUP_SIMULATION, FOR_RUN | FOR_COMPARE | FOR_CHECK, NULL, NULL},
+     "check: how many of them fit, and how many can drive out (ablate: default 100)",
+     GROUP_SIMULATION, FOR_RUN | FOR_COMPARE | FOR_CHECK | FOR_ABLATE, NULL, NULL},
     {"--population", OPTION_TEXT, FIELD(population), NO_RANGE, "ID|FILE",
      "population of the drivers: one of assets/populations, or a file (default: manual-jp)", GROUP_SIMULATION,
-     FOR_RUN | FOR_COMPARE | FOR_CHECK, NULL, NULL},
+     FOR_RUN | FOR_COMPARE | FOR_CHECK | FOR_ABLATE, NULL, NULL},
 
     {"--vary", OPTION_NAME, NO_FIELD, NO_RANGE, "NAME=FROM:TO:STEPS",
      "vary a parameter from FROM to TO in STEPS values, both ends included, for instance door.d1.width=0.7:1:31 (at "
@@ -252,6 +252,8 @@ const Option option_rows[] = {
     {"--out", OPTION_FOLDER, FIELD(out), NO_RANGE, "DIR",
      "write rules.json, rules.html, rules.pdf and plan.png, .svg and .pdf with what was measured to DIR", GROUP_OUTPUT,
      FOR_RULES, NULL, NULL},
+    {"--out", OPTION_FOLDER, FIELD(out), NO_RANGE, "DIR", "write ablate.json, ablate.html and ablate.pdf to DIR",
+     GROUP_OUTPUT, FOR_ABLATE, NULL, NULL},
     {"--out", OPTION_FOLDER, FIELD(out), NO_RANGE, "DIR", "write the sheet, NAME.pdf or NAME-answers.pdf, to DIR",
      GROUP_OUTPUT, FOR_LESSON, NULL, NULL},
     {"--out", OPTION_FOLDER, FIELD(out), NO_RANGE, "DIR", "write cases.html, cases.md and cases.json to DIR",
@@ -279,7 +281,7 @@ const Option option_rows[] = {
      "size of the pictures in pixels, 320x200 to 16384x16384 (default 1280x720)", GROUP_PICTURES,
      FOR_FILMS | FOR_STUDY | FOR_EXPORT | FOR_RULES | FOR_FIT, NULL, read_size},
     {"--theme", OPTION_CHOICE, FIELD(theme), NO_RANGE, THEME_NAMES, "light (paper, default) or dark (board) pictures",
-     GROUP_PICTURES, FOR_FILMS | FOR_STUDY | FOR_EXPORT | FOR_RULES | FOR_FIT, THEME_NAMES, NULL},
+     GROUP_PICTURES, FOR_FILMS | FOR_STUDY | FOR_EXPORT | FOR_RULES | FOR_FIT | FOR_ABLATE, THEME_NAMES, NULL},
 
     {"--frames", OPTION_NUMBER, FIELD(frames), 0.001, 1000, "FPS",
      "write FPS pictures per simulated second (beams, cranks: per second of film) to DIR/frames/frame-00001.png and so "

@@ -27,6 +27,11 @@ const Verb verb_rows[VERBS] = {
                       "clearance compare houses/flat-0.910-module.json houses/flat-0.910-widened.json\n"
                       "clearance compare houses/flat-0.910-module.json houses/flat-0.910-widened.json --report "
                       "--out out\n"},
+    [VERB_ABLATE] = {"ablate", 1, 1, "HOUSE", ".json", "",
+                     "Drive a house with the same drivers through the whole driving law, with one part of it left out "
+                     "at a time, and through the paper's model: what each part is worth.",
+                     "clearance ablate houses/straight-corridor.json --drivers 100\n"
+                     "clearance ablate houses/ube-techno-house.json --population manual-jp --out out\n"},
     [VERB_STUDY] =
         {"study", 1, 1, "HOUSE|BEAM", ".json", "",
          "Repeat runs over a range of one or two parameters, or by chance, and say where the answer changes.",

@@ -39,10 +39,11 @@ typedef struct Work {
 } Work;
 
 static bool varies(const Work *work, const Inhabitant *person) {
-    return person->profile->driving == DRIVING_DRIVER && strcmp(person->profile->name, work->population->profile) == 0;
+    return person->profile->driving != DRIVING_WALKER && strcmp(person->profile->name, work->population->profile) == 0;
 }
 
-/* True if ways are planned for this person: all drivers, of the asked route alone if there is one. */
+/* True if ways are planned here for this person: all drivers, of the asked route alone if there is one. The paper's
+ * discs plan for themselves. */
 static bool takes_part(const Work *work, const Inhabitant *person) {
     const Plan *plan = &work->house->plan;
     bool asked = work->route == SIZE_MAX || person->route == &plan->routes[work->route];
@@ -79,14 +80,19 @@ static void free_alike(House *house) {
     memory_free(house->people);
 }
 
+static bool is_free(const House *house, const Profile *profile, Vec2 at, double heading) {
+    if (profile->driving == DRIVING_MIURA)
+        return freespace_exact(&house->space, at, profile->width, NULL) > profile->width / 2;
+    Vec2 axis = vec2_heading(heading), middle = vec2_along(at, profile->length / 2 - profile->axle, axis);
+    return freespace_clearance(&house->space, middle, axis, profile->length / 2, profile->width / 2, 0.1, NULL) > 0;
+}
+
 /* Moves a person's start as far as the walls allow. */
 static void move_start(const House *house, Inhabitant *person, PopulationStart start) {
-    const Profile *profile = person->profile;
     for (double share = 1; share > 0.05; share /= 2) {
         Vec2 at = vec2_along(person->at, share, vec2(start.x, start.y));
         double heading = person->heading + share * start.heading;
-        Vec2 axis = vec2_heading(heading), middle = vec2_along(at, profile->length / 2 - profile->axle, axis);
-        if (freespace_clearance(&house->space, middle, axis, profile->length / 2, profile->width / 2, 0.1, NULL) > 0) {
+        if (is_free(house, person->profile, at, heading)) {
             person->at = at;
             person->heading = heading;
             return;
