@@ -1,6 +1,5 @@
 #include <stdio.h>
 
-#include "base/parallel.h"
 #include "base/text.h"
 #include "command/answer.h"
 #include "command/command.h"
@@ -75,32 +74,19 @@ static bool suggest(const Options *options, json_t *answer, bool *interrupted, F
     return true;
 }
 
-typedef struct Grading {
-    const House *house;
-    Grade *grades; /* (person_count) */
-} Grading;
-
-static void grade_one(void *context, size_t i) {
-    const Grading *grading = context;
-    if (grading->house->people[i].profile->driving == DRIVING_DRIVER)
-        grading->grades[i] = grade_person(grading->house, i, &progress_stop);
-}
-
 /* Adds the grades of all chairs to the answer, or prints them. */
 static void grade(const Options *options, const House *house, json_t *answer, bool *interrupted) {
-    Grading grading = {house, memory_zeroed(house->person_count, sizeof *grading.grades)};
+    Grade *grades = memory_zeroed(house->person_count, sizeof *grades);
     Text text = {0};
     fflush(stdout);
-    parallel_for(options->jobs, house->person_count, grade_one, &grading);
-    for (size_t i = 0; i < house->person_count; i++)
-        *interrupted |= grading.grades[i].interrupted;
-    json_object_set_new(answer, "grades", result_json_take_list(result_check_grades(house, grading.grades)));
+    *interrupted |= !grade_all(grades, house, options->jobs, &progress_stop);
+    json_object_set_new(answer, "grades", result_json_take_list(result_check_grades(house, grades)));
     if (!options->json) {
-        result_text_take(&text, "", result_check_grades(house, grading.grades));
+        result_text_take(&text, "", result_check_grades(house, grades));
         fputs(text.text, stdout);
     }
     memory_free(text.text);
-    memory_free(grading.grades);
+    memory_free(grades);
 }
 
 /* Adds how many drivers of the population get through, or prints it. */

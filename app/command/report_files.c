@@ -138,14 +138,16 @@ static void clear_another(Another *another) {
 }
 
 bool report_files_write_run(const House *house, const Observation *observation, const ObservedLoci *observed,
-                            const Options *options, size_t route) {
+                            const ReportedDrivers *drivers, const Options *options, size_t route) {
     if (!options->report)
         return true;
     Another others[2] = {{.run = false}};
     char *command = report_files_command(options);
     const Making making = report_files_making(options, command);
-    HouseReport report = {
-        .run = {house, observation}, .observed = options->observed ? observed : NULL, .making = &making};
+    HouseReport report = {.run = {house, observation},
+                          .observed = options->observed ? observed : NULL,
+                          .drivers = *drivers,
+                          .making = &making};
     for (int driving = 0; driving < 2 && report_loci_make_sense(house); driving++) {
         Another *another = &others[driving];
         if (drives_only(house, driving)) {

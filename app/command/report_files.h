@@ -6,6 +6,7 @@
 #include "house/house.h"
 #include "house/observation.h"
 #include "report/report_basis.h"
+#include "report/report_drivers.h"
 
 /* True if --report, --out and --observed fit together; otherwise an error was printed. */
 bool report_files_possible(const Options *options);
@@ -16,7 +17,7 @@ bool report_files_read_observed(ObservedLoci *observed, const House *house, cons
 /* Writes the report that the options ask for, of a run of `route` (SIZE_MAX: all) or of a comparison. False: an error
  * was printed. */
 bool report_files_write_run(const House *house, const Observation *observation, const ObservedLoci *observed,
-                            const Options *options, size_t route);
+                            const ReportedDrivers *drivers, const Options *options, size_t route);
 bool report_files_write_comparison(const House houses[2], const Observation observations[2], const Options *options);
 
 /* Returns the command line as text that a shell reads back; memory_free it. */

@@ -15,19 +15,16 @@
 #include "crank/crank.h"
 #include "experiment/drivers.h"
 #include "exchange/jupedsim.h"
+#include "result/check.h"
 #include "result/drivers.h"
 #include "result/json.h"
 #include "result/text.h"
+#include "visual/house/drivers_band.h"
 #include "visual/house/drivers_scene.h"
+#include "visual/house/grades_scene.h"
 #include "visual/house/house_scene.h"
 
-/* The nominal driver's run, and those of a population; its count is 0 if there is none. */
-typedef struct Fleets {
-    const Drivers *drivers;
-    const Population *population;
-} Fleets;
-
-static json_t *answer_of(const House *house, const Observation *observation, Fleets fleets) {
+static json_t *answer_of(const House *house, const Observation *observation, ReportedDrivers fleets) {
     json_t *answer = answer_house(house, observation);
     const Drivers *drivers = fleets.drivers;
     if (drivers->count)
@@ -36,10 +33,12 @@ static json_t *answer_of(const House *house, const Observation *observation, Fle
                                       (json_int_t)drivers->count, "people",
                                       result_json_take_list(result_drivers_table(house, observation, drivers)),
                                       "routes", result_json_take_list(result_drivers_routes(house, drivers))));
+    if (fleets.grades)
+        json_object_set_new(answer, "grades", result_json_take_list(result_check_grades(house, fleets.grades)));
     return answer;
 }
 
-static int write_summary(const House *house, const Observation *observation, Fleets fleets, const char *path) {
+static int write_summary(const House *house, const Observation *observation, ReportedDrivers fleets, const char *path) {
     json_t *answer = answer_of(house, observation, fleets);
     int error = answer_write(answer, path);
     json_decref(answer);
@@ -47,7 +46,8 @@ static int write_summary(const House *house, const Observation *observation, Fle
 }
 
 /* Writes the data files of a run, up to the first one that cannot be written. */
-static bool write_data(const House *house, const Observation *observation, Fleets fleets, const Options *options) {
+static bool write_data(const House *house, const Observation *observation, ReportedDrivers fleets,
+                       const Options *options) {
     static const char *const names[] = {"summary.json", "trace.csv", "trajectory.sqlite"};
     int error = 0;
     char path[OUTPUT_PATH];
@@ -66,14 +66,18 @@ static bool write_data(const House *house, const Observation *observation, Fleet
 }
 
 static bool write_results(const House *house, const Observation *observation, const ObservedLoci *observed,
-                          Fleets fleets, const Options *options, size_t route) {
+                          ReportedDrivers fleets, const Options *options, size_t route) {
     if (options->out) {
         Scene scene = {0};
         house_scene_make(&scene, house, observation);
+        if (fleets.drivers->count)
+            drivers_band_add(&scene, fleets.drivers, &observation->trace);
         drivers_scene_add(&scene, house, fleets.drivers);
+        if (fleets.grades)
+            grades_scene_add(&scene, house, fleets.grades);
         bool written = write_data(house, observation, fleets, options) && output_stills(&scene, options);
         scene_clear(&scene);
-        if (!written || !report_files_write_run(house, observation, observed, options, route))
+        if (!written || !report_files_write_run(house, observation, observed, &fleets, options, route))
             return false;
     }
     return !frames_wanted(options) || frames_write(house, observation, (Before){.house = NULL}, options);
@@ -106,7 +110,15 @@ static void print_drivers(const House *house, const Observation *observation, co
     memory_free(text.text);
 }
 
-static void print_json(const House *house, const Observation *observation, Fleets fleets, bool interrupted) {
+static void print_grades(const House *house, const Grade *grades) {
+    Text text = {0};
+    result_text_take(&text, "how tight the ways are\n", result_check_grades(house, grades));
+    if (text.text)
+        fputs(text.text, stdout);
+    memory_free(text.text);
+}
+
+static void print_json(const House *house, const Observation *observation, ReportedDrivers fleets, bool interrupted) {
     json_t *answer = answer_of(house, observation, fleets);
     answer_mark_interrupted(answer, interrupted);
     answer_print(answer);
@@ -148,16 +160,24 @@ int command_run(const Options *options) {
     }
     Observation observation;
     Drivers drivers = {0};
-    const Fleets fleets = {&drivers, &population};
+    ReportedDrivers fleets = {&drivers, &population, NULL};
     house_file_run(&observation, &house, options, route);
     if (options->drivers && !observation.interrupted)
         drivers_run(&drivers, &house, &population, (size_t)options->drivers, route, options->jobs, &progress_stop);
     report_divergence(&house, &observation);
     bool told = observation.interrupted || drivers.interrupted;
+    Grade *grades = NULL;
+    if (options->grades && !told) {
+        grades = memory_zeroed(house.person_count, sizeof *grades);
+        told = !grade_all(grades, &house, options->jobs, &progress_stop);
+        fleets.grades = told ? NULL : grades;
+        if (told)
+            fprintf(stderr, "clearance: interrupted before all ways were graded; no grades are told\n");
+    }
     if (drivers.interrupted) {
         fprintf(stderr, "clearance: interrupted before all drivers had run; the answer is that of the nominal one\n");
         drivers_free(&drivers);
-    } else if (told)
+    } else if (observation.interrupted)
         fprintf(stderr, "clearance: interrupted at %.2f s of simulated time; the results up to there are kept\n",
                 observation.time);
     bool written = write_results(&house, &observation, &observed, fleets, options, route);
@@ -168,6 +188,8 @@ int command_run(const Options *options) {
         answer_text_print(&house, &observation);
     if (drivers.count && !options->json)
         print_drivers(&house, &observation, &drivers, &population);
+    if (fleets.grades && !options->json)
+        print_grades(&house, fleets.grades);
     if (options->out && written && !options->json)
         printf(options->report ? "\nreport.html, report.pdf, pictures and data are in %s\n"
                                : "\npictures and data are in %s\n",
@@ -175,6 +197,7 @@ int command_run(const Options *options) {
     bool whole = observation.completed && !interrupted;
     int code = !written ? EXIT_WRONG_INPUT : whole ? EXIT_ANSWERED : EXIT_ANSWER_NO;
     drivers_free(&drivers);
+    memory_free(grades);
     population_free(&population);
     observation_free(&observation);
     observed_free(&observed);

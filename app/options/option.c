@@ -226,7 +226,7 @@ const Option option_rows[] = {
      GROUP_OUTPUT, FOR_HOUSES | FOR_CASES | FOR_IMPORT, NULL, NULL},
     {"--grades", OPTION_FLAG, FIELD(grades), NO_RANGE, NULL,
      "grade how tight the way of each chair is, from A (easy) to F (impossible), and what is missing to the next grade",
-     GROUP_OUTPUT, FOR_CHECK, NULL, NULL},
+     GROUP_OUTPUT, FOR_CHECK | FOR_RUN, NULL, NULL},
     {"--suggest", OPTION_FLAG, FIELD(suggest), NO_RANGE, NULL,
      "if not all people can leave, list the smallest changes that let all of them out: doors widened, furniture moved, "
      "turned or stood up, each tried by simulation",

@@ -5,6 +5,7 @@
 #include "document/document.h"
 #include "exchange/observed.h"
 #include "report/report_basis.h"
+#include "report/report_drivers.h"
 #include "report/report_motion.h"
 
 typedef struct HouseReport {
@@ -12,6 +13,7 @@ typedef struct HouseReport {
     Reported by_driving[2];       /* the same house, by Driving: all people with this driving model; or empty */
     const ObservedLoci *observed; /* measured loci, or NULL */
     const RaisedPicture *raised;  /* or NULL: could not be drawn */
+    ReportedDrivers drivers;      /* drivers and grades, as far as there are any */
     const Making *making;
 } HouseReport;
 

@@ -242,6 +242,24 @@ static void free_plans(PersonPlans *known) {
 
 /* Drivers ---------------------------------------------------------------------------------------------------------*/
 
+DriverPath drivers_path(const Trace *trace, size_t person) {
+    DriverPath path = {0};
+    size_t capacity = 0;
+    Vec2 last = {0};
+    for (size_t r = 0; r < trace->rows; r++) {
+        const double *row = trace_row(trace, r);
+        Vec2 at = vec2(row[TRACE_X], row[TRACE_Y]);
+        if ((size_t)row[TRACE_PERSON] != person || (path.count && vec2_distance(at, last) < DRIVERS_STEP))
+            continue;
+        path.at = memory_reserve(path.at, &capacity, path.count + 1, sizeof *path.at);
+        path.at[path.count][0] = (float)at.x;
+        path.at[path.count][1] = (float)at.y;
+        path.at[path.count++][2] = (float)row[TRACE_SPEED];
+        last = at;
+    }
+    return path;
+}
+
 static void run_driver(void *context, size_t k) {
     Work *work = context;
     House *house = &work->houses[k];
@@ -271,6 +289,9 @@ static void run_driver(void *context, size_t k) {
                         .narrowest = person->narrowest,
                         .back_length = person->back_length};
     }
+    for (size_t i = 0; i < house->person_count && !observation.interrupted; i++)
+        if (work->drivers->runs[k * house->person_count + i].varies)
+            work->drivers->paths[k * house->person_count + i] = drivers_path(&observation.trace, i);
     observation_free(&observation);
 }
 
@@ -278,6 +299,7 @@ void drivers_run(Drivers *drivers, const House *house, const Population *populat
                  int jobs, const Stop *stop) {
     *drivers = (Drivers){.count = count, .person_count = house->person_count};
     drivers->runs = memory_zeroed(count * house->person_count, sizeof *drivers->runs);
+    drivers->paths = memory_zeroed(count * house->person_count, sizeof *drivers->paths);
     Work work = {.house = house,
                  .population = population,
                  .route = route,
@@ -302,6 +324,9 @@ void drivers_run(Drivers *drivers, const House *house, const Population *populat
 }
 
 void drivers_free(Drivers *drivers) {
+    for (size_t r = 0; r < drivers->count * drivers->person_count; r++)
+        memory_free(drivers->paths[r].at);
+    memory_free(drivers->paths);
     memory_free(drivers->runs);
     *drivers = (Drivers){0};
 }

@@ -33,10 +33,19 @@ typedef struct DriverRun {
     double back_length;    /* m, driven backwards */
 } DriverRun;
 
+/* The path of a reference point, a point each DRIVERS_STEP of way. */
+typedef struct DriverPath {
+    float (*at)[3]; /* (count) x and y, m, speed along the heading, m/s */
+    size_t count;
+} DriverPath;
+
+#define DRIVERS_STEP 0.1 /* m */
+
 typedef struct Drivers {
     size_t count, person_count;
-    DriverRun *runs; /* (count x person_count) */
-    size_t plans;    /* number of ways that were planned, of all people */
+    DriverRun *runs;   /* (count x person_count) */
+    DriverPath *paths; /* (count x person_count) */
+    size_t plans;      /* number of ways that were planned, of all people */
     bool interrupted;
 } Drivers;
 
@@ -44,3 +53,6 @@ typedef struct Drivers {
 void drivers_run(Drivers *drivers, const House *house, const Population *population, size_t count, size_t route,
                  int jobs, const Stop *stop);
 void drivers_free(Drivers *drivers);
+
+/* Returns the path of a person in the trace of a run; memory_free its points. */
+DriverPath drivers_path(const Trace *trace, size_t person);

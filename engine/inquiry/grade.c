@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/parallel.h"
 #include "house/journey.h"
 
 /* 1: a body that is grown by 1 all round reaches sqrt(2) at its corners. */
@@ -118,6 +119,24 @@ Grade grade_person(const House *house, size_t person, const Stop *stop) {
     if (stop_requested(stop))
         grade = (Grade){.interrupted = true};
     return grade;
+}
+
+typedef struct GradingAll {
+    Grade *grades; /* (person_count) */
+    const House *house;
+    const Stop *stop;
+} GradingAll;
+
+static void grade_one(void *context, size_t i) {
+    const GradingAll *all = context;
+    if (all->house->people[i].profile->driving == DRIVING_DRIVER)
+        all->grades[i] = grade_person(all->house, i, all->stop);
+}
+
+bool grade_all(Grade *grades, const House *house, int jobs, const Stop *stop) {
+    GradingAll all = {grades, house, stop};
+    parallel_for(jobs, house->person_count, grade_one, &all);
+    return !stop_requested(stop);
 }
 
 const char *grade_letter(int letter) {

@@ -37,6 +37,9 @@ typedef struct Grade {
 /* Grades the way of a person in a chair that is driven (profile `driver`). */
 Grade grade_person(const House *house, size_t person, const Stop *stop);
 
+/* Grades all of them into `grades` (person_count). Returns false if interrupted. */
+bool grade_all(Grade *grades, const House *house, int jobs, const Stop *stop);
+
 /* Return "A", "B", ... and "easy", "with care", ... */
 const char *grade_letter(int letter);
 const char *grade_words(int letter);

@@ -1,0 +1,18 @@
+/* The part of a report about many drivers: in what time they get out, where they touch, how their paths and speeds
+ * spread, and how tight the ways are. */
+#pragma once
+
+#include "document/document.h"
+#include "experiment/drivers.h"
+#include "inquiry/grade.h"
+#include "report/report_basis.h"
+
+/* What many drivers of a house have done. */
+typedef struct ReportedDrivers {
+    const Drivers *drivers; /* count 0: none */
+    const Population *population;
+    const Grade *grades; /* (person_count) or NULL */
+} ReportedDrivers;
+
+/* Adds sections for the drivers and for the grades, as far as there are any. */
+void report_drivers_add(Document *document, const Reported *run, const ReportedDrivers *of);
