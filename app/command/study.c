@@ -76,9 +76,10 @@ static void make_study(StudyJob *job) {
                      .axis_count = request->axis_count,
                      .spread_count = request->spread_count,
                      .pass_count = request->pass_count ? request->pass_count : 1, /* reset */
-                     .runs = request->shakes ? request->shakes
-                             : request->runs ? request->runs
-                                             : 1};
+                     .runs = request->shakes         ? request->shakes
+                             : job->options->drivers ? (size_t)job->options->drivers
+                             : request->runs         ? request->runs
+                                                     : 1};
     memcpy(study->axes, request->axes, sizeof study->axes);
     memcpy(study->spreads, request->spreads, sizeof study->spreads);
     memcpy(study->passes, request->passes, sizeof study->passes);
@@ -140,7 +141,9 @@ static bool open_study(StudyJob *job, Fault *fault) {
         fault_add(fault,
                   "clearance: --no-series has no effect, since the runs of this file list nothing; leave it out");
     else if (!job->study.axis_count && job->study.runs < 2 && !job->options->study.shakes)
-        fault_add(fault, "clearance: there is nothing to study; use --vary NAME=FROM:TO:STEPS, --runs N or --shake N");
+        fault_add(
+            fault,
+            "clearance: there is nothing to study; use --vary NAME=FROM:TO:STEPS, --runs N, --shake N or --drivers N");
     else if (study_check(&job->study, fault) && read_measured(job, fault))
         return true;
     close_experiment(job);
@@ -403,6 +406,9 @@ static bool is_one_chance(const Options *options, Fault *fault) {
     const StudyRequest *asked = &options->study;
     if (asked->shakes && asked->runs)
         fault_add(fault, "clearance: --runs has no effect with --shake N, which sets the number of runs; leave it out");
+    else if (options->drivers && (asked->shakes || asked->runs))
+        fault_add(fault, "clearance: %s has no effect with --drivers N, which sets the runs; leave it out",
+                  asked->shakes ? "--shake" : "--runs");
     else if (asked->shakes && options->types)
         fault_add(fault, "clearance: --types has no effect with --shake; leave it out");
     else if (asked->shakes && options->measured && !asked->axis_count)

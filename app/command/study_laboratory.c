@@ -1,6 +1,7 @@
 #include "command/study_laboratory.h"
 
 #include "beam/beam_cycle.h"
+#include "command/house_file.h"
 #include "crank/crank_cycle.h"
 #include "cycle/survival.h"
 #include "experiment/beam_experiment.h"
@@ -14,6 +15,7 @@ static bool refuse_foreign(const Options *options, const char *what, Fault *faul
     const char *foreign = options->route                      ? "--route"
                           : options->driving >= 0             ? "--driving"
                           : options->study.shakes             ? "--shake"
+                          : options->drivers                  ? "--drivers"
                           : options_given(options, "--until") ? "--until"
                                                               : NULL;
     if (foreign)
@@ -52,7 +54,14 @@ static bool open_house(Experiment *experiment, const Options *options, Fault *fa
                                   .seed = options->seed,
                                   .driving = options->driving,
                                   .shake = options->study.shakes > 0};
-    return house_experiment_open(experiment, options->files[0], &house_options, options->route, fault);
+    Population population = {0};
+    if (options->drivers && !house_file_population(&population, options, fault))
+        return false;
+    bool open = house_experiment_open(experiment, options->files[0], &house_options, options->route, fault);
+    if (open && options->drivers)
+        house_experiment_drive(experiment, &population);
+    population_free(&population);
+    return open;
 }
 
 static void type_beam(Experiment *experiment) {

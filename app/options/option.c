@@ -159,11 +159,12 @@ const Option option_rows[] = {
 
     {"--drivers", OPTION_WHOLE, FIELD(drivers), 1, DRIVERS_MOST, "N",
      "run the house with N drivers of a population, too: their times, how many get out, and how many touch something; "
-     "check: how many of them fit, and how many can drive out (ablate: default 100)",
-     GROUP_SIMULATION, FOR_RUN | FOR_COMPARE | FOR_CHECK | FOR_ABLATE, NULL, NULL},
+     "check: how many of them fit, and how many can drive out (ablate: default 100); study: drive each point with the "
+     "same N drivers instead of by seeds",
+     GROUP_SIMULATION, FOR_RUN | FOR_COMPARE | FOR_CHECK | FOR_ABLATE | FOR_STUDY, NULL, NULL},
     {"--population", OPTION_TEXT, FIELD(population), NO_RANGE, "ID|FILE",
      "population of the drivers: one of assets/populations, or a file (default: manual-jp)", GROUP_SIMULATION,
-     FOR_RUN | FOR_COMPARE | FOR_CHECK | FOR_ABLATE, NULL, NULL},
+     FOR_RUN | FOR_COMPARE | FOR_CHECK | FOR_ABLATE | FOR_STUDY, NULL, NULL},
 
     {"--vary", OPTION_NAME, NO_FIELD, NO_RANGE, "NAME=FROM:TO:STEPS",
      "vary a parameter from FROM to TO in STEPS values, both ends included, for instance door.d1.width=0.7:1:31 (at "

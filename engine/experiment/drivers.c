@@ -260,19 +260,25 @@ DriverPath drivers_path(const Trace *trace, size_t person) {
     return path;
 }
 
-static void run_driver(void *context, size_t k) {
-    Work *work = context;
+/* Runs the house of driver k on the ways that are planned. */
+static void observe_driver(const Work *work, size_t k, Observation *observation) {
     House *house = &work->houses[k];
-    if (stop_requested(work->stop))
-        return;
     Journeys known = {.of = memory_zeroed(house->person_count, sizeof *known.of), .count = house->person_count};
     for (size_t i = 0; i < house->person_count; i++)
         if (work->plans[i].route_of)
             known.of[i].route = *work->plans[i].route_of[k];
-    Observation observation;
-    run_house(&observation, house,
+    run_house(observation, house,
               &(RunOptions){.route = work->route, .jobs = 1, .stop = work->stop, .brief = true, .known = &known});
     memory_free(known.of);
+}
+
+static void run_driver(void *context, size_t k) {
+    Work *work = context;
+    const House *house = &work->houses[k];
+    if (stop_requested(work->stop))
+        return;
+    Observation observation;
+    observe_driver(work, k, &observation);
     for (size_t i = 0; i < house->person_count && !observation.interrupted; i++) {
         const PersonObservation *person = &observation.people[i];
         work->drivers->runs[k * house->person_count + i] =
@@ -329,4 +335,25 @@ void drivers_free(Drivers *drivers) {
     memory_free(drivers->paths);
     memory_free(drivers->runs);
     *drivers = (Drivers){0};
+}
+
+void drivers_run_one(Observation *observation, const House *house, const Population *population, size_t driver,
+                     size_t route, const Stop *stop) {
+    Drivers drivers = {.count = 1, .person_count = house->person_count};
+    House own;
+    Work work = {.house = house,
+                 .population = population,
+                 .route = route,
+                 .stop = stop,
+                 .houses = &own,
+                 .plans = memory_zeroed(house->person_count, sizeof *work.plans),
+                 .drivers = &drivers};
+    own = house_of_driver(&work, driver);
+    for (size_t i = 0; i < house->person_count; i++)
+        plan_person(&work, i);
+    observe_driver(&work, 0, observation);
+    for (size_t i = 0; i < house->person_count; i++)
+        free_plans(&work.plans[i]);
+    memory_free(work.plans);
+    free_alike(&own);
 }

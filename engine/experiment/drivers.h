@@ -54,5 +54,10 @@ void drivers_run(Drivers *drivers, const House *house, const Population *populat
                  int jobs, const Stop *stop);
 void drivers_free(Drivers *drivers);
 
+/* Runs the house with driver `driver` (>= 1) alone, who takes the nominal driver's way or one of the own body's class,
+ * but not that of an earlier driver. observation_free releases the observation. */
+void drivers_run_one(Observation *observation, const House *house, const Population *population, size_t driver,
+                     size_t route, const Stop *stop);
+
 /* Returns the path of a person in the trace of a run; memory_free its points. */
 DriverPath drivers_path(const Trace *trace, size_t person);

@@ -8,6 +8,7 @@
 #include "base/stop.h"
 #include "base/parameters_number.h"
 #include "base/text.h"
+#include "experiment/drivers.h"
 #include "house/run.h"
 #include "experiment/shake_record.h"
 
@@ -17,7 +18,8 @@ typedef struct HouseGiven {
     const char *route;
     House house; /* with nominal values, before any shake */
     ShakeRecord shake;
-    Arena arena; /* holds the names of shake observables */
+    Population population; /* without rows: nobody is drawn */
+    Arena arena;           /* holds the names of shake observables */
 } HouseGiven;
 
 static const Observable observables[HOUSE_OBSERVABLES] = {
@@ -132,13 +134,18 @@ static void run_one(const HouseGiven *given, const char *const *names, size_t na
     HouseOptions options = given->options;
     options.settings = settings;
     options.setting_count += name_count;
-    options.seed = trial->seed ? trial->seed : options.seed;
+    bool drawn = given->population.count > 0;
+    options.seed = trial->seed && !drawn ? trial->seed : options.seed;
+    size_t driver = trial->seed > options.seed ? (size_t)(trial->seed - options.seed) + 1 : 1;
     House house = {0};
     Fault fault = {0};
     if (house_read(&house, given->path, &options, &fault)) {
         size_t route = given->route ? plan_find_route(&house.plan, given->route) : SIZE_MAX;
         Observation observation;
-        run_house(&observation, &house, &(RunOptions){.route = route, .brief = true, .jobs = 1, .stop = stop});
+        if (drawn)
+            drivers_run_one(&observation, &house, &given->population, driver, route, stop);
+        else
+            run_house(&observation, &house, &(RunOptions){.route = route, .brief = true, .jobs = 1, .stop = stop});
         trial->done = !observation.interrupted;
         if (trial->done)
             observe(trial, given, &house, &observation);
@@ -233,6 +240,20 @@ bool house_experiment_open(Experiment *experiment, const char *path, const House
     return true;
 }
 
+void house_experiment_drive(Experiment *experiment, Population *population) {
+    HouseGiven *given = experiment->given;
+    uint64_t digest = digest_mix(digest_text(experiment->identity, population->profile), population->correlation);
+    for (size_t r = 0; r < population->count; r++) {
+        const PopulationRow *row = &population->rows[r];
+        digest = digest_text(digest_text(digest_text(digest, row->name), row->level), row->group ? row->group : "");
+        digest = digest_mix(digest_mix(digest, row->middle), row->spread);
+        digest = digest_mix(digest_mix(digest_mix(digest, row->law), row->low), row->high);
+    }
+    experiment->identity = digest;
+    given->population = *population;
+    *population = (Population){0};
+}
+
 const House *house_experiment_house(const Experiment *experiment) {
     return &((const HouseGiven *)experiment->given)->house;
 }
@@ -245,6 +266,7 @@ void house_experiment_close(Experiment *experiment) {
     HouseGiven *given = experiment->given;
     if (given) {
         house_free(&given->house);
+        population_free(&given->population);
         arena_clear(&given->arena);
         memory_free(given);
     }

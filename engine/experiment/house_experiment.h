@@ -3,6 +3,7 @@
 #pragma once
 
 #include "house/house.h"
+#include "plan/population.h"
 #include "experiment/shake_record.h"
 #include "study/experiment.h"
 
@@ -26,6 +27,11 @@ enum {
  * all people. Returns false after errors with places and reasons. */
 bool house_experiment_open(Experiment *experiment, const char *path, const HouseOptions *options, const char *route,
                            Fault *fault);
+
+/* Lets a driver of a population drive in each run: the run with the seed of the options has driver 1, that with the
+ * next seed driver 2. So each point of a study has the same drivers, and chance stays that of the options' seed. Takes
+ * the population over. */
+void house_experiment_drive(Experiment *experiment, Population *population);
 void house_experiment_close(Experiment *experiment);
 
 /* Return the house with nominal values, before any shake; and the record of shakes, or NULL. */

@@ -55,7 +55,7 @@ static void make_times(DriversPlot *of, const House *house, const Observation *n
     plot->y = (PlotAxis){.title = "drivers who are out", .unit = "%", .low = 0, .high = 100};
     plot->series = arena_allocate(&of->arena, sizeof *plot->series);
     plot->series[plot->series_count++] =
-        (PlotSeries){.x = times, .y = shares, .count = out, .role = ROLE_LOCUS, .symbol = SYMBOL_DISC, .size = 4};
+        (PlotSeries){.x = times, .y = shares, .count = out, .role = ROLE_LOCUS, .symbol = SYMBOL_DISC, .size = 6};
     plot->guides = arena_allocate(&of->arena, 3 * sizeof *plot->guides);
     add_measured(plot, house, person);
     if (nominal->people[person].completed)
@@ -81,7 +81,7 @@ static void make_speeds(DriversPlot *of, const Observation *nominal, const Drive
     plot->y = (PlotAxis){.title = "speed", .unit = "m/s"};
     plot->areas = arena_allocate(&of->arena, 2 * sizeof *plot->areas);
     plot->areas[plot->area_count++] = (PlotArea){"5 to 95 %", column[0], column[1], column[4], band.count, ROLE_GRID};
-    plot->areas[plot->area_count++] = (PlotArea){"25 to 75 %", column[0], column[2], column[3], band.count, ROLE_GHOST};
+    plot->areas[plot->area_count++] = (PlotArea){"25 to 75 %", column[0], column[2], column[3], band.count, ROLE_SHADE};
     plot->series = arena_allocate(&of->arena, sizeof *plot->series);
     plot->series[plot->series_count++] = (PlotSeries){
         .name = "nominal", .x = column[0], .y = column[5], .count = band.count, .role = ROLE_LOCUS, .width = 1.6};

@@ -249,7 +249,7 @@ def check_wrong_use(folder):
     flat = draft(folder)
     delay = "person.p1.delay"
     wrong = {
-        (): "there is nothing to study; use --vary NAME=FROM:TO:STEPS, --runs N or --shake N",
+        (): "there is nothing to study; use --vary NAME=FROM:TO:STEPS, --runs N, --shake N or --drivers N",
         ("--vary", "door.d2.width=1:2:3"): '--vary door.d2.width: there is no door "d2"',
         ("--vary", "door.d1.widht=1:2:3"): 'did you mean "width"?',
         ("--vary", "person.p1.at=1:2:3"): "at is a point, must be at.x or at.y",

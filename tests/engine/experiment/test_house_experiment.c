@@ -8,6 +8,7 @@
 #include "check.h"
 #include "scratch.h"
 #include "base/stop.h"
+#include "experiment/drivers.h"
 #include "house/run.h"
 #include "study/study.h"
 #include "study/summary.h"
@@ -103,6 +104,35 @@ TEST(a_wider_door_lets_the_chair_out_and_costs_less_time) {
     CHECK(wide[HOUSE_TIME] < narrow[HOUSE_TIME] && wide[HOUSE_NARROWEST] > narrow[HOUSE_NARROWEST]);
     CHECK(isnan(study.trials[0].observed[HOUSE_TIME]) && study.trials[0].observed[HOUSE_NOT_OUT] == 1);
     memory_free(ranges);
+    study_clear(&study);
+    close_case(&made);
+}
+
+TEST(each_point_has_the_same_drivers) {
+    Case made;
+    Population population = {0};
+    Fault fault = {0};
+    open_case(&made, corridor);
+    uint64_t before = made.experiment.identity;
+    CHECK(population_read(&population, scratch_source("assets/populations/manual-jp.json"), &fault));
+    check_say(&fault);
+    Drivers drivers;
+    drivers_run(&drivers, house_experiment_house(&made.experiment), &population, 2, SIZE_MAX, 1, NULL);
+    house_experiment_drive(&made.experiment, &population);
+    CHECK(made.experiment.identity != before && !population.rows);
+    Study study = sweep(&made, "person.p1.delay", 0, 2, 2);
+    study.runs = 2;
+    study.seed = 1;
+    run_study(&study, 2);
+    for (size_t r = 0; r < 2; r++) {
+        const double *first = study.trials[study_index(&study, 0, r, 0, 0)].observed;
+        const double *second = study.trials[study_index(&study, 0, r, 0, 1)].observed;
+        CHECK_NEAR(first[HOUSE_TIME], drivers.runs[r].time, 0);
+        CHECK_NEAR(first[HOUSE_NARROWEST], drivers.runs[r].narrowest, 0);
+        CHECK_NEAR(second[HOUSE_TIME], first[HOUSE_TIME] + 2, 0.002);
+    }
+    CHECK(drivers.runs[0].time != drivers.runs[1].time);
+    drivers_free(&drivers);
     study_clear(&study);
     close_case(&made);
 }
