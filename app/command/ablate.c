@@ -30,7 +30,7 @@ static json_t *answer_of(const Ablation *ablation, const Population *population)
     for (size_t i = 0; i < house->person_count; i++)
         if (is_of_population(ablation, i))
             json_array_append_new(people, json_pack("{s:s, s:o}", "id", house->people[i].id, "variants",
-                                                    result_json_take_list(result_ablation(ablation, i))));
+                                                    result_json_take_list(result_ablation_table(ablation, i))));
     return json_pack("{s:s, s:s, s:s, s:I, s:o, s:o}", "kind", "ablate", "house", house->plan.name, "population",
                      population->id, "count", (json_int_t)ablation->drivers[ABLATION_WHOLE].count, "variants",
                      result_json_take_list(result_ablation_variants(population)), "people", people);
@@ -47,7 +47,7 @@ static void print_answer(const Ablation *ablation, const Population *population)
             continue;
         any = true;
         text_format(&text, "\n%s", house->people[i].id);
-        result_text_take(&text, "", result_ablation(ablation, i));
+        result_text_take(&text, "", result_ablation_table(ablation, i));
         text_add(&text, "\n");
         result_ablation_say(&text, ablation, i);
     }

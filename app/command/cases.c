@@ -18,7 +18,7 @@
 #include "command/house_file.h"
 #include "command/output.h"
 #include "command/progress.h"
-#include "command/terminal.h"
+#include "platform/terminal.h"
 #include "inquiry/case_run.h"
 #include "laboratory/shipped.h"
 

@@ -103,12 +103,12 @@ static void share(const Options *options, const House *house, const Population *
     }
     json_object_set_new(answer, "shares",
                         json_pack("{s:s, s:i, s:o}", "population", population->id, "count", options->drivers, "people",
-                                  result_json_take_list(result_shares(house, shares))));
+                                  result_json_take_list(result_shares_table(house, shares))));
     if (!options->json) {
         text_format(&text, "\ndrivers of the population %s: %s\n", population->id, population->title);
         if (!any)
             text_format(&text, "nobody in this house has its profile, %s\n", population->profile);
-        result_text_take(&text, "", result_shares(house, shares));
+        result_text_take(&text, "", result_shares_table(house, shares));
         fputs(text.text, stdout);
     }
     memory_free(text.text);

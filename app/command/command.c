@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "command/licences.h"
 #include "command/progress.h"
-#include "command/terminal.h"
+#include "platform/terminal.h"
 #include "mechanics/broadphase.h"
 #include "options/help.h"
 

@@ -13,7 +13,7 @@
 #include "command/house_file.h"
 #include "command/output.h"
 #include "command/progress.h"
-#include "command/terminal.h"
+#include "platform/terminal.h"
 #include "exchange/measured.h"
 #include "exchange/timed.h"
 #include "experiment/beam_experiment.h"

@@ -6,7 +6,7 @@
 #include "base/stopwatch.h"
 #include "command/output.h"
 #include "command/progress.h"
-#include "command/terminal.h"
+#include "platform/terminal.h"
 #include "house/run.h"
 #include "laboratory/shipped.h"
 

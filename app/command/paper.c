@@ -7,7 +7,7 @@
 #include "command/output.h"
 #include "command/progress.h"
 #include "command/report_files.h"
-#include "command/terminal.h"
+#include "platform/terminal.h"
 #include "plot/plot_write.h"
 #include "report/crank_paper_report.h"
 #include "report/paper_report.h"

@@ -7,7 +7,7 @@
 #include "command/movie.h"
 #include "command/output.h"
 #include "command/progress.h"
-#include "command/terminal.h"
+#include "platform/terminal.h"
 #include "paint/png.h"
 
 enum {

@@ -21,7 +21,7 @@
 #include "command/study_shards.h"
 #include "command/study_types.h"
 #include "command/study_text.h"
-#include "command/terminal.h"
+#include "platform/terminal.h"
 #include "report/study_report.h"
 #include "study/study_csv.h"
 #include "study/store.h"

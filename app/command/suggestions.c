@@ -4,7 +4,7 @@
 
 #include "base/stopwatch.h"
 #include "command/progress.h"
-#include "command/terminal.h"
+#include "platform/terminal.h"
 #include "laboratory/shipped.h"
 #include "result/json.h"
 #include "result/suggest.h"

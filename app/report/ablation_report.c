@@ -29,7 +29,7 @@ Document ablation_report_make(const Ablation *ablation, const Population *popula
     report_basis_add_changes(&document, making);
     document_add_contents(&document);
     for (size_t i = 0; i < house->person_count; i++) {
-        ResultTable table = result_ablation(ablation, i);
+        ResultTable table = result_ablation_table(ablation, i);
         if (!table.record_count) {
             result_clear(&table);
             continue;

@@ -69,7 +69,7 @@ Document house_report_make(const HouseReport *report) {
     report_places_add_stops(&document, house, observation);
     report_people_add_routes(&document, house, observation);
     report_places_add_hazards(&document, house, observation);
-    report_drivers_add(&document, &report->run, &report->drivers);
+    report_drivers_add(&document, house_report_name(house), &report->run, &report->drivers);
     if (observation->time > 0)
         add_motion(&document, report);
     report_loci_add(&document, report);

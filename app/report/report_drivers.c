@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "report/house_report.h"
 #include "report/report_pictures.h"
 #include "result/check.h"
 #include "result/drivers.h"
@@ -76,7 +75,7 @@ static void add_sentences(Document *document, const Reported *run, const Drivers
     memory_free(text.text);
 }
 
-static void add_plan(Document *document, const Reported *run, const ReportedDrivers *of) {
+static void add_plan(Document *document, const char *name, const Reported *run, const ReportedDrivers *of) {
     const Drivers *drivers = of->drivers;
     Scene scene = {0};
     plan_picture_bare(&scene, run->house);
@@ -91,11 +90,11 @@ static void add_plan(Document *document, const Reported *run, const ReportedDriv
         "%s with the paths of %zu drivers: the dark band holds half of them, the dashed outline 9 of 10. Discs: places "
         "where drivers touch something, by area the share of them, by shade the fastest impact, by letter the part of "
         "the chair (F front, S side, T tail).",
-        house_report_name(run->house), drivers->count);
+        name, drivers->count);
     report_pictures_add(document, &scene, caption, caption);
 }
 
-void report_drivers_add(Document *document, const Reported *run, const ReportedDrivers *of) {
+void report_drivers_add(Document *document, const char *name, const Reported *run, const ReportedDrivers *of) {
     const House *house = run->house;
     if (of->drivers && of->drivers->count) {
         document_add_heading(document, 2, document_text(document, "%zu drivers", of->drivers->count));
@@ -107,7 +106,7 @@ void report_drivers_add(Document *document, const Reported *run, const ReportedD
         if (routes.record_count)
             document_add_heading(document, 3, "Measured and simulated times");
         result_page_take(document, NULL, routes);
-        add_plan(document, run, of);
+        add_plan(document, name, run, of);
         add_plots(document, run, of->drivers);
     }
     if (!of->grades)

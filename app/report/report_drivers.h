@@ -14,5 +14,5 @@ typedef struct ReportedDrivers {
     const Grade *grades; /* (person_count) or NULL */
 } ReportedDrivers;
 
-/* Adds sections for the drivers and for the grades, as far as there are any. */
-void report_drivers_add(Document *document, const Reported *run, const ReportedDrivers *of);
+/* Adds sections for the drivers and for the grades, as far as there are any; `name` of the house. */
+void report_drivers_add(Document *document, const char *name, const Reported *run, const ReportedDrivers *of);

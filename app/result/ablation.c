@@ -125,7 +125,7 @@ static void add_variant(ResultTable *table, const Ablation *ablation, int varian
     result_end(table);
 }
 
-ResultTable result_ablation(const Ablation *ablation, size_t person) {
+ResultTable result_ablation_table(const Ablation *ablation, size_t person) {
     ResultTable table = {.numbers = RESULT_REAL};
     for (int variant = 0; variant < ABLATIONS; variant++)
         if (tally_of(ablation, variant, person).all)

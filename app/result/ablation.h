@@ -8,7 +8,7 @@
 /* A record for each variant of one person, with the difference from the whole law or, for the paper's model without one
  * of its forces, from that model whole; no records: the person is not of the population. Differences of times are those
  * of drivers who get out of both, with their 95 % interval by Student's t. */
-ResultTable result_ablation(const Ablation *ablation, size_t person);
+ResultTable result_ablation_table(const Ablation *ablation, size_t person);
 
 /* A record for each variant: its name, what is left out, and the settings. */
 ResultTable result_ablation_variants(const Population *population);

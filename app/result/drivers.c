@@ -90,7 +90,7 @@ static void add_number(ResultTable *table, const char *key, const char *label, d
                                   .unknown = !isfinite(number)});
 }
 
-const char *result_share_words(Arena *arena, const Share *share) {
+const char *result_drivers_share(Arena *arena, const Share *share) {
     return text_in_arena(arena, "%.0f %% (%.0f to %.0f)", 100 * share->value, 100 * share->low, 100 * share->high);
 }
 
@@ -99,7 +99,7 @@ static void add_share(ResultTable *table, const char *const *keys, const char *l
                                   .label = label,
                                   .kind = RESULT_NUMBER,
                                   .number = share->value,
-                                  .text = result_share_words(&table->arena, share)});
+                                  .text = result_drivers_share(&table->arena, share)});
     result_add(table, (ResultRow){.key = keys[1], .kind = RESULT_NUMBER, .number = share->low});
     result_add(table, (ResultRow){.key = keys[2], .kind = RESULT_NUMBER, .number = share->high});
 }

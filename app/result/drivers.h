@@ -26,4 +26,4 @@ ResultTable result_drivers_paired(const House houses[2], const Drivers drivers[2
 void result_drivers_say(Text *text, const House *house, const Observation *nominal, const Drivers *drivers);
 
 /* Returns a share with its limits, "12 % (7 to 20)". */
-const char *result_share_words(Arena *arena, const Share *share);
+const char *result_drivers_share(Arena *arena, const Share *share);

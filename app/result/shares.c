@@ -11,7 +11,7 @@ static void add_share(ResultTable *table, const char *const *keys, const char *l
                                   .label = label,
                                   .kind = RESULT_NUMBER,
                                   .number = share.value,
-                                  .text = result_share_words(&table->arena, &share)});
+                                  .text = result_drivers_share(&table->arena, &share)});
     result_add(table, (ResultRow){.key = keys[2], .kind = RESULT_NUMBER, .number = share.low});
     result_add(table, (ResultRow){.key = keys[3], .kind = RESULT_NUMBER, .number = share.high});
 }
@@ -52,7 +52,7 @@ static void add_person(ResultTable *table, const Inhabitant *person, const Share
     result_end(table);
 }
 
-ResultTable result_shares(const House *house, const Shares *shares) {
+ResultTable result_shares_table(const House *house, const Shares *shares) {
     ResultTable table = {.numbers = RESULT_REAL};
     for (size_t i = 0; i < house->person_count; i++)
         if (shares[i].drivers && !shares[i].interrupted)

@@ -5,4 +5,4 @@
 #include "result/result.h"
 
 /* shares: (person_count). People whose shares were interrupted are left out. */
-ResultTable result_shares(const House *house, const Shares *shares);
+ResultTable result_shares_table(const House *house, const Shares *shares);

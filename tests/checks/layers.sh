@@ -42,7 +42,7 @@ app/plot            draw paint
 app/document        draw paint
 app/result          beam crank cycle document draw experiment house inquiry plan rules study
 app/visual/study    cycle exchange plot study
-app/visual/house    draw experiment house plan plot result route rules space study visual/study
+app/visual/house    draw experiment house inquiry plan plot result route rules space study visual/study
 app/visual/machine  draw
 app/visual/crank    crank cycle draw mechanics plot visual/machine visual/study
 app/visual/beam     beam cycle draw exchange mechanics plot visual/house visual/machine visual/study
@@ -56,7 +56,7 @@ app/widgets         draw paint
 app/classroom       draw lesson widgets
 app/platform        draw paint plot
 app/window          classroom draw laboratory laboratory/edit laboratory/house paint platform plot widgets
-app/report          beam crank cycle document exchange experiment house plan plot result rules study visual/
+app/report          beam crank cycle document exchange experiment house inquiry plan plot result rules study visual/
 app/teaching        classroom document draw house inquiry laboratory lesson plan visual/ window
 app/options         cycle draw exchange experiment study visual/beam visual/crank visual/house
 app/command         beam classroom crank cycle document draw exchange experiment house inquiry laboratory lesson mechanics options paint plan platform plot report result rules study teaching visual/ window

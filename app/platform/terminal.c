@@ -1,4 +1,4 @@
-#include "command/terminal.h"
+#include "platform/terminal.h"
 
 #include <errno.h>
 #include <stdarg.h>
