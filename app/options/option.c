@@ -158,10 +158,17 @@ const Option option_rows[] = {
      GROUP_SIMULATION, FOR_HOUSES | FOR_CASES | FOR_OPEN, NULL, NULL},
 
     {"--drivers", OPTION_WHOLE, FIELD(drivers), 1, DRIVERS_MOST, "N",
-     "run the house with N drivers of a population, too: their times, how many get out, and how many touch something; "
-     "check: how many of them fit, and how many can drive out (ablate: default 100); study: drive each point with the "
-     "same N drivers instead of by seeds",
-     GROUP_SIMULATION, FOR_RUN | FOR_COMPARE | FOR_CHECK | FOR_ABLATE | FOR_STUDY, NULL, NULL},
+     "run the house with N drivers of a population, too: their times, how many get out, and how many touch something",
+     GROUP_SIMULATION, FOR_RUN | FOR_COMPARE, NULL, NULL},
+    {"--drivers", OPTION_WHOLE, FIELD(drivers), 1, DRIVERS_MOST, "N",
+     "of N drivers of a population, how many fit, how many can drive out, how many only with a skid; slow where it is "
+     "tight",
+     GROUP_SIMULATION, FOR_CHECK, NULL, NULL},
+    {"--drivers", OPTION_WHOLE, FIELD(drivers), 1, DRIVERS_MOST, "N",
+     "number of drivers of the population (default 100)", GROUP_SIMULATION, FOR_ABLATE, NULL, NULL},
+    {"--drivers", OPTION_WHOLE, FIELD(drivers), 1, DRIVERS_MOST, "N",
+     "houses only: drive each point with the same N drivers of a population, instead of --runs", GROUP_SIMULATION,
+     FOR_STUDY, NULL, NULL},
     {"--population", OPTION_TEXT, FIELD(population), NO_RANGE, "ID|FILE",
      "population of the drivers: one of assets/populations, or a file (default: manual-jp)", GROUP_SIMULATION,
      FOR_RUN | FOR_COMPARE | FOR_CHECK | FOR_ABLATE | FOR_STUDY, NULL, NULL},
