@@ -40,7 +40,6 @@ typedef struct StudyJob {
     Measured measured; /* points to draw over the plots */
     StoreFound found;
     char store[OUTPUT_NAME]; /* name of the file of results in --out */
-    StudyShard shard;        /* the trials to run */
     double begin;            /* s, by the clock */
     size_t done_before;
     bool shown;                    /* progress was printed */
@@ -76,6 +75,7 @@ static void make_study(StudyJob *job) {
                      .axis_count = request->axis_count,
                      .spread_count = request->spread_count,
                      .pass_count = request->pass_count ? request->pass_count : 1, /* reset */
+                     .shard = request->shard,
                      .runs = request->shakes         ? request->shakes
                              : job->options->drivers ? (size_t)job->options->drivers
                              : request->runs         ? request->runs
@@ -165,12 +165,12 @@ static void show_progress(void *context, size_t done, size_t all) {
 
 /* Prints how many runs the file of results holds already. */
 static void tell_found(const StudyJob *job) {
-    size_t done = job->found.done, all = study_shard_trials(&job->study, job->shard);
+    size_t done = job->found.done, all = study_room(&job->study);
     const Options *options = job->options;
     if (options->quiet)
         return;
     if (*options->study.shard_named)
-        fprintf(stderr, "clearance: shard %zu of %zu, from %s\n", job->shard.number, job->shard.count,
+        fprintf(stderr, "clearance: shard %zu of %zu, from %s\n", job->study.shard.number, job->study.shard.count,
                 options->study.shard_named);
     if (done == all && all)
         fprintf(stderr, "clearance: all %zu runs are read back from %s/%s\n", all, options->out, job->store);
@@ -186,12 +186,12 @@ static void tell_found(const StudyJob *job) {
 }
 
 static size_t done_of(const StudyJob *job) {
-    return study_shard_done(&job->study, job->shard);
+    return study_done(&job->study);
 }
 
 /* True if all runs of the study, or of its shard, are done. */
 static bool is_whole(const StudyJob *job) {
-    return done_of(job) == study_shard_trials(&job->study, job->shard);
+    return done_of(job) == study_room(&job->study);
 }
 
 static void run_study(StudyJob *job, Store *store) {
@@ -200,7 +200,6 @@ static void run_study(StudyJob *job, Store *store) {
     job->begin = stopwatch_now();
     job->done_before = done_of(job);
     study_run(&job->study, &(StudyOptions){.jobs = options->jobs,
-                                           .shard = job->shard,
                                            .stop = &progress_stop,
                                            .progress = show ? show_progress : NULL,
                                            .context = job,
@@ -212,14 +211,14 @@ static void run_study(StudyJob *job, Store *store) {
         fprintf(stderr,
                 store ? "clearance: interrupted after %zu of %zu runs; the same command continues from there\n"
                       : "clearance: interrupted after %zu of %zu runs\n",
-                done_of(job), study_shard_trials(&job->study, job->shard));
+                done_of(job), study_room(&job->study));
 }
 
 /* Creates the trials. Those of a large study lie in a file, in the directory that TMPDIR names, or beside the results.
  */
 static bool begin_study(StudyJob *job, Fault *fault) {
     const char *folder = getenv("TMPDIR");
-    if (study_size(&job->study) <= STUDY_IN_MEMORY) {
+    if (study_room(&job->study) <= STUDY_IN_MEMORY) {
         study_begin(&job->study);
         return true;
     }
@@ -253,7 +252,7 @@ static bool open_store(StudyJob *job, Store **store, Fault *fault) {
     char path[OUTPUT_PATH];
     study_shards_name(options, job->store);
     snprintf(path, sizeof path, "%s/%s", options->out, job->store);
-    *store = store_open(path, job->shard.count ? STORE_WITH_READERS : STORE_ALONE, &job->study,
+    *store = store_open(path, job->study.shard.count ? STORE_WITH_READERS : STORE_ALONE, &job->study,
                         study_digest(&job->study, given_digest(job)), &job->found, fault);
     if (*store)
         tell_found(job);
@@ -385,7 +384,7 @@ static int answer_study(const StudyJob *job) {
 /* Answers the study; earthquakes without --vary have findings of their own. */
 static int answer_all(StudyJob *job) {
     const Options *options = job->options;
-    if (job->shard.count)
+    if (job->study.shard.count)
         return job->kept ? study_shards_answer(options, &job->study) : EXIT_WRONG_INPUT;
     if (!options->study.shakes || job->study.axis_count || options->types)
         return answer_study(job);
@@ -446,7 +445,7 @@ static bool is_one_question(const Options *options, Fault *fault) {
 }
 
 int command_study(const Options *options) {
-    StudyJob job = {.options = options, .shard = options->study.shard};
+    StudyJob job = {.options = options};
     Fault fault = {0};
     if (!study_shards_check(options, &fault) || !is_one_question(options, &fault) || !is_one_chance(options, &fault))
         return house_file_report(&fault);

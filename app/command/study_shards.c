@@ -159,7 +159,7 @@ int study_shards_merge(const Options *options, Study *study, Store *store, Fault
 
 int study_shards_answer(const Options *options, const Study *study) {
     StudyShard shard = options->study.shard;
-    size_t all = study_shard_trials(study, shard), done = study_shard_done(study, shard);
+    size_t all = study_room(study), done = study_done(study);
     char name[OUTPUT_NAME];
     study_shards_name(options, name);
     if (options->json) {

@@ -156,7 +156,7 @@ static double *observed_room(const Study *study) {
 
 void store_add_full(const Study *study, Fault *fault) {
     fault_add(fault, "%s has no room for the results of %zu runs; set TMPDIR to a directory with more room",
-              study->folder, study->trial_count);
+              study->folder, study_room(study));
 }
 
 static bool read_trials(Store *store, Study *study, StoreFound *found, Fault *fault) {
@@ -167,6 +167,8 @@ static bool read_trials(Store *store, Study *study, StoreFound *found, Fault *fa
     double *observed = observed_room(study);
     while (code == SQLITE_OK && sound && !study->full && sqlite3_step(select) == SQLITE_ROW) {
         size_t index = check_row(select, study);
+        if (index < SIZE_MAX && !study_has(study, index)) /* the file was one of another shard */
+            continue;
         sound = index < SIZE_MAX && !study_nth(study, index)->done; /* a damaged file can have a row twice */
         if (sound)
             take_row(select, study, index, observed);

@@ -166,6 +166,13 @@ static void draw_run(const Study *study, uint64_t seed, const size_t *places, do
         factors[places[s]] *= 1 + study->spreads[s].share * deviate(seed, study->spreads[s].name);
 }
 
+/* The trial at a place. */
+static Trial *placed(const Study *study, size_t place) {
+    if (study->large)
+        file_memory_touch(study->large);
+    return &study->trials[place];
+}
+
 /* The trial to write to. */
 static Trial *nth(Study *study, size_t trial) {
     return (Trial *)study_nth(study, trial);
@@ -177,12 +184,15 @@ static void clear_observed(const Study *study, Trial *trial) {
 }
 
 static void fill_run(Study *study, size_t pass, size_t run, const double *fixed, const double *factors) {
-    double *at = study->values, *observed = at + study->trial_count * study->name_count;
+    double *at = study->values, *observed = at + study_room(study) * study->name_count;
     for (size_t i1 = 0; i1 < study_steps(study, 1); i1++) {
         for (size_t i0 = 0; i0 < study_steps(study, 0); i0++) {
             const size_t steps[STUDY_AXES_MOST] = {i0, i1};
             size_t index = study_index(study, pass, run, i1, i0);
-            double *own = at + index * study->name_count;
+            if (!study_has(study, index))
+                continue;
+            size_t place = study_place(study, index);
+            double *own = at + place * study->name_count;
             for (size_t n = 0; n < study->name_count; n++) {
                 double value = n < study->axis_count ? study_value(&study->axes[n], steps[n]) : fixed[n];
                 own[n] = factors[n] == 1 ? value : value * factors[n];
@@ -190,7 +200,7 @@ static void fill_run(Study *study, size_t pass, size_t run, const double *fixed,
             Trial *trial = nth(study, index);
             trial->at = own;
             trial->seed = study->seed + run;
-            trial->observed = observed + index * study->experiment->observable_count;
+            trial->observed = observed + place * study->experiment->observable_count;
             clear_observed(study, trial);
         }
     }
@@ -211,7 +221,7 @@ static void name_all(Study *study, size_t places[STUDY_SPREADS_MOST]) {
 }
 
 static size_t values_of(const Study *study) {
-    return study->trial_count * (study->name_count + study->experiment->observable_count);
+    return study_room(study) * (study->name_count + study->experiment->observable_count);
 }
 
 static void fill_all(Study *study, const size_t *places) {
@@ -226,14 +236,14 @@ static void fill_all(Study *study, const size_t *places) {
 void study_begin(Study *study) {
     size_t places[STUDY_SPREADS_MOST];
     name_all(study, places);
-    study->trials = memory_zeroed(study->trial_count, sizeof *study->trials);
+    study->trials = memory_zeroed(study_room(study), sizeof *study->trials);
     study->values = memory_zeroed(values_of(study), sizeof *study->values);
     fill_all(study, places);
 }
 
 static void add_no_room(const Study *study, const char *folder, Fault *fault) {
     fault_add(fault, "%s cannot hold the results of %zu runs: %s; set TMPDIR to a directory with more room", folder,
-              study->trial_count, strerror(errno));
+              study_room(study), strerror(errno));
 }
 
 bool study_begin_in(Study *study, const char *folder, Fault *fault) {
@@ -242,7 +252,7 @@ bool study_begin_in(Study *study, const char *folder, Fault *fault) {
     study->folder = folder;
     study->large = file_memory_create(folder);
     if (study->large)
-        study->trials = file_memory_take(study->large, study->trial_count * sizeof *study->trials);
+        study->trials = file_memory_take(study->large, study_room(study) * sizeof *study->trials);
     if (study->trials)
         study->values = file_memory_take(study->large, values_of(study) * sizeof *study->values);
     if (!study->values) {
@@ -255,8 +265,9 @@ bool study_begin_in(Study *study, const char *folder, Fault *fault) {
 }
 
 void study_clear(Study *study) {
-    for (size_t t = 0; t < study->trial_count && !study->large && study->trials; t++)
-        trial_clear(&study->trials[t]);
+    size_t held = study->trials && !study->large ? study_room(study) : 0;
+    for (size_t place = 0; place < held; place++)
+        trial_clear(&study->trials[place]);
     if (!study->large) {
         memory_free(study->trials);
         memory_free(study->values);
@@ -308,8 +319,9 @@ bool study_take(Study *study, size_t index, Trial *result) {
 }
 
 void study_forget(Study *study) {
-    for (size_t t = 0; t < study->trial_count; t++) {
-        Trial *trial = nth(study, t);
+    size_t room = study_room(study);
+    for (size_t place = 0; place < room; place++) {
+        Trial *trial = placed(study, place);
         if (!study->large)
             trial_clear(trial);
         trial->series = NULL;
@@ -321,33 +333,55 @@ void study_forget(Study *study) {
 }
 
 size_t study_done(const Study *study) {
-    size_t done = 0;
-    for (size_t t = 0; t < study->trial_count; t++)
-        done += study_nth(study, t)->done;
+    size_t done = 0, room = study_room(study);
+    for (size_t place = 0; place < room; place++)
+        done += placed(study, place)->done;
     return done;
+}
+
+/* Shards --------------------------------------------------------------------------------------------------------- */
+
+/* The trials of a pass that stay together in one shard: a chain, or a single one. */
+static size_t unit_of(const Study *study, size_t pass) {
+    return study->passes[pass] == STUDY_RESET ? 1 : study_steps(study, 0);
+}
+
+/* Returns how many of the units before the `unit`-th one the shard has. */
+static size_t units_before(StudyShard shard, size_t unit) {
+    return (unit + shard.count - shard.number) / shard.count;
+}
+
+/* Returns the number of the shard's trials that come before one at the beginning of a unit of this pass. */
+static size_t room_before(const Study *study, size_t pass, size_t trial) {
+    size_t unit = unit_of(study, pass), each = study->trial_count / study->pass_count;
+    return (units_before(study->shard, trial / unit) - units_before(study->shard, pass * each / unit)) * unit;
 }
 
 size_t study_shard_of(const Study *study, size_t count, size_t trial) {
-    bool carried = study->passes[study_pass_of(study, trial)] != STUDY_RESET;
-    return (carried ? trial / study_steps(study, 0) : trial) % count + 1;
+    return trial / unit_of(study, study_pass_of(study, trial)) % count + 1;
 }
 
-bool study_shard_has(const Study *study, StudyShard shard, size_t trial) {
-    return !shard.count || study_shard_of(study, shard.count, trial) == shard.number;
+bool study_has(const Study *study, size_t trial) {
+    return !study->shard.count || study_shard_of(study, study->shard.count, trial) == study->shard.number;
 }
 
-size_t study_shard_trials(const Study *study, StudyShard shard) {
-    size_t trials = 0;
-    for (size_t t = 0; t < study->trial_count; t++)
-        trials += study_shard_has(study, shard, t);
-    return trials;
+size_t study_room(const Study *study) {
+    size_t room = 0;
+    if (!study->shard.count)
+        return study->trial_count;
+    size_t each = study->trial_count / study->pass_count;
+    for (size_t pass = 0; pass < study->pass_count; pass++)
+        room += room_before(study, pass, (pass + 1) * each);
+    return room;
 }
 
-size_t study_shard_done(const Study *study, StudyShard shard) {
-    size_t done = 0;
-    for (size_t t = 0; t < study->trial_count; t++)
-        done += study_nth(study, t)->done && study_shard_has(study, shard, t);
-    return done;
+size_t study_place(const Study *study, size_t trial) {
+    if (!study->shard.count)
+        return trial;
+    size_t at = study_pass_of(study, trial), place = 0, each = study->trial_count / study->pass_count;
+    for (size_t pass = 0; pass < at; pass++)
+        place += room_before(study, pass, (pass + 1) * each);
+    return place + room_before(study, at, trial) + trial % unit_of(study, at);
 }
 
 /* Running -------------------------------------------------------------------------------------------------------- */
@@ -410,7 +444,7 @@ static void add_reset(Work *work, size_t pass) {
     const Study *study = work->study;
     size_t each = study->trial_count / study->pass_count, begin = work->ordered;
     for (size_t t = pass * each; t < (pass + 1) * each; t++) {
-        if (study_shard_has(study, work->options->shard, t) && !study_nth(study, t)->done)
+        if (study_has(study, t) && !study_nth(study, t)->done)
             add_trial(work, t);
         if (work->ordered < BLOCK)
             continue;
@@ -426,7 +460,7 @@ static void add_chain(Work *work, size_t pass, size_t run, size_t i1) {
     const Study *study = work->study;
     size_t steps = study_steps(study, 0), first = work->ordered;
     bool missing = false;
-    if (!study_shard_has(study, work->options->shard, study_index(study, pass, run, i1, 0)))
+    if (!study_has(study, study_index(study, pass, run, i1, 0)))
         return;
     for (size_t i0 = 0; i0 < steps; i0++)
         missing |= !study_trial(study, pass, run, i1, i0)->done;
@@ -507,8 +541,8 @@ static void run_piece(void *context, size_t index) {
 void study_run(Study *study, const StudyOptions *options) {
     Work work = {.study = study,
                  .options = options,
-                 .done = study_shard_done(study, options->shard),
-                 .all = study_shard_trials(study, options->shard),
+                 .done = study_done(study),
+                 .all = study_room(study),
                  .lock = PTHREAD_MUTEX_INITIALIZER};
     run_blocks(&work);
     memory_free(work.pieces);

@@ -33,6 +33,14 @@ typedef struct StudySpread {
 
 typedef enum StudyPass { STUDY_RESET, STUDY_UP, STUDY_DOWN, STUDY_PASSES } StudyPass;
 
+/* The part of a study that one machine runs: the `number`-th of `count` parts. It has every `count`-th trial, and of a
+ * carried pass every `count`-th chain along axis 0, since a trial of such a chain needs those before it. Cost changes
+ * smoothly along an axis, so that such parts take nearly the same time. */
+typedef struct StudyShard {
+    size_t number; /* from 1 */
+    size_t count;  /* 0: the whole study */
+} StudyShard;
+
 /* What is asked, and the results so far. A trial's index is
  * ((pass_index * runs + run) * steps of axis 1 + i1) * steps of axis 0 + i0. */
 typedef struct Study {
@@ -43,30 +51,22 @@ typedef struct Study {
     size_t spread_count;
     StudyPass passes[STUDY_PASSES];
     size_t pass_count;
-    size_t runs;   /* of each point: run r has the seed `seed` + r */
-    uint64_t seed; /* seed of the first run; with seed 0 all deviations are 0 and the initial state is nominal */
+    size_t runs;      /* of each point: run r has the seed `seed` + r */
+    uint64_t seed;    /* seed of the first run; with seed 0 all deviations are 0 and the initial state is nominal */
+    StudyShard shard; /* the trials that have room and are run */
 
     const char *names[STUDY_NAMES_MOST]; /* (name_count) names of the trials' `at`: the axes, then the other spreads */
     size_t name_count;
-    Trial *trials; /* (trial_count) */
-    size_t trial_count;
+    Trial *trials;      /* (study_room) those of the shard, in their order */
+    size_t trial_count; /* of the whole study */
     double *values;     /* memory of the trials' `at` and `observed` */
     FileMemory *large;  /* where both lie, with the series and faults, of a large study; NULL: in the heap */
     const char *folder; /* of the file of a large study */
     bool full;          /* there was no room for a result, which is lost */
 } Study;
 
-/* The part of a study that one machine runs: the `number`-th of `count` parts. It has every `count`-th trial, and of a
- * carried pass every `count`-th chain along axis 0, since a trial of such a chain needs those before it. Cost changes
- * smoothly along an axis, so that such parts take nearly the same time. */
-typedef struct StudyShard {
-    size_t number; /* from 1 */
-    size_t count;  /* 0: the whole study */
-} StudyShard;
-
 typedef struct StudyOptions {
-    int jobs;         /* threads */
-    StudyShard shard; /* the trials to run */
+    int jobs; /* threads */
     const Stop *stop;
     void (*progress)(void *context, size_t done,
                      size_t all); /* counts of the shard's trials; called by one thread at a time; NULL: none */
@@ -89,7 +89,7 @@ bool study_check(const Study *study, Fault *fault);
 /* Returns the number of trials of a checked study. */
 size_t study_size(const Study *study);
 
-/* Creates the trials, none of them done, of a checked study. study_clear releases them. */
+/* Creates the trials of the shard, none of them done, of a checked study. study_clear releases them. */
 void study_begin(Study *study);
 void study_clear(Study *study);
 
@@ -111,18 +111,20 @@ void study_run(Study *study, const StudyOptions *options);
 /* Returns the digest of all inputs; `given` is the digest of the experiment's file, settings and program version. */
 uint64_t study_digest(const Study *study, uint64_t given);
 
-/* Returns the number of completed trials. */
+/* Returns the number of completed trials of the shard. */
 size_t study_done(const Study *study);
+
+/* Returns the number of trials of the shard, which have room. */
+size_t study_room(const Study *study);
 
 /* Returns which of `count` shards, from 1, has the trial. */
 size_t study_shard_of(const Study *study, size_t count, size_t trial);
 
-/* True if the shard has the trial. */
-bool study_shard_has(const Study *study, StudyShard shard, size_t trial);
+/* True if the study's shard has the trial. */
+bool study_has(const Study *study, size_t trial);
 
-/* Returns the number of trials of a shard, and of those of them that are completed. */
-size_t study_shard_trials(const Study *study, StudyShard shard);
-size_t study_shard_done(const Study *study, StudyShard shard);
+/* Returns the place of a trial that the shard has among `trials`. */
+size_t study_place(const Study *study, size_t trial);
 
 /* Returns the number of values of an axis; 1 for an absent axis. */
 static inline size_t study_steps(const Study *study, size_t axis) {
@@ -133,10 +135,11 @@ static inline size_t study_index(const Study *study, size_t pass, size_t run, si
     return ((pass * study->runs + run) * study_steps(study, 1) + i1) * study_steps(study, 0) + i0;
 }
 
+/* A trial that the shard has. */
 static inline const Trial *study_nth(const Study *study, size_t trial) {
     if (study->large)
         file_memory_touch(study->large);
-    return &study->trials[trial];
+    return &study->trials[study->shard.count ? study_place(study, trial) : trial];
 }
 
 static inline const Trial *study_trial(const Study *study, size_t pass, size_t run, size_t i1, size_t i0) {

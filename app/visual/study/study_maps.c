@@ -14,12 +14,16 @@
 #define CONSTANT 1e-6  /* of a ratio over the map: nearer values count as one */
 #define EDGE_WIDTH 1.8 /* design points, of the lines round regions of types */
 
-enum { CLASSES_MOST = 12 };
+enum {
+    CLASSES_MOST = 12,
+    SIDE_MOST = 1000, /* cells of a map in a direction: about as many as a picture has pixels */
+};
 
 /* The map that is being made. */
 typedef struct Map {
     const Study *study;
     size_t pass, columns, rows;
+    size_t every[STUDY_AXES_MOST]; /* one of this many values of an axis is shown */
     StudyScale x, y;
     Arena *arena;
     StudyPlot *to;
@@ -33,7 +37,8 @@ size_t study_maps_most(const Study *study) {
 }
 
 static const Trial *map_trial(const Map *map, size_t run, size_t cell) {
-    return study_trial(map->study, map->pass, run, cell / map->columns, cell % map->columns);
+    return study_trial(map->study, map->pass, run, cell / map->columns * map->every[1],
+                       cell % map->columns * map->every[0]);
 }
 
 /* Returns the mean of all runs. */
@@ -62,16 +67,16 @@ static int compare_attractors(const void *a, const void *b) {
     return (p->first > q->first) - (p->first < q->first);
 }
 
-/* Attractors of a pass: regular trials of the same outcome whose measures agree within a thousandth. `found` (steps of
- * both axes) gets the attractor of each trial, counted from 0, the one that most trials reach first; -1: not regular;
+/* Attractors of a map: regular trials of the same outcome whose measures agree within a thousandth. `found` (a cell)
+ * gets the attractor of each trial, counted from 0, the one that most trials reach first; -1: not regular;
  * -2: unknown. Returns the number of attractors; the caller frees `list`. */
-static size_t list_attractors(const Study *study, size_t pass, int *found, Attractor **list) {
-    const Experiment *experiment = study->experiment;
-    size_t settled = study_axes_find(study, "attractor_peak");
-    size_t steps = study->axes[0].steps, cells = steps * study->axes[1].steps, count = 0, capacity = 0;
+static size_t list_attractors(const Map *map, int *found, Attractor **list) {
+    const Experiment *experiment = map->study->experiment;
+    size_t settled = study_axes_find(map->study, "attractor_peak");
+    size_t cells = map->columns * map->rows, count = 0, capacity = 0;
     Attractor *known = NULL;
     for (size_t c = 0; c < cells; c++) {
-        const Trial *trial = study_trial(study, pass, 0, c / steps, c % steps);
+        const Trial *trial = map_trial(map, 0, c);
         double regular = study_axes_value(trial, experiment->regular);
         found[c] = isnan(regular) ? -2 : regular > 0 ? (int)count : -1;
         if (!(regular > 0))
@@ -103,28 +108,35 @@ static size_t list_attractors(const Study *study, size_t pass, int *found, Attra
 
 /* Maps ------------------------------------------------------------------------------------------------------------- */
 
-/* Returns the range of an axis: a cell reaches half a step beyond its value. */
-static void axis_box(const StudyAxis *axis, double factor, double *low, double *high) {
-    double half = axis->steps > 1 ? (axis->to - axis->from) / (double)(axis->steps - 1) / 2 : 0.5;
-    *low = factor * (axis->from - half);
-    *high = factor * (axis->to + half);
+/* Returns the range of `cells` cells along an axis, each with one of `every` values in its middle. */
+static void axis_box(const StudyAxis *axis, size_t every, size_t cells, double factor, double *low, double *high) {
+    double step = axis->steps > 1 ? (axis->to - axis->from) / (double)(axis->steps - 1) : 1;
+    double width = step * (double)every, last = every > 1 ? axis->from + width * (double)(cells - 1) : axis->to;
+    *low = factor * (axis->from - width / 2);
+    *high = factor * (last + width / 2);
+}
+
+static size_t shown_of(size_t steps, size_t every) {
+    return (steps + every - 1) / every;
 }
 
 static Map begin_map(StudyPlots *plots, const Study *study, size_t pass, const char *name) {
     Map map = {.study = study,
                .pass = pass,
-               .columns = study->axes[0].steps,
-               .rows = study->axes[1].steps,
                .x = study_axes_parameter(study, 0, &plots->arena),
                .y = study_axes_parameter(study, 1, &plots->arena),
                .arena = &plots->arena,
                .to = &plots->plots[plots->count]};
+    for (size_t a = 0; a < STUDY_AXES_MOST; a++)
+        map.every[a] = shown_of(study->axes[a].steps, SIDE_MOST);
+    map.columns = shown_of(study->axes[0].steps, map.every[0]);
+    map.rows = shown_of(study->axes[1].steps, map.every[1]);
     map.raster = arena_allocate(map.arena, sizeof *map.raster);
     map.values = arena_allocate(map.arena, map.columns * map.rows * sizeof *map.values);
     map.classes = arena_allocate(map.arena, CLASSES_MOST * sizeof *map.classes);
     *map.raster = (PlotRaster){.columns = map.columns, .rows = map.rows, .values = map.values};
-    axis_box(&study->axes[0], map.x.factor, &map.raster->box.low.x, &map.raster->box.high.x);
-    axis_box(&study->axes[1], map.y.factor, &map.raster->box.low.y, &map.raster->box.high.y);
+    axis_box(&study->axes[0], map.every[0], map.columns, map.x.factor, &map.raster->box.low.x, &map.raster->box.high.x);
+    axis_box(&study->axes[1], map.every[1], map.rows, map.y.factor, &map.raster->box.low.y, &map.raster->box.high.y);
     bool several = study->pass_count > 1;
     const char *way = several ? study_pass_name(study->passes[pass]) : NULL;
     *map.to = (StudyPlot){.name = text_in_arena(map.arena, "%s%s%s", name, way ? "-" : "", way ? way : ""),
@@ -280,7 +292,7 @@ static void classify_attractors(Map *map) {
     size_t cells = map->columns * map->rows;
     int *found = arena_allocate(map->arena, cells * sizeof *found);
     Attractor *list;
-    size_t count = list_attractors(map->study, map->pass, found, &list);
+    size_t count = list_attractors(map, found, &list);
     PlotClass classes[CLASSES_MOST] = {[REST] = {"others", "+", ROLE_CLASS_NONE, PLOT_PATTERN_CROSSED},
                                        [WILD] = {"not regular", "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
                                        [UNDECIDED] = UNDECIDED_CLASS};
@@ -335,7 +347,7 @@ static void add_ratio(Map *map) {
 }
 
 /* Adds the line between a cell and its neighbour to the right or above if their types differ. */
-static void add_edge(const Map *map, size_t type, size_t cell, size_t neighbour, double *x, double *y, size_t *count) {
+static void add_edge(const Map *map, size_t type, size_t cell, size_t neighbour, Vec2 *ends, size_t *count) {
     double own = study_axes_value(map_trial(map, 0, cell), type);
     double other = study_axes_value(map_trial(map, 0, neighbour), type);
     if (isnan(own) || isnan(other) || own == other)
@@ -345,10 +357,21 @@ static void add_edge(const Map *map, size_t type, size_t cell, size_t neighbour,
     size_t column = neighbour % map->columns, row = neighbour / map->columns;
     Vec2 from = vec2(low.x + step.x * (double)column, low.y + step.y * (double)row);
     Vec2 to = neighbour == cell + 1 ? vec2(from.x, from.y + step.y) : vec2(from.x + step.x, from.y);
-    double ends[] = {from.x, to.x, NAN}, heights[] = {from.y, to.y, NAN};
-    memcpy(x + *count, ends, sizeof ends);
-    memcpy(y + *count, heights, sizeof heights);
-    *count += 3;
+    ends[(*count)++] = from;
+    ends[(*count)++] = to;
+    ends[(*count)++] = vec2(NAN, NAN);
+}
+
+static PlotSeries edges_series(const Map *map, const Vec2 *ends, size_t count) {
+    Vec2 *own = arena_allocate(map->arena, count * sizeof *own);
+    memcpy(own, ends, count * sizeof *own);
+    return (PlotSeries){.name = "between types",
+                        .x = &own[0].x,
+                        .y = &own[0].y,
+                        .count = count,
+                        .stride = sizeof *own / sizeof(double),
+                        .role = ROLE_IMPACT,
+                        .width = EDGE_WIDTH};
 }
 
 /* Adds the borders of type regions to the map of another observable. */
@@ -356,17 +379,25 @@ static void add_types(Map *map) {
     size_t type = study_axes_find(map->study, "type"), cells = map->columns * map->rows, count = 0;
     if (type == map->study->experiment->observable_count)
         return;
-    double *x = arena_allocate(map->arena, 6 * cells * sizeof *x),
-           *y = arena_allocate(map->arena, 6 * cells * sizeof *y);
+    size_t capacity = 0;
+    Vec2 *ends = NULL;
     for (size_t i = 0; i < cells; i++) {
+        ends = memory_reserve(ends, &capacity, count + 6, sizeof *ends);
         if (i % map->columns + 1 < map->columns)
-            add_edge(map, type, i, i + 1, x, y, &count);
+            add_edge(map, type, i, i + 1, ends, &count);
         if (i + map->columns < cells)
-            add_edge(map, type, i, i + map->columns, x, y, &count);
+            add_edge(map, type, i, i + map->columns, ends, &count);
     }
     if (count)
-        map->to->plot.series[map->to->plot.series_count++] = (PlotSeries){
-            .name = "between types", .x = x, .y = y, .count = count, .role = ROLE_IMPACT, .width = EDGE_WIDTH};
+        map->to->plot.series[map->to->plot.series_count++] = edges_series(map, ends, count);
+    memory_free(ends);
+}
+
+/* Says that not all cells are shown. */
+static void note_thinned(Map *map) {
+    const char *note = map->to->plot.note;
+    map->to->plot.note = text_in_arena(map->arena, "%s%sone cell of %zu x %zu", note ? note : "", note ? ", " : "",
+                                       map->every[0], map->every[1]);
 }
 
 /* Stores a finished map among the plots. */
@@ -378,6 +409,8 @@ static void end_map(StudyPlots *plots, Map *map, const Measured *measured, bool 
                                    (MeasuredAxis){map->study->axes[1].name, map->y.factor}, "measured", 0, map->arena);
     if (laid && map->to->plot.series_count == 1)
         map->to->plot.note = "rings: measured";
+    if (map->every[0] > 1 || map->every[1] > 1)
+        note_thinned(map);
     plots->count++;
 }
 
@@ -425,7 +458,7 @@ static const char *basins_title(const Study *study, Arena *arena) {
     const Experiment *experiment = study->experiment;
     bool quick = false;
     for (size_t t = 0; t < study->trial_count && experiment->verdict_count; t++)
-        quick |= study_axes_value(&study->trials[t], experiment->verdict) >= (double)experiment->verdict_quick;
+        quick |= study_axes_value(study_nth(study, t), experiment->verdict) >= (double)experiment->verdict_quick;
     if (!quick)
         return "Basins: where each start leads";
     double cycles = experiment->nominal(experiment->given, "run.transient_cycles") +
@@ -433,22 +466,27 @@ static const char *basins_title(const Study *study, Arena *arena) {
     return text_in_arena(arena, "Basins: where each start is after %.0f cycles", cycles);
 }
 
-void study_maps_add(StudyPlots *plots, const Study *study, const Measured *measured) {
-    if (study->axis_count != 2)
+static void add_basins(StudyPlots *plots, const Study *study, size_t pass, const Measured *measured) {
+    if (!is_start(&study->axes[0]) || !is_start(&study->axes[1]))
         return;
-    for (size_t pass = 0; pass < study->pass_count; pass++) {
-        for (size_t o = 0; o < study->experiment->observable_count; o++) {
-            const char *name = study->experiment->observables[o].name;
-            Map map = begin_map(plots, study, pass, text_in_arena(&plots->arena, "map-%s", name));
-            if (!is_coarse(study->experiment, o) && !study_axes_is_mark(study, o) && fill_map(&map, o))
-                end_map(plots, &map, measured, strcmp(name, "type") != 0);
-        }
-        if (is_start(&study->axes[0]) && is_start(&study->axes[1])) {
-            Map map = begin_map(plots, study, pass, "basins");
-            map.to->plot.title = basins_title(study, &plots->arena);
-            map.raster->value.title = "attractor";
-            classify_attractors(&map);
-            end_map(plots, &map, measured, false);
-        }
+    Map map = begin_map(plots, study, pass, "basins");
+    map.to->plot.title = basins_title(study, &plots->arena);
+    map.raster->value.title = "attractor";
+    classify_attractors(&map);
+    end_map(plots, &map, measured, false);
+}
+
+void study_maps_add(StudyPlots *plots, const Study *study, const Measured *measured, size_t nth) {
+    const Experiment *experiment = study->experiment;
+    size_t each = experiment->observable_count + 1, pass = nth / each, o = nth % each;
+    if (o == experiment->observable_count) {
+        add_basins(plots, study, pass, measured);
+        return;
     }
+    if (is_coarse(experiment, o) || study_axes_is_mark(study, o))
+        return;
+    const char *name = experiment->observables[o].name;
+    Map map = begin_map(plots, study, pass, text_in_arena(&plots->arena, "map-%s", name));
+    if (fill_map(&map, o))
+        end_map(plots, &map, measured, strcmp(name, "type") != 0);
 }

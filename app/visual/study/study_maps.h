@@ -4,8 +4,9 @@
 
 #include "visual/study/study_plots.h"
 
-/* Returns the largest number of maps of a study. */
+/* Returns the largest number of maps of a study; 0 without two axes. */
 size_t study_maps_most(const Study *study);
 
-/* Adds the maps to `plots`, which must have room. */
-void study_maps_add(StudyPlots *plots, const Study *study, const Measured *measured);
+/* Adds the `nth` of them to `plots`, which must have room, if it tells anything. Of more than a thousand values of an
+ * axis, which no picture can tell apart, evenly spaced ones are shown. */
+void study_maps_add(StudyPlots *plots, const Study *study, const Measured *measured, size_t nth);

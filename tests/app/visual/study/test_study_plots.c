@@ -246,3 +246,18 @@ TEST(measured_columns_are_the_study_s_parameters_and_observables) {
     arena_clear(&arena);
     free_study(&study);
 }
+
+TEST(a_map_of_more_cells_than_pixels_shows_evenly_spaced_ones_and_says_so) {
+    Study study = make_study(&beam, 2501, 3, 1, 1);
+    StudyPlots plots = study_plots_make(&study, NULL);
+    const Plot *plot = find_plot(&plots, "map-peak_max");
+    CHECK(plot && plot->raster->columns == 834 && plot->raster->rows == 3);
+    double step = 200.0 / 2500;
+    for (size_t i = 0; plot && i < 834; i++)
+        CHECK(plot->raster->values[834 + i] == 500 + 2501 + 3.0 * (double)i);
+    CHECK_NEAR(plot ? plot->raster->box.low.x : 0, 100 - 1.5 * step, 1e-9);
+    CHECK_NEAR(plot ? plot->raster->box.high.x : 0, 100 + 3 * 833 * step + 1.5 * step, 1e-9);
+    CHECK(plot && plot->note && strstr(plot->note, "one cell of 3 x 1"));
+    study_plots_free(&plots);
+    free_study(&study);
+}
