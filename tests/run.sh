@@ -16,7 +16,7 @@ case ${1:-} in
 esac
 
 install_packages $build_packages python3 python3-jsonschema clang-format poppler-utils libsundials-dev \
-    xvfb xauth xdotool imagemagick ffmpeg binutils
+    xvfb xauth xdotool imagemagick ffmpeg binutils bash zsh fish
 
 if [ ! -f build-test/build.ninja ]; then
     echo "configuring in build-test/"

@@ -4,22 +4,42 @@
 
 #include "options/option.h"
 
+enum { SHORT_LEAST = 10 /* letters of a meaning that tells something */ };
+
 /* Common parts ------------------------------------------------------------------------------------------------------*/
 
-/* Adds words that are separated by | or , with `before` each. */
+/* True if the word, of `length` letters, is one of those before it. */
+static bool is_repeated(const char *words, const char *word, size_t length) {
+    for (const char *at = words; at < word;) {
+        size_t own = strcspn(at, "|,");
+        if (own == length && strncmp(at, word, length) == 0)
+            return true;
+        at += own + 1;
+    }
+    return false;
+}
+
+/* Adds words that are separated by | or , with `before` each, and each once. */
 static void add_words(Text *text, const char *words, const char *before) {
     for (const char *at = words; *at;) {
         size_t length = strcspn(at, "|,");
-        text_format(text, "%s%.*s", before, (int)length, at);
+        if (!is_repeated(words, at, length))
+            text_format(text, "%s%.*s", before, (int)length, at);
         at += length + (at[length] != '\0');
     }
 }
 
-/* Adds the beginning of a meaning that fits a list, quoted for all three shells. */
+/* Adds the beginning of a meaning that fits a list, quoted for all three shells; what goes before a colon
+ * only says to what the rest applies. */
 static void add_short(Text *text, const char *meaning) {
-    size_t length = strcspn(meaning, ";:(.\n`");
+    size_t from = strcspn(meaning, ";:(.\n`");
+    const char *stops = meaning[from] == '(' && from < SHORT_LEAST ? ";:.\n`" : ";:(.\n`";
+    from = meaning[from] == ':' ? from + 1 : 0;
+    size_t length = from + strcspn(meaning + from, stops);
     if (meaning[length] == '.' && meaning[length + 1] && meaning[length + 1] != ' ')
         length += 1 + strcspn(meaning + length + 1, ";:(\n`"); /* a name with a point */
+    for (size_t i = length; i-- > 0 && meaning[i] != ')';)
+        length = meaning[i] == '(' ? i : length; /* a bracket that would stay open */
     while (length && meaning[length - 1] == ' ')
         length--;
     for (size_t i = 0; i < length; i++)
@@ -143,12 +163,18 @@ static const char zsh_begin[] =
     "  local -a verbs\n"
     "  verbs=(\n";
 
-/* Adds the endings as a pattern of files: *(.mp4|.mkv) */
+/* Adds the endings as patterns of files: *.mp4 *.mkv */
 static void add_zsh_files(Text *text, const char *endings) {
-    text_add(text, "_files -g \"*(");
-    for (const char *at = endings; *at; at++)
-        text_format(text, "%c", *at == ',' ? '|' : *at);
-    text_add(text, ")\"");
+    text_add(text, "_files");
+    if (!*endings)
+        return;
+    text_add(text, " -g \"");
+    for (const char *at = endings; *at;) {
+        size_t length = strcspn(at, ",");
+        text_format(text, "%s*%.*s", at == endings ? "" : " ", (int)length, at);
+        at += length + (at[length] != '\0');
+    }
+    text_add(text, "\"");
 }
 
 static void add_zsh_option(Text *text, const Option *option) {

@@ -24,6 +24,7 @@ mkdir "$work/clearance"
     tar -xf - -C "$work/clearance"
 mv "$work/clearance/app/package/debian" "$work/clearance/debian"
 echo "building the packages"
+export CCACHE_DIR="${CCACHE_DIR:-$HOME/.cache/ccache}" # debhelper has another home
 log=$work/log
 if ! (cd "$work/clearance" && dpkg-buildpackage -us -uc -b) >"$log" 2>&1; then
     tail -n 60 "$log" >&2

@@ -33,7 +33,7 @@ static void tell(const char *step, double *since) {
 
 static void remove_folder(const char *folder) {
     DIR *directory = opendir(folder);
-    char path[PATH];
+    char path[2 * PATH];
     for (const struct dirent *entry; directory && (entry = readdir(directory));)
         if (entry->d_name[0] != '.') {
             snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
