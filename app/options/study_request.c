@@ -88,17 +88,19 @@ static bool take_variable(const char *name, size_t *number) {
 
 /* How a scheduler numbers the tasks of an array. */
 typedef struct ArrayVariables {
-    const char *task, *count, *first; /* names; `first` may be NULL */
-    size_t from;                      /* number of the first task where `first` is not set */
+    const char *task, *count, *first, *last; /* names; the last two may be NULL */
+    size_t from;                             /* number of the first task where `first` is not set */
 } ArrayVariables;
 
 /* Takes the task's number in its array. An array with gaps is one that repeats some tasks of a larger one. */
 static bool take_array(StudyRequest *request, const ArrayVariables *variables) {
-    size_t task, count, first;
+    size_t task, count, first, last;
     if (!take_variable(variables->task, &task) || !take_variable(variables->count, &count))
         return false;
     if (!take_variable(variables->first, &first))
         first = variables->from;
+    if (take_variable(variables->last, &last) && last != first + count - 1)
+        return false;
     if (first > 1 || task < first || task - first >= count || count > STUDY_SHARDS_MOST)
         return false;
     request->shard = (StudyShard){task - first + 1, count};
@@ -108,9 +110,9 @@ static bool take_array(StudyRequest *request, const ArrayVariables *variables) {
 
 bool study_request_shard(StudyRequest *request, const char *words) {
     static const ArrayVariables arrays[] = {
-        {"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT", "SLURM_ARRAY_TASK_MIN", 1},
-        {"SGE_TASK_ID", "SGE_TASK_LAST", "SGE_TASK_FIRST", 1},
-        {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", NULL, 0}};
+        {"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT", "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_MAX", 1},
+        {"SGE_TASK_ID", "SGE_TASK_LAST", "SGE_TASK_FIRST", NULL, 1},
+        {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", NULL, NULL, 0}};
     for (size_t a = 0; !words && a < sizeof arrays / sizeof *arrays; a++)
         if (take_array(request, &arrays[a]))
             return true;

@@ -6,6 +6,7 @@
 #include <sqlite3.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/stopwatch.h"
@@ -354,12 +355,23 @@ void store_abandon(Store *store) {
 
 /* Merging -------------------------------------------------------------------------------------------------------- */
 
+/* Adds why the file of a shard cannot be read: the system knows it better than SQLite. */
+static void add_unreadable(const Store *other, Fault *fault) {
+    struct stat status;
+    int file = open(other->path, O_RDONLY | O_CLOEXEC), error = file < 0 ? errno : 0;
+    if (file >= 0 && fstat(file, &status) == 0 && S_ISDIR(status.st_mode))
+        error = EISDIR;
+    if (file >= 0)
+        close(file);
+    fault_add(fault, "%s cannot be read: %s", other->path, error ? strerror(error) : sqlite3_errmsg(other->database));
+}
+
 /* Opens a file of a shard to read this study, which it must have, in one transaction. */
 static bool open_other(Store *other, const char *path, uint64_t digest, Fault *fault) {
     *other = (Store){.path = text_copy(path), .writer = -1};
     /* a file whose program was killed within a commit is first put back to the commit before, by SQLite */
     if (sqlite3_open_v2(path, &other->database, SQLITE_OPEN_READWRITE, NULL) != SQLITE_OK) {
-        fault_add(fault, "%s cannot be read: %s", path, sqlite3_errmsg(other->database));
+        add_unreadable(other, fault);
         return false;
     }
     sqlite3_busy_timeout(other->database, LAST_PATIENCE);

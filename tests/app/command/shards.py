@@ -97,16 +97,20 @@ def check_bad_files(folder):
     (out / "study-2-of-4.sqlite").write_bytes(b"a letter " * 1000)
     (out / "study-3-of-4.sqlite").write_bytes(b"")
     shutil.copy(stores(os.path.join(folder, "another"))[0], out / "study-1-of-1.sqlite")
+    (out / "study-1-of-5.sqlite").mkdir()
+    (out / "study-2-of-5.sqlite").symlink_to("/nowhere/file")
     with sqlite3.connect(out / "study-1-of-2.sqlite") as database:
         database.execute("CREATE TABLE trial (digest)")
     database.close()
-    before = {path: path.read_bytes() for path in stores(out)}
+    before = {path: path.read_bytes() for path in stores(out) if path.is_file()}
     done = expect(1, "study", *SWEEP, "--out", str(out), "--merge", "--no-run")
     for number, why in (("1-of-4", "is damaged"), ("2-of-4", "is not a study database"), ("3-of-4", "is empty"),
-                        ("1-of-1", "is of another study"), ("1-of-2", "is another program's database")):
+                        ("1-of-1", "is of another study"), ("1-of-5", "cannot be read: Is a directory"),
+                        ("2-of-5", "cannot be read: No such file or directory"), ("1-of-2", "is another program's database")):
         check(f"clearance: not merged: {out}/study-{number}.sqlite {why}" in done.stderr, f"{number} {why}", done.stderr)
-    check(done.stderr.count("\n") == 5, "one line a file", done.stderr)
-    check({path: path.read_bytes() for path in stores(out)} == before, "the files stay as they were")
+    check(done.stderr.count("\n") == 7, "one line a file", done.stderr)
+    check({path: path.read_bytes() for path in stores(out) if path.is_file()} == before, "the files stay as they were")
+    (out / "study-1-of-5.sqlite").rmdir()
     foreign = pathlib.Path(folder, "clearance")
     foreign.write_bytes(program.read_bytes() + b"\0")
     foreign.chmod(0o755)
@@ -198,6 +202,9 @@ def check_words(folder):
                       {"OMPI_COMM_WORLD_RANK": "1", "OMPI_COMM_WORLD_SIZE": "3"}):
         expect(0, "study", *arguments, "--shard", says=f"shard 2 of 3, from {next(iter(variables))} and ", **variables)
     for variables in ({}, {"SLURM_ARRAY_TASK_ID": "3", "SLURM_ARRAY_TASK_COUNT": "2", "SLURM_ARRAY_TASK_MIN": "3"},
+                      {"SLURM_ARRAY_TASK_ID": "1", "SLURM_ARRAY_TASK_COUNT": "2", "SLURM_ARRAY_TASK_MIN": "1",
+                       "SLURM_ARRAY_TASK_MAX": "17"},  # --array=1,17 repeats two of 17 or more
+                      {"SLURM_ARRAY_TASK_ID": "1"}, {"OMPI_COMM_WORLD_RANK": "1"},
                       {"SGE_TASK_ID": "undefined", "SGE_TASK_LAST": "undefined"}):
         expect(2, "study", *arguments, "--shard", says="--shard takes I/N", **variables)
     for word in ("0/4", "5/4", "4", "1/0", "1/4x", "1/100001"):
