@@ -20,12 +20,25 @@ bool play_hides(const Play *play) {
     return !predicts;
 }
 
+bool play_asks(const Play *play) {
+    const LessonStep *step = play_step(play);
+    return step->kind == LESSON_OBSERVE && step->options.count && !play->steps[play->step].chosen;
+}
+
+bool play_takes_digits(const Play *play) {
+    return play_step(play)->options.count > 0;
+}
+
+bool play_is_begun(const Play *play) {
+    return play->step > 0 || play_hands(&play->steps[0], 0) > 0;
+}
+
 bool play_read_key(const char *name, PlayKey *key, int *digit) {
     static const struct {
         const char *name;
         PlayKey key;
     } keys[] = {
-        {"PageDown", PLAY_NEXT}, {"PageUp", PLAY_BACK}, {"F2", PLAY_HINT}, {"F3", PLAY_VOTE}, {"Backspace", PLAY_UNDO}};
+        {"PageDown", PLAY_NEXT}, {"PageUp", PLAY_BACK}, {"?", PLAY_HINT}, {"0", PLAY_VOTE}, {"Backspace", PLAY_UNDO}};
     const char *last = strncmp(name, "Keypad ", 7) == 0 ? name + 7 : name;
     *digit = *last >= '1' && *last <= '9' && !last[1] ? *last - '0' : 0;
     *key = PLAY_DIGIT;

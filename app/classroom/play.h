@@ -34,8 +34,8 @@ typedef struct Play {
 typedef enum PlayKey {
     PLAY_NEXT,  /* PageDown, as presenters' remotes send it: first shows a model answer, then goes on */
     PLAY_BACK,  /* PageUp */
-    PLAY_HINT,  /* F2 */
-    PLAY_VOTE,  /* F3: the class votes again */
+    PLAY_HINT,  /* ? */
+    PLAY_VOTE,  /* 0: the class votes again, from nothing */
     PLAY_UNDO,  /* Backspace: takes the last option's hand back */
     PLAY_DIGIT, /* 1 to 9: counts a hand for an option, or answers */
 } PlayKey;
@@ -46,10 +46,19 @@ const LessonStep *play_step(const Play *play);
 /* True if nothing of the result may be seen yet: nobody has watched. */
 bool play_hides(const Play *play);
 
+/* True if a result may be seen, but not be said: the class says first what it has seen. */
+bool play_asks(const Play *play);
+
+/* True if the step has a use for the key of an option. */
+bool play_takes_digits(const Play *play);
+
+/* True if ending the lesson would lose something: counted hands, or the way through the steps. */
+bool play_is_begun(const Play *play);
+
 /* Carries out a key; `digit` from 1. False: the step has no use for it. */
 bool play_key(Play *play, PlayKey key, int digit);
 
-/* Reads the name of a key as scripts and the window's table write it: "PageDown", "F2", "3". False: it is none. */
+/* Reads the name of a key as scripts and the window's table write it: "PageDown", "?", "3". False: it is none. */
 bool play_read_key(const char *name, PlayKey *key, int *digit);
 
 /* Sets the goal of the step by the verdicts of its conditions. */

@@ -1,4 +1,4 @@
-/* Lessons: lists them, tries their goals by their scripts, prints sheets. */
+/* Lessons: lists them, gives one in the window, tries their goals by their scripts, prints sheets. */
 
 #include <dirent.h>
 #include <stdio.h>
@@ -129,6 +129,22 @@ static int sheet(Lesson *lesson, const Options *options, Arena *arena) {
     return error ? EXIT_WRONG_INPUT : EXIT_ANSWERED;
 }
 
+/* Opens the window with a lesson. */
+static int play(const Options *options) {
+    Paths paths = {.count = 0};
+    if (options->file_count != 2) {
+        fprintf(stderr, "clearance: lesson play needs the NAME or FILE of one lesson\n");
+        return EXIT_WRONG_INPUT;
+    }
+    add_named(&paths, options->files[1]);
+    Options opened = *options;
+    opened.files = paths.at;
+    opened.file_count = 1;
+    int code = command_open(&opened);
+    arena_clear(&paths.arena);
+    return code;
+}
+
 int command_lesson(const Options *options) {
     static const struct {
         const char *word;
@@ -137,9 +153,11 @@ int command_lesson(const Options *options) {
     const char *word = options->files[0];
     Paths paths = {.count = 0};
     bool lists = strcmp(word, "list") == 0, sheets = strcmp(word, "sheet") == 0;
+    if (strcmp(word, "play") == 0)
+        return play(options);
     if (!lists && !sheets && strcmp(word, "check") != 0) {
-        static const char *const words[] = {"list", "check", "sheet"};
-        return options_complain("lesson must be followed by list, check or sheet, not", word, words, 3);
+        static const char *const words[] = {"list", "play", "check", "sheet"};
+        return options_complain("lesson must be followed by list, play, check or sheet, not", word, words, 4);
     }
     if (sheets && (!options->out || options->file_count < 2)) {
         fprintf(stderr, "clearance: lesson sheet needs the NAME or FILE of a lesson and --out DIR\n");

@@ -60,9 +60,11 @@ const Verb verb_rows[VERBS] = {
                     "Run public verification tests: which pass, and why the others do not.",
                     "clearance cases tests/cases --out out\n"
                     "clearance cases tests/cases/rimea-01.json\n"},
-    [VERB_LESSON] = {"lesson", 1, SIZE_MAX, "list|check|sheet [NAME|FILE ...]", ".json", "list|check|sheet",
-                     "Lessons for a class: list them, try each goal by its script, or print a sheet for pupils.",
+    [VERB_LESSON] = {"lesson", 1, SIZE_MAX, "list|play|check|sheet [NAME|FILE ...]", ".json", "list|play|check|sheet",
+                     "Lessons for a class: list them, give one in the window, try each goal by its script, or print a "
+                     "sheet for pupils.",
                      "clearance lesson list\n"
+                     "clearance lesson play legal-no-way\n"
                      "clearance lesson check legal-no-way\n"
                      "clearance lesson sheet legal-no-way --answers --out out\n"},
     [VERB_IMPORT] =

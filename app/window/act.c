@@ -10,6 +10,7 @@
 #include "window/act_view.h"
 #include "window/dialog_pane.h"
 #include "window/files.h"
+#include "window/lesson.h"
 #include "window/notice.h"
 #include "window/opening.h"
 #include "window/plan_input.h"
@@ -25,9 +26,10 @@ static void show_menu(Window *window) {
     dialog_pane_show(window, DIALOG_MENU);
 }
 
-static void show_gallery(Window *window) {
+static void show_gallery(Window *window, bool lessons) {
     if (!window->gallery)
         window->gallery = gallery_create(window->theme);
+    window->lessons_only = lessons;
     dialog_pane_show(window, DIALOG_GALLERY);
 }
 
@@ -116,9 +118,10 @@ static void toggle_sound(Window *window) {
 
 /* Selects the next item of the view; after the last one the focus goes to the next pane. */
 static void walk_items(Window *window, Tab *tab, int step) {
+    bool hidden = lesson_hides(window); /* a dangerous place would tell the result */
     Item now = tab->laboratory->selected(tab->session), next = tab->laboratory->next(tab->session, now, step);
     Item first = tab->laboratory->next(tab->session, (Item){0}, step);
-    if (!next.kind || (now.kind && item_same(next, first))) {
+    if (hidden || !next.kind || (now.kind && item_same(next, first))) {
         tab_select(tab, (Item){0});
         ui_key(window->ui, step > 0 ? UI_KEY_PANE : UI_KEY_PANE_BACK, false, false);
         return;
@@ -126,15 +129,22 @@ static void walk_items(Window *window, Tab *tab, int step) {
     tab_select(tab, next);
 }
 
-/* Goes one step back: closes the dialog, drops the zoom box, dismisses the message, or clears the selection. */
+/* Goes one step back: closes the dialog, drops the zoom box, dismisses the message, clears the selection, or leaves the
+ * lesson. */
 static void escape(Window *window, Tab *tab) {
     PlotPane *pane = plot_panes_focused(&window_tab(window)->panes, window->ui);
     if (window->dialog != DIALOG_NONE)
         dialog_pane_close(window);
     else if (pane && pane->box.corner)
         pane->box.corner = 0;
-    else if (!notice_dismiss(window) && tab->session)
+    else if (window->present && window->drawer)
+        lesson_close_panel(window);
+    else if (!notice_dismiss(window) && tab->session) {
+        bool leaves = lesson_is_shown(window) && !tab->laboratory->selected(tab->session).kind;
         tab_select(tab, (Item){0});
+        if (leaves)
+            lesson_leave(window);
+    }
 }
 
 void act_show_place(Window *window) {
@@ -157,7 +167,8 @@ static bool do_dialog(Window *window, Action action) {
         show_open(window);
         return true;
     case ACTION_GALLERY:
-        show_gallery(window);
+    case ACTION_LESSONS:
+        show_gallery(window, action == ACTION_LESSONS);
         return true;
     case ACTION_MENU:
         show_menu(window);
@@ -229,6 +240,8 @@ static bool do_window(Window *window, Action action) {
         toggle_sound(window);
         return true;
     default:
+        if (lesson_do(window, action))
+            return true;
         if (action < ACTION_LABORATORY)
             return false;
         if (window->dialog != DIALOG_LEAVE && window->dialog != DIALOG_SAVE) /* those ask about the shown tab */

@@ -6,6 +6,7 @@
 #include "base/stop.h"
 #include "base/stopwatch.h"
 #include "window/act.h"
+#include "window/lesson.h"
 #include "window/menu.h"
 #include "window/notice.h"
 #include "window/plan_input.h"
@@ -79,7 +80,7 @@ void bars_show_menu(Window *window) {
     double left = menu_show_bar(window, bar), right = show_laboratories(window, bar);
     const Tab *tab = window_tab(window);
     if (tab->session) {
-        const char *title = tab_title(tab, &window->arena), *note = tab->laboratory->note(tab->session);
+        const char *title = lesson_title(window), *note = tab->laboratory->note(tab->session);
         double width = ui_extent(window->ui, UI_BOLD, title).x + 2, more = ui_extent(window->ui, UI_BODY, note).x + 2;
         window->noted_in_title = left + width + more + 4 * GAP < right;
         double all = window->noted_in_title && *note ? width + GAP + more : width;
@@ -207,9 +208,11 @@ void bars_show_answer(Window *window) {
     ui_pane_begin(window->ui, &(UiPane){.name = "answer", .box = bar, .ground = ROLE_PAPER});
     if (tab->session) {
         Result answer = tab->laboratory->answer(tab->session);
+        if (lesson_hides_words(window))
+            answer = (Result){.title = lesson_question(window), .role = ROLE_TEXT};
+        bool hides = answer.stale || lesson_hides_words(window);
         bool lacks = answer.cure && tab_editor(tab) && !answer.stale;
-        double right =
-            lacks ? show_cure_button(window, tab, bar, &answer) : show_place_button(window, tab, bar, answer.stale);
+        double right = lacks ? show_cure_button(window, tab, bar, &answer) : show_place_button(window, tab, bar, hides);
         double y = middle_of(bar).y;
         UiTextStyle size = title_size(window, &answer, right);
         double width = ui_extent(window->ui, size, answer.title).x;
@@ -287,6 +290,8 @@ void bars_show_message(Window *window) {
     size_t faults;
     const Message *shown = notice_shown(window, &faults);
     bool fault = shown && shown->kind == MESSAGE_FAULT;
+    if (shown && !fault && lesson_is_shown(window) && window->present)
+        return; /* nothing may lie over the plan and its scale; F7 keeps it */
     Box box = message_box(window, fault);
     if (show_gesture(window, box) || (!shown && !window->export))
         return;

@@ -7,6 +7,7 @@
 #include "base/stopwatch.h"
 #include "window/act.h"
 #include "window/act_plot.h"
+#include "window/lesson.h"
 #include "window/plan_input.h"
 #include "window/plan_overlay.h"
 #include "window/trace_image.h"
@@ -129,7 +130,7 @@ static void show_view_text(Window *window, const Tab *tab) {
     if (!window->noted_in_title)
         show_note(window, tab->laboratory->note(tab->session));
     show_animation(window, plan_input_animation(tab));
-    if (tab->player.playing || (window->plan_input.holds && window->plan_input.plays_on))
+    if (lesson_hides(window) || tab->player.playing || (window->plan_input.holds && window->plan_input.plays_on))
         return;
     Vec2 size = ui_extent(window->ui, UI_HEADING, "PAUSED");
     Box tag = {{view.high.x - size.x - 3 * MARGIN, view.low.y + MARGIN},
@@ -156,7 +157,7 @@ static void pick(Window *window, Tab *tab, Vec2 place) {
  * edited. */
 static void use_mouse(Window *window, Tab *tab) {
     UiGrab grab = ui_grab(window->ui, "view", window->frame.view);
-    if (!tab->view_layers.painted)
+    if (!tab->view_layers.painted || lesson_hides(window))
         return;
     if (grab.hovered && grab.wheel != 0)
         tab_zoom(tab, pow(WHEEL_ZOOM, grab.wheel), floor_at(window, tab, grab.at));

@@ -1,6 +1,7 @@
 #include "window/dialog_gallery.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "laboratory/import_file.h"
 #include "window/dialog_pane.h"
@@ -42,6 +43,22 @@ static bool show_item(Window *window, const GalleryItem *item, size_t index) {
     return ui_card(window->ui, &card);
 }
 
+/* Shows the lessons, or everything else, as cards; returns the path of the chosen one, or NULL. */
+static const char *show_group(Window *window, const GalleryItem *items, size_t count, bool lessons, int columns) {
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT,
+            lessons ? "Lessons: predict, watch, change, explain; Escape closes" : "Houses, beams and cranks");
+    size_t shown = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (items[i].lesson != lessons)
+            continue;
+        if (shown++ % (size_t)columns == 0)
+            ui_row(window->ui, columns);
+        if (show_item(window, &items[i], i))
+            return items[i].path;
+    }
+    return NULL;
+}
+
 void dialog_gallery_show(Window *window) {
     size_t count;
     bool news = gallery_update(window->gallery);
@@ -50,18 +67,15 @@ void dialog_gallery_show(Window *window) {
     fill_pictures(window, items, count, news);
     Box box = box_expand((Box){{0, 0}, window->frame.page}, -EDGE);
     dialog_pane_begin(window, box);
-    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Gallery: choose a file to open; Escape closes");
     int columns = (int)fmax(1, floor(box_width(box) / (ITEM_WIDTH + GAP)));
-    for (size_t i = 0; i < count; i++) {
-        if (i % (size_t)columns == 0)
-            ui_row(window->ui, columns);
-        if (show_item(window, &items[i], i)) {
-            dialog_pane_close(window);
-            files_leave(window, LEAVE_OPEN, items[i].path);
-            break;
-        }
-    }
+    const char *chosen = show_group(window, items, count, true, columns);
+    if (!chosen && !window->lessons_only)
+        chosen = show_group(window, items, count, false, columns);
     ui_pane_end(window->ui);
+    if (!chosen)
+        return;
+    dialog_pane_close(window);
+    files_leave(window, LEAVE_OPEN, chosen);
 }
 
 /* Folders ---------------------------------------------------------------------------------------------------------- */
@@ -70,6 +84,8 @@ static const char *kind_label(const FolderEntry *entry) {
     size_t laboratory = entry->format ? laboratory_find(entry->format) : laboratories_count;
     if (entry->kind == FOLDER_FILE && import_file_knows(entry->name))
         return "plan to import";
+    if (entry->kind == FOLDER_FILE && entry->format && strcmp(entry->format, "lesson") == 0)
+        return "lesson";
     if (entry->kind == FOLDER_FILE)
         return laboratory < laboratories_count ? entry->format : "other";
     return entry->kind == FOLDER_ABOVE ? "folder above" : "folder";
@@ -92,7 +108,7 @@ static void choose(Window *window, const FolderEntry *entry) {
 void dialog_gallery_show_open(Window *window) {
     Box box = box_expand((Box){{0, 0}, window->frame.page}, -3 * EDGE);
     dialog_pane_begin(window, box);
-    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Open a house or a beam");
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Open a house, a beam, a crank or a lesson");
     ui_line(window->ui, UI_BODY, ROLE_DIM_TEXT, window->folder.path);
     if (ui_field(window->ui, "path", "or type its path", "Path: Type a path; Return opens it", window->field,
                  sizeof window->field)) {

@@ -12,6 +12,7 @@
 #include "window/dialog_gallery.h"
 #include "window/dialog_leave.h"
 #include "window/dialog_pane.h"
+#include "window/lesson.h"
 #include "window/menu.h"
 
 /* Design points. */
@@ -286,6 +287,7 @@ void dialogs_show(Window *window) {
         [DIALOG_ABOUT] = show_about,
         [DIALOG_HISTORY] = show_history,
         [DIALOG_LEAVE] = dialog_leave_show,
+        [DIALOG_LESSON] = lesson_show_leave,
         [DIALOG_RECOVERED] = dialog_leave_show_recovered,
     };
     if (window->dialog != DIALOG_NONE)

@@ -11,6 +11,7 @@
 #include "laboratory/shipped.h"
 #include "window/autosave.h"
 #include "window/dialog_pane.h"
+#include "window/lesson.h"
 #include "window/notice.h"
 #include "window/opening.h"
 #include "window/plan_input.h"
@@ -162,7 +163,7 @@ void files_finish_leaving(Window *window) {
     if (leave == LEAVE_QUIT)
         window->quit = true;
     else if (leave != LEAVE_NOTHING)
-        opening_file(window, leave == LEAVE_OPEN ? window->leave_path : NULL);
+        lesson_open_any(window, leave == LEAVE_OPEN ? window->leave_path : NULL);
 }
 
 /* Returns a tab whose edits would be lost, or NULL. Opening a file closes only what is open in the same tab. */

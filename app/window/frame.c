@@ -115,7 +115,7 @@ static void divide(Frame *frame, Box place, const FrameWish *wish) {
     if (wish->aspect > WIDE_VIEW)
         below.low.y =
             place.low.y + fmin(fmax(box_width(place) / wish->aspect, WIDE_LEAST), WIDE_MOST * box_height(place));
-    if (wish->present) {
+    if (wish->present && !wish->card) {
         beside.low.x = place.high.x - PRESENT_PLOT * box_width(place);
         place_panes(frame, beside, 1);
         if (frame->pane_count)
@@ -158,15 +158,20 @@ Frame frame_make(Vec2 page, const FrameWish *wish) {
     double timeline = frame.compact ? COMPACT_TIMELINE : TIMELINE_HEIGHT;
     double strip = wish->present || frame.compact ? 0 : STRIP_HEIGHT;
     double width = page.x >= WIDEST_PAGE ? PANEL_WIDEST : frame_is_wide(page) ? PANEL_WIDE : PANEL_WIDTH;
-    double panel = wish->panel && !wish->present ? fmin(width, page.x) : 0;
+    bool covers = wish->present && wish->card > 0; /* the panel takes the place of the card */
+    double panel = !wish->panel || (wish->present && !covers) ? 0 : covers ? wish->card : fmin(width, page.x);
     frame.menu = (Box){{0, 0}, {page.x, menu}};
     frame.answer = (Box){{0, menu}, {page.x, menu + answer}};
     frame.strip = (Box){{0, page.y - strip}, {page.x, page.y}};
     frame.timeline = (Box){{0, frame.strip.low.y - timeline}, {page.x, frame.strip.low.y}};
     Box place = {{0, frame.answer.high.y}, {page.x, frame.timeline.low.y}};
     frame.panel = (Box){{page.x - panel, place.low.y}, place.high};
-    if (!frame.drawer)
+    if (covers)
+        frame.panel = (Box){place.low, {panel, place.high.y}};
+    else if (!frame.drawer)
         place.high.x = frame.panel.low.x;
+    frame.card = (Box){place.low, {place.low.x + (covers && panel > 0 ? 0 : wish->card), place.high.y}};
+    place.low.x += wish->card;
     place = place_toolbar(&frame, place, wish);
     if (is_there(place))
         divide(&frame, place, wish);

@@ -12,7 +12,8 @@
  *     +-------------------------------------------------+
  *
  * If the text is large or the window is small, labels are dropped first, those of the tools too, then the strip, then
- * the plots; the panel becomes a drawer over the view. */
+ * the plots; the panel becomes a drawer over the view. The card of a lesson takes a column at
+ * the left, beside the view; in presentation mode the panel, while it is open, takes the place of the card. */
 #pragma once
 
 #include <stdbool.h>
@@ -26,12 +27,13 @@ typedef struct FrameWish {
     bool panel, plots, present;
     size_t plot_count;
     size_t tool_count; /* in the toolbar; 0: there is none */
+    double card;       /* width of a lesson's card; 0: there is none */
     double aspect;     /* width over height of the view's contents */
 } FrameWish;
 
 typedef struct Frame {
     Vec2 page;
-    Box menu, answer, toolbar, view, panel, timeline, strip; /* a part that does not fit has no width */
+    Box menu, answer, card, toolbar, view, panel, timeline, strip; /* a part that does not fit has no width */
     Box panes[FRAME_PANES_MOST];
     size_t pane_count; /* the number of plots that fit */
     int tool_columns;  /* of the toolbar */

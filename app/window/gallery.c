@@ -10,6 +10,7 @@
 #include "base/json.h"
 #include "base/memory.h"
 #include "base/text.h"
+#include "classroom/play.h"
 #include "draw/cairo_memory.h"
 #include "draw/layout.h"
 #include "laboratory/laboratories.h"
@@ -62,7 +63,7 @@ static void paint(const Scene *scene, unsigned char *pixels, Theme theme) {
 }
 
 static bool read_thumbnail(Thumbnail *thumbnail, const GalleryItem *item, Fault *fault) {
-    return laboratories[item->laboratory].read_thumbnail(thumbnail, item->path, fault);
+    return laboratories[item->laboratory].read_thumbnail(thumbnail, item->drawn, fault);
 }
 
 /* Returns the path of a file's cached picture, to be released by memory_free. NULL: there is no cache. */
@@ -97,7 +98,7 @@ static bool read_cached(const char *path, unsigned char *pixels) {
 /* Reads or draws the picture of an item. NULL: a fault says why not. */
 static unsigned char *picture_of(const Gallery *gallery, const GalleryItem *item, Theme theme, Fault *fault) {
     unsigned char *pixels = memory_zeroed(GALLERY_HEIGHT, STRIDE);
-    char *cached = cached_path(gallery, item->path, theme);
+    char *cached = cached_path(gallery, item->drawn, theme);
     Thumbnail thumbnail;
     bool good = cached && read_cached(cached, pixels);
     if (!good && (good = read_thumbnail(&thumbnail, item, fault))) {
@@ -155,8 +156,9 @@ static void find_text(Gallery *gallery, size_t i) {
     Fault fault = {0};
     Found found = {.name = NULL};
     if (read_thumbnail(&thumbnail, &gallery->items[i], &fault)) {
-        found.name = text_copy(thumbnail.name);
-        found.line = text_copy(thumbnail.line);
+        if (!gallery->items[i].lesson)
+            found.name = text_copy(thumbnail.name);
+        found.line = text_copy(gallery->items[i].lesson ? gallery->items[i].about : thumbnail.line);
         thumbnail_clear(&thumbnail);
     } else {
         found.line = text_copy("");
@@ -225,6 +227,7 @@ static void add_folder(Gallery *gallery, size_t laboratory, const char *from) {
             if (folder.entries[i].format && laboratory_find(folder.entries[i].format) == laboratory)
                 gallery->items[gallery->count++] =
                     (GalleryItem){.path = arena_text(&gallery->arena, folder.entries[i].path),
+                                  .drawn = arena_text(&gallery->arena, folder.entries[i].path),
                                   .name = thumbnail_name_of(folder.entries[i].name, &gallery->arena),
                                   .line = "",
                                   .laboratory = laboratory};
@@ -241,12 +244,41 @@ static void add_folders(Gallery *gallery, size_t laboratory) {
         add_folder(gallery, laboratory, text_in_arena(&gallery->arena, "%s%s", shipped_own(i), name));
 }
 
+/* Adds the shipped lessons, with their titles. A file that is no good lesson is left out. */
+static void add_lessons(Gallery *gallery) {
+    static const char *const words[] = {[LESSON_HOUSE] = "house", [LESSON_BEAM] = "beam", [LESSON_CRANK] = "crank"};
+    Folder folder = {.count = 0};
+    Fault fault = {0};
+    size_t capacity = gallery->count;
+    if (folder_read(&folder, shipped_places()->lessons, NULL, &fault))
+        gallery->items =
+            memory_reserve(gallery->items, &capacity, gallery->count + folder.count, sizeof *gallery->items);
+    for (size_t i = 0; i < folder.count; i++) {
+        Lesson lesson = {.path = NULL};
+        const char *format = folder.entries[i].format;
+        if (!format || strcmp(format, "lesson") != 0 || !lesson_read(&lesson, folder.entries[i].path, &fault))
+            continue;
+        gallery->items[gallery->count++] = (GalleryItem){
+            .lesson = true,
+            .path = arena_text(&gallery->arena, folder.entries[i].path),
+            .drawn = arena_text(&gallery->arena, lesson.file),
+            .name = arena_text(&gallery->arena, lesson.title),
+            .line = "",
+            .about = text_in_arena(&gallery->arena, "A lesson of %d minutes, %s", lesson.minutes, lesson.level),
+            .laboratory = laboratory_find(words[lesson.laboratory])};
+        lesson_free(&lesson);
+    }
+    fault_clear(&fault);
+    folder_clear(&folder);
+}
+
 Gallery *gallery_create(Theme theme) {
     Gallery *gallery = memory_zeroed(1, sizeof *gallery);
     gallery->theme = theme;
     gallery->cache = settings_cache_folder();
     for (size_t i = 0; i < laboratories_count; i++)
         add_folders(gallery, i);
+    add_lessons(gallery);
     gallery->shown = memory_zeroed(gallery->count + 1, sizeof *gallery->shown);
     gallery->found = memory_zeroed(gallery->count + 1, sizeof *gallery->found);
     pthread_mutex_init(&gallery->lock, NULL);

@@ -1,5 +1,6 @@
-/* The files that come with the program, each with a line and a small picture. A thread draws the pictures from the
- * files alone, without a run, and caches them in $XDG_CACHE_HOME/clearance/ under the digest of the file. */
+/* The lessons, houses and machines that come with the program, each with a line and a small picture. A thread draws the
+ * pictures from the files alone, without a run, and caches them in $XDG_CACHE_HOME/clearance/ under the digest of the
+ * file. */
 #pragma once
 
 #include <stdbool.h>
@@ -15,7 +16,10 @@ typedef struct GalleryItem {
     const char *path;
     const char *name;            /* from the file; the file's name without ending until it is read */
     const char *line;            /* the beginning of the note, or "" */
+    bool lesson;                 /* `path` is a lesson, */
+    const char *drawn;           /* and this its house or machine; otherwise the file itself */
     size_t laboratory;           /* index among `laboratories` */
+    const char *about;           /* of a lesson, its minutes and level; otherwise NULL */
     const char *fault;           /* why there is no picture, or NULL */
     const unsigned char *pixels; /* GALLERY_WIDTH x GALLERY_HEIGHT of cairo's RGB24, rows from the top; NULL: not yet */
     bool is_read;                /* name, line and fault are final */

@@ -5,8 +5,9 @@
 #include "laboratory/laboratories.h"
 #include "platform/sdl_window.h"
 
-const char *const keys_menus[MENUS] = {[MENU_FILE] = "File", [MENU_EDIT] = "Edit", [MENU_TOOLS] = "Tools",
-                                       [MENU_VIEW] = "View", [MENU_RUN] = "Run",   [MENU_HELP] = "Help"};
+const char *const keys_menus[MENUS] = {
+    [MENU_FILE] = "File", [MENU_EDIT] = "Edit",   [MENU_TOOLS] = "Tools", [MENU_VIEW] = "View",
+    [MENU_RUN] = "Run",   [MENU_LEARN] = "Learn", [MENU_HELP] = "Help"};
 
 static const KeyRow table[] = {
     {ACTION_NEW, KEY_ANYWHERE, "Ctrl+N", MENU_FILE, "New house", "Begin a new house with an empty plan", NULL},
@@ -178,6 +179,18 @@ static const KeyRow table[] = {
     {ACTION_FOLLOW_ORBIT, KEY_CANVAS, "Shift+U", MENU_RUN, "Follow this orbit",
      "Follow the running orbit along the orbit diagram, stable or not, or remove its lines", NULL},
     {ACTION_SOUND, KEY_ANYWHERE, "Ctrl+M", MENU_RUN, "Sound", "Switch the sound of the beam's tip on or off", NULL},
+
+    {ACTION_LESSONS, KEY_ANYWHERE, "Ctrl+L", MENU_LEARN, "Lessons ...", "Choose a lesson for a class or for yourself",
+     "lessons"},
+    {ACTION_LESSON_NEXT, KEY_ANYWHERE, "PageDown", MENU_LEARN, "Next step",
+     "Go on in the lesson, as a presenter's remote does; first shows a model answer", NULL},
+    {ACTION_LESSON_BACK, KEY_ANYWHERE, "PageUp", MENU_LEARN, "Step back",
+     "Go back in the lesson; the house or machine is again as that step was left", NULL},
+    {ACTION_LESSON_HINT, KEY_VIEW, "?", MENU_LEARN, "Hint", "Show the next of a step's three hints", NULL},
+    {ACTION_LESSON_VOTE, KEY_VIEW, "0", MENU_LEARN, "Vote again",
+     "Let the class vote once more; keys 1 to 9 count the raised hands, Backspace takes one back", NULL},
+    {ACTION_LESSON_LEAVE, KEY_ANYWHERE, "Ctrl+Shift+L", MENU_LEARN, "Leave the lesson",
+     "End the lesson; what is open stays open", NULL},
 
     {ACTION_HELP, KEY_ANYWHERE, "F1", MENU_HELP, "Keys", "Show this card", "keys"},
     {ACTION_EXPLAIN, KEY_ANYWHERE, "Shift+F1", MENU_HELP, "Explain", "Explain the focused control", NULL},

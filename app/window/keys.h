@@ -110,6 +110,12 @@ typedef enum Action {
     ACTION_EXPLAIN,
     ACTION_ABOUT,
     ACTION_TRY,
+    ACTION_LESSONS,
+    ACTION_LESSON_NEXT,
+    ACTION_LESSON_BACK,
+    ACTION_LESSON_HINT,
+    ACTION_LESSON_VOTE,
+    ACTION_LESSON_LEAVE,
     ACTION_ESCAPE,
     ACTION_LABORATORY, /* the first of `laboratories`; the others follow */
     ACTIONS,
@@ -125,7 +131,17 @@ typedef enum KeyPlace {
     KEY_TIMELINE, /* the timeline, too */
 } KeyPlace;
 
-typedef enum KeyMenu { MENU_NONE, MENU_FILE, MENU_EDIT, MENU_TOOLS, MENU_VIEW, MENU_RUN, MENU_HELP, MENUS } KeyMenu;
+typedef enum KeyMenu {
+    MENU_NONE,
+    MENU_FILE,
+    MENU_EDIT,
+    MENU_TOOLS,
+    MENU_VIEW,
+    MENU_RUN,
+    MENU_LEARN,
+    MENU_HELP,
+    MENUS
+} KeyMenu;
 
 typedef struct KeyRow {
     Action action;

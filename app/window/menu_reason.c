@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "window/lesson.h"
+
 static bool is_selected(const Tab *tab) {
     return tab->laboratory->selected(tab->session).kind != 0;
 }
@@ -46,6 +48,8 @@ static const char *why_no_edit(const Tab *tab, Editor *editor, Action action) {
 
 const char *menu_reason_of(Window *window, Action action) {
     const Tab *tab = window_tab(window);
+    if (action >= ACTION_LESSON_NEXT && action <= ACTION_LESSON_LEAVE)
+        return lesson_reason(window, action);
     if (!tab->session)
         return needs_file(action) ? "No file is open" : NULL;
     Editor *editor = tab_editor(tab);

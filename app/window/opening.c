@@ -26,14 +26,10 @@ static LaboratoryOptions options_of(const Window *window, bool first) {
     return options;
 }
 
-static bool open_in(Window *window, size_t index, const char *path, const char *origin, bool remembered) {
+static bool open_by(Window *window, size_t index, const char *path, const LaboratoryOptions *options, bool remembered) {
     Fault fault = {0};
     Tab *tab = &window->tabs[index];
-    const char *first = window->options->file ? window->options->file : laboratory_file(0, &window->arena);
-    bool given = path && strcmp(path, first) == 0 && !tab->session;
-    LaboratoryOptions options = options_of(window, given);
-    options.origin = origin;
-    bool opened = tab_open(tab, path, &options, window->screen, &fault);
+    bool opened = tab_open(tab, path, options, window->screen, &fault);
     bool several = !opened && fault.count > 1;
     notice_fault(window, &fault, NAN);
     if (opened) {
@@ -44,6 +40,14 @@ static bool open_in(Window *window, size_t index, const char *path, const char *
     if (several && tab->session)
         dialog_pane_show(window, DIALOG_MESSAGES); /* all of them are seen */
     return opened;
+}
+
+static bool open_in(Window *window, size_t index, const char *path, const char *origin, bool remembered) {
+    const char *first = window->options->file ? window->options->file : laboratory_file(0, &window->arena);
+    bool given = path && strcmp(path, first) == 0 && !window->tabs[index].session;
+    LaboratoryOptions options = options_of(window, given);
+    options.origin = origin;
+    return open_by(window, index, path, &options, remembered);
 }
 
 static void enter(Window *window, size_t index) {
@@ -129,6 +133,17 @@ bool opening_file(Window *window, const char *path) {
     if (!open_in(window, index, path, NULL, true))
         return false;
     enter(window, index);
+    return true;
+}
+
+bool opening_with(Window *window, size_t tab, const char *path, const char *const *settings, size_t count) {
+    LaboratoryOptions options = options_of(window, false);
+    options.settings = settings;
+    options.setting_count = count;
+    plan_input_reset(window);
+    if (!open_by(window, tab, path, &options, false))
+        return false;
+    enter(window, tab);
     return true;
 }
 

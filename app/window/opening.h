@@ -12,5 +12,8 @@ bool opening_file(Window *window, const char *path);
  * in LaboratoryOptions. */
 bool opening_copy(Window *window, const char *path, const char *origin, const char *mark);
 
+/* Opens a lesson's file in a tab with these settings (count) NAME=VALUE, and shows the tab. */
+bool opening_with(Window *window, size_t tab, const char *path, const char *const *settings, size_t count);
+
 /* Shows a tab, with the default file of its laboratory when nothing is open in it. */
 void opening_tab(Window *window, size_t tab);

@@ -7,6 +7,7 @@
 
 #include "base/file_write.h"
 #include "base/stopwatch.h"
+#include "window/lesson.h"
 #include "window/notice.h"
 #include "window/opening.h"
 #include "window/plan_input.h"
@@ -238,7 +239,7 @@ static void run(Scripted *scripted, Window *window, const ScriptCommand *command
         scripted->since = stopwatch_now();
         break;
     case SCRIPT_OPEN:
-        opening_file(window, command->words[0]);
+        lesson_open_any(window, command->words[0]);
         break;
     case SCRIPT_LABORATORY:
         opening_tab(window, (size_t)command->choice);
@@ -291,10 +292,10 @@ static bool has_come(const Scripted *scripted, Window *window) {
     case SCRIPT_COMPLETE:
         return span.complete && !answer.stale;
     case SCRIPT_ANSWERED:
-        return !answer.stale && (span.complete || span.endless);
+        return !answer.stale && (span.complete || span.endless) && !lesson_works(window);
     default:
         return !answer.stale && (span.complete || span.endless) && !answer.doing && !window->export &&
-               !plan_input_animation(tab);
+               !lesson_works(window) && !plan_input_animation(tab);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "draw/caption.h"
+#include "window/lesson.h"
 #include "window/menu.h"
 #include "window/notice.h"
 #include "window/plan_input.h"
@@ -25,6 +26,7 @@ static json_t *frame_state(const Window *window) {
     json_object_set_new(state, "menu", json_box(window, frame->menu));
     json_object_set_new(state, "answer", json_box(window, frame->answer));
     json_object_set_new(state, "view", json_box(window, frame->view));
+    json_object_set_new(state, "card", json_box(window, frame->card));
     json_object_set_new(state, "rail", json_box(window, frame->toolbar));
     json_object_set_new(state, "panel", json_box(window, frame->panel));
     json_object_set_new(state, "timeline", json_box(window, frame->timeline));
@@ -284,9 +286,9 @@ static void add_menu(json_t *state, Window *window) {
 }
 
 json_t *scripted_state_of(Window *window) {
-    static const char *const dialogs[DIALOGS] = {"none",    "menu",   "keys",     "gallery", "open",
-                                                 "save",    "export", "messages", "explain", "about",
-                                                 "history", "leave",  "recovered"};
+    static const char *const dialogs[DIALOGS] = {"none",    "menu",   "keys",     "gallery",  "open",
+                                                 "save",    "export", "messages", "explain",  "about",
+                                                 "history", "leave",  "lesson",   "recovered"};
     const Message *last = messages_last(&window->messages);
     json_t *state = json_object();
     json_object_set_new(state, "laboratory", json_string(window_tab(window)->laboratory->word));
@@ -329,6 +331,7 @@ json_t *scripted_state_of(Window *window) {
     json_object_set_new(state, "faults", json_integer((json_int_t)faults));
     json_object_set_new(state, "messages", json_integer((json_int_t)window->messages.total));
     json_object_set_new(state, "frame", frame_state(window));
+    json_object_set_new(state, "lesson", lesson_state(window));
     if (window_tab(window)->session)
         add_tab(state, window);
     return state;

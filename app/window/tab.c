@@ -172,8 +172,20 @@ static bool is_names(const Tab *tab, size_t layer) {
     return strcmp(tab->laboratory->layers[layer], "names") == 0;
 }
 
+/* True for layers that tell nothing of the result. */
+static bool is_telling(const char *layer) {
+    static const char *const silent[] = {"names", "grid", "rings", "loupe", "sources"};
+    for (size_t i = 0; i < sizeof silent / sizeof *silent; i++)
+        if (strcmp(layer, silent[i]) == 0)
+            return false;
+    return true;
+}
+
 unsigned tab_layers(const Tab *tab) {
     unsigned layers = tab->layers;
+    for (size_t i = 0; i < tab->laboratory->layer_count && tab->covered; i++)
+        if (is_telling(tab->laboratory->layers[i]))
+            layers &= ~(1u << i);
     for (size_t i = 0; i < tab->laboratory->layer_count && tab->cramped; i++)
         if (is_names(tab, i))
             layers = tab->named ? layers | 1u << i : layers & ~(1u << i);

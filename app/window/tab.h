@@ -22,6 +22,7 @@ typedef struct Tab {
     double aspect;     /* width over height that the window is laid out for; it stays while the plan is edited */
     Box shape;         /* m, that the camera is fitted to */
     bool fits;         /* the camera shows everything: it has not been moved */
+    bool covered;      /* nothing of the result is shown: a class guesses first */
     bool handled;      /* it has been edited, so the view stays still */
     const char *plots; /* names of the plots shown, separated by commas; not owned */
     ViewLayers view_layers;

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "window/act.h"
+#include "window/lesson.h"
 
 /* Design points. */
 #define MARGIN 8.0
@@ -148,7 +149,12 @@ void timeline_show(Window *window) {
             add_button(&row, ACTION_START, "|<", false, false);
         if (!compact)
             add_button(&row, ACTION_STEP_BACK, "<", false, false);
-        add_button(&row, ACTION_PLAY, row.stale ? "Ready soon" : tab->player.playing ? "Pause" : "Play", true, false);
+        add_button(&row, ACTION_PLAY,
+                   lesson_hides(window)  ? "Guess first"
+                   : row.stale           ? "Ready soon"
+                   : tab->player.playing ? "Pause"
+                                         : "Play",
+                   true, false);
         if (!compact)
             add_button(&row, ACTION_STEP, ">", false, false);
         if (!compact)
@@ -160,7 +166,7 @@ void timeline_show(Window *window) {
         add_button(&row, ACTION_FASTER, "+", false, true);
         add_text(&row, UI_BODY, speed_text(window, &tab->player), compact ? "16x" : "16x (0.98x)", true);
         add_button(&row, ACTION_SLOWER, "-", false, true);
-        if (row.right - row.left > LEAST_TRACK)
+        if (row.right - row.left > LEAST_TRACK && !lesson_hides(window))
             show_track(window, tab, (Box){{row.left + GAP, row.bar.low.y}, {row.right - GAP, row.bar.high.y}});
     }
     ui_pane_end(window->ui);

@@ -14,6 +14,7 @@
 #include "window/dialogs.h"
 #include "window/edit_benchmark.h"
 #include "window/files.h"
+#include "window/lesson.h"
 #include "window/menu.h"
 #include "window/notice.h"
 #include "window/opening.h"
@@ -140,6 +141,10 @@ static bool walk_menu(Window *window, const SdlWindowEvent *event) {
 
 /* Handles a key; a gesture comes first. */
 static void handle_key(Window *window, const SdlWindowEvent *event) {
+    if (lesson_key(window, event)) {
+        window->plan_input.done = true;
+        return;
+    }
     if (walk_menu(window, event))
         return;
     if (place_of(window) == KEY_PLAN && (plan_input_key(window, event) || plan_input_store_key(window, event)))
@@ -159,7 +164,10 @@ static void end_waiting(Window *window, const char *text) {
 /* Passes typed text to the open text field, otherwise to the gesture. */
 static void type(Window *window, const char *text) {
     bool fresh = !window->plan_input.done && place_of(window) == KEY_PLAN && !ui_types(window->ui);
+    bool done = window->plan_input.done;
     window->plan_input.done = false;
+    if (!done && lesson_type(window, text))
+        return;
     if (!fresh || !plan_input_type(window, text))
         ui_type(window->ui, text);
 }
@@ -244,8 +252,12 @@ static void make_frame(Window *window) {
     bool plots = window->plots == PLOTS_AUTO ? tab->laboratory->numbers_first || frame_is_wide(page)
                                              : window->plots == PLOTS_OPEN;
     window->plots_shown = plots;
-    FrameWish wish = {.panel = window->panel,
-                      .plots = plots && (!window->present || window->plots == PLOTS_OPEN),
+    bool teaches = lesson_is_shown(window), machine = tab->laboratory->numbers_first;
+    bool panel = window->panel && lesson_has_panel(window) && (!window->present || window->drawer);
+    plots = plots && !lesson_hides(window);
+    FrameWish wish = {.panel = panel,
+                      .card = lesson_width(window, page),
+                      .plots = plots && (!window->present || window->plots == PLOTS_OPEN || (teaches && machine)),
                       .present = window->present,
                       .plot_count = tab->plot_panes_stale && tab->session && !tab->panes.count
                                         ? tab->laboratory->plot_count(tab->session)
@@ -253,7 +265,7 @@ static void make_frame(Window *window) {
                       .tool_count = tab_editor(tab) && window->editing ? EDIT_TOOLS : 0,
                       .aspect = tab->aspect};
     window->frame = frame_make(page, &wish);
-    if (window->frame.drawer && !window->drawer) {
+    if (window->frame.drawer && !window->present && !window->drawer) {
         wish.panel = false;
         window->frame = frame_make(page, &wish);
     }
@@ -275,6 +287,7 @@ static void fill_input(Window *window, double seconds) {
 static void show_panes(Window *window) {
     bars_show_menu(window);
     bars_show_answer(window);
+    lesson_show(window);
     canvas_show(window);
     panel_show(window);
     toolbar_show(window);
@@ -289,7 +302,7 @@ static void draw(Window *window, double seconds) {
     Tab *tab = window_tab(window);
     arena_clear(&window->arena);
     make_frame(window);
-    tab_set_cramped(tab, window->frame.compact);
+    tab_set_cramped(tab, window->frame.compact && !lesson_is_shown(window));
     canvas_paint(window);
     paint_gl_screen_begin(window->screen, window->width, window->height, palette_colour(window->theme, ROLE_PAPER));
     if (tab->session && tab->view_layers.paint)
@@ -376,9 +389,8 @@ static void dismiss_old_note(Window *window) {
 
 /* Shows the same title in the system's frame as in the menu. */
 static void show_title(Window *window) {
-    const Tab *tab = window_tab(window);
     char title[WINDOW_TITLE];
-    snprintf(title, sizeof title, "%s - clearance", tab_title(tab, &window->arena));
+    snprintf(title, sizeof title, "%s - clearance", lesson_title(window));
     if (strcmp(title, window->title) == 0)
         return;
     snprintf(window->title, sizeof window->title, "%s", title);
@@ -398,6 +410,7 @@ static void update(Window *window, double seconds) {
     if (tab->session)
         make_sound(window, tab, before);
     end_export(window);
+    lesson_update(window);
     if (tab->session)
         show_title(window);
     notice_edit(window);
@@ -487,6 +500,7 @@ static bool create_sdl_window(Window *window, Fault *fault) {
 }
 
 static void close_all(Window *window) {
+    lesson_close(window);
     if (window->export)
         export_end(window->export);
     if (window->sound)
@@ -527,7 +541,7 @@ static void loop(Window *window, Scripted *scripted) {
 static void open_first(Window *window) {
     files_start(window);
     const char *file = window->options->file;
-    if (!file || !opening_file(window, file))
+    if (!file || !lesson_open_any(window, file))
         opening_file(window, laboratory_file(0, &window->arena));
     if (shipped_places()->missing)
         notice_post(window, "%s", shipped_places()->missing);

@@ -33,6 +33,7 @@ typedef enum Dialog {
     DIALOG_ABOUT,
     DIALOG_HISTORY,   /* of the edits */
     DIALOG_LEAVE,     /* edits are not saved */
+    DIALOG_LESSON,    /* the lesson shall be left */
     DIALOG_RECOVERED, /* a program that crashed has left edits */
     DIALOGS,
 } Dialog;
@@ -74,6 +75,9 @@ typedef struct EditBenchmark {
     size_t count, capacity, missed;
 } EditBenchmark;
 
+/* The lesson that is being given: see lesson.h. */
+typedef struct GivenLesson GivenLesson;
+
 enum { FOLDS_MOST = 64, WINDOW_PATH = 4096, WINDOW_TITLE = 256, GALLERY_MOST = 64 };
 
 typedef struct Window {
@@ -93,6 +97,7 @@ typedef struct Window {
     ScreenTexture pictures[GALLERY_MOST]; /* of its items */
     Sound *sound;                         /* NULL: off */
     Export *export;                       /* NULL: no export runs */
+    GivenLesson *lesson;                  /* NULL: none */
     Tab *tabs;                            /* (laboratories_count) */
     size_t current;
 
@@ -105,7 +110,8 @@ typedef struct Window {
     uint64_t folds[FOLDS_MOST]; /* (fold_count) folds of the panel that are not in their first state */
     size_t fold_count;
     bool noted_in_title; /* the note of the laboratory stands in the title bar */
-    bool drawer;         /* the panel is open as a drawer over the view */
+    bool drawer;         /* the panel is open as a drawer over the view, or in place of a lesson's card */
+    bool lessons_only;   /* the gallery shows lessons alone */
     bool reduced;        /* nothing moves but what is simulated */
 
     int width, height; /* pixels */

@@ -5,6 +5,8 @@
 
 #include "base/text.h"
 
+#define SLACK 0.06 /* cm, by which a limit may differ from a whole centimetre and yet be said as that */
+
 const char *words_value(double value, int digits, const char *unit, Arena *arena) {
     const char *between = strcmp(unit, "1") == 0 ? "" : " ", *shown = *between ? unit : "";
     if (isnan(value))
@@ -58,10 +60,20 @@ const char *words_fill(const Lesson *lesson, const char *text, Arena *arena) {
     return filled;
 }
 
+/* Returns the digits behind the point: two of limits in metres that are whole centimetres but for a slack, which
+ * absorbs rounding; otherwise as few as tell 4 places. */
+static int digits_of(const Condition *condition) {
+    const double limits[] = {condition->low, condition->high};
+    bool metres = strcmp(condition->unit, "m") == 0;
+    for (size_t i = 0; i < sizeof limits / sizeof *limits; i++)
+        metres = metres && (isinf(limits[i]) || fabs(100 * limits[i] - round(100 * limits[i])) < SLACK);
+    return metres ? 2 : -1;
+}
+
 const char *words_limits(const LessonGoal *goal, Arena *arena) {
     const Condition *condition = &goal->condition;
-    const char *low = words_value(condition->low, -1, condition->unit, arena);
-    const char *high = words_value(condition->high, -1, condition->unit, arena);
+    const char *low = words_value(condition->low, digits_of(condition), condition->unit, arena);
+    const char *high = words_value(condition->high, digits_of(condition), condition->unit, arena);
     if (condition->low == condition->high)
         return text_in_arena(arena, "must be %s", low);
     if (condition->low == -HUGE_VAL)
@@ -76,6 +88,9 @@ const char *words_goal(const LessonGoal *goal, Arena *arena) {
     const char *title = *condition->title ? condition->title : condition->measure_name;
     if (condition->verdict == VERDICT_NOT_RUN)
         return title;
-    return text_in_arena(arena, "%s: %s, %s", title, words_value(condition->value, -1, condition->unit, arena),
+    if (strcmp(condition->measure_name, "regular") == 0)
+        return text_in_arena(arena, "%s: %s", title, condition->value > 0.5 ? "yes" : "no");
+    return text_in_arena(arena, "%s: %s, %s", title,
+                         words_value(condition->value, digits_of(condition), condition->unit, arena),
                          words_limits(goal, arena));
 }

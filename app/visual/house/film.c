@@ -142,7 +142,8 @@ static void make_still(Film *film) {
         mark_routes(film);
     if (!film->crowd)
         plan_scene_signs(scene, &rest);
-    if (!film->options.rests)
+    bool tells = (hidden & (FILM_DANGER | FILM_LOCI)) != (FILM_DANGER | FILM_LOCI); /* something of the result */
+    if (!film->options.rests && tells)
         add_blockages(film);
     if (!(hidden & FILM_DANGER))
         people_scene_hazards(scene, film->observation);

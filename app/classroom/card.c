@@ -1,0 +1,392 @@
+#include "classroom/card.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "lesson/words.h"
+
+/* Design points. */
+#define EDGE 12.0
+#define GAP 7.0
+#define FOOT 36.0   /* height of the buttons */
+#define DIGIT 28.0  /* width of the box with an option's number */
+#define STRIP 15.0  /* height of the bar of a vote */
+#define COUNT 46.0  /* width of its number */
+#define HATCH 7.0   /* between two lines of a pattern */
+#define MARK 24.0   /* width of a tick or cross */
+#define SPACING 1.1 /* height of a line, times that of its letters */
+
+enum { LINES_MOST = 24, SIZES = 3, TRIES = 5 };
+
+/* A text is set in the first size in which all of the card fits. */
+typedef enum CardText { CARD_TEXT, CARD_ASK } CardText;
+static const UiTextStyle styles[SIZES][2] = {{UI_DETAIL, UI_CLOCK}, {UI_DETAIL, UI_HEADING}, {UI_BODY, UI_BOLD}};
+
+/* Smaller letters only where leaving out the guesses does not do. */
+static const struct {
+    int size;
+    bool guesses;
+} tries[TRIES] = {{0, true}, {1, true}, {0, false}, {1, false}, {2, false}};
+
+typedef struct Card {
+    Ui *ui;
+    const Play *play;
+    const LessonStep *step;
+    const PlayStep *shown;
+    Arena *arena;
+    Box box;      /* inside the edges */
+    double y;     /* of the next line */
+    int size;     /* of `styles` */
+    bool guesses; /* those of the class are shown behind the result */
+    bool draws;   /* otherwise it is only measured */
+    bool working; /* the goal is being judged */
+    CardPress press;
+} Card;
+
+/* Text ------------------------------------------------------------------------------------------------------------- */
+
+static double line_height(const Card *card, UiTextStyle style) {
+    return SPACING * ui_extent(card->ui, style, "x").y;
+}
+
+/* Returns the bytes of the text that fit into the width, up to a blank; at least one word. */
+static size_t fitting(const Card *card, UiTextStyle style, const char *text, double width) {
+    size_t good = 0, length = strlen(text);
+    for (size_t at = 0; at <= length; at++) {
+        if (at < length && text[at] != ' ')
+            continue;
+        const char *part = text_in_arena(card->arena, "%.*s", (int)at, text);
+        if (good && ui_extent(card->ui, style, part).x > width)
+            break;
+        good = at;
+    }
+    return good;
+}
+
+/* Adds wrapped text from `left` on, and returns its height. */
+static double add_wrapped(Card *card, UiTextStyle style, Role role, double left, double right, double top,
+                          const char *text) {
+    double height = line_height(card, style), y = top;
+    for (int lines = 0; *text && lines < LINES_MOST; lines++) {
+        size_t length = fitting(card, style, text, right - left);
+        if (card->draws)
+            ui_draw_text(card->ui, style, role, vec2(left, y + height / 2), 0,
+                         text_in_arena(card->arena, "%.*s", (int)length, text));
+        text += length;
+        text += *text == ' ';
+        y += height;
+    }
+    return y - top;
+}
+
+static void add_text(Card *card, CardText kind, Role role, const char *text) {
+    if (!*text)
+        return;
+    const char *filled = words_fill(&card->play->lesson, text, card->arena);
+    card->y += add_wrapped(card, styles[card->size][kind], role, card->box.low.x, card->box.high.x, card->y, filled);
+    card->y += GAP;
+}
+
+/* Adds a line with a tick or a cross before it: the mark and the words say the same, so that no colour has to. */
+static void add_marked(Card *card, CardText kind, bool good, const char *text) {
+    UiTextStyle style = styles[card->size][kind];
+    Role role = good ? ROLE_EXIT_TAG : ROLE_ERROR;
+    if (card->draws)
+        ui_draw_text(card->ui, style, role, vec2(card->box.low.x, card->y + line_height(card, style) / 2), 0,
+                     good ? "\u2713" : "\u2717");
+    card->y += add_wrapped(card, style, kind == CARD_ASK ? role : ROLE_TEXT, card->box.low.x + MARK, card->box.high.x,
+                           card->y, text);
+    card->y += GAP / 2;
+}
+
+/* Bars ------------------------------------------------------------------------------------------------------------- */
+
+/* Draws a line of a pattern, cut at the box's sides; `slope` 1 or -1. */
+static void draw_hatch_line(Ui *ui, Box box, double x, int slope) {
+    double height = box_height(box);
+    double from = fmax(x, box.low.x), to = fmin(x + height, box.high.x);
+    if (from >= to)
+        return;
+    double low = slope > 0 ? box.high.y - (from - x) : box.low.y + (from - x);
+    double high = slope > 0 ? box.high.y - (to - x) : box.low.y + (to - x);
+    ui_draw_line(ui, vec2(from, low), vec2(to, high), ROLE_DIM_TEXT, 1.5);
+}
+
+/* Draws a bar: hatched one way for the first vote, both ways for the second. */
+static void draw_bar(Ui *ui, Box box, int vote) {
+    for (double x = box.low.x - box_height(box); x < box.high.x; x += HATCH) {
+        draw_hatch_line(ui, box, x, 1);
+        if (vote)
+            draw_hatch_line(ui, box, x, -1);
+    }
+    ui_draw_frame(ui, box, ROLE_DIM_TEXT, 1.5);
+}
+
+/* Draws the hands of a vote for an option as a bar with its number. */
+static void draw_vote(Card *card, const PlayStep *guesses, int vote, size_t option, Box box) {
+    int most = 1;
+    for (size_t o = 0; o < LESSON_OPTIONS_MOST; o++)
+        for (int v = 0; v < PLAY_VOTES; v++)
+            most = guesses->hands[v][o] > most ? guesses->hands[v][o] : most;
+    int hands = guesses->hands[vote][option];
+    Box bar = box;
+    bar.high.x = box.low.x + (box_width(box) - COUNT) * hands / most;
+    if (hands)
+        draw_bar(card->ui, bar, vote);
+    ui_draw_text(card->ui, UI_BOLD, ROLE_TEXT, vec2(box.high.x, (box.low.y + box.high.y) / 2), 1,
+                 text_in_arena(card->arena, "%d", hands));
+}
+
+/* Options ---------------------------------------------------------------------------------------------------------- */
+
+/* Returns what stands at the end of an option: a tick or a cross once it is known; "" before. */
+static const char *option_mark(const Card *card, size_t option) {
+    if (card->step->kind != LESSON_OBSERVE || !card->shown->chosen || !card->step->truth)
+        return "";
+    if ((int)option + 1 == card->step->truth && card->shown->chosen == card->step->truth)
+        return "\u2713";
+    return (int)option + 1 == card->shown->chosen ? "\u2717" : "";
+}
+
+static void press_option(Card *card, size_t option, Box box) {
+    bool counts = card->step->kind == LESSON_PREDICT;
+    UiButton button = {.id = text_in_arena(card->arena, "option %zu", option + 1),
+                       .label = "",
+                       .help = text_in_arena(card->arena,
+                                             counts ? "%s (%zu): Count one more hand for it" : "%s (%zu): Answer it",
+                                             card->step->options.at[option], option + 1)};
+    ui_at(card->ui, box);
+    if (ui_button(card->ui, &button))
+        card->press = (CardPress){.pressed = true, .key = PLAY_DIGIT, .digit = (int)option + 1};
+}
+
+static void add_option(Card *card, size_t option) {
+    UiTextStyle style = styles[card->size][CARD_TEXT];
+    int votes = card->step->kind == LESSON_PREDICT ? card->shown->vote + 1 : 0;
+    const char *text = words_fill(&card->play->lesson, card->step->options.at[option], card->arena);
+    const char *mark = option_mark(card, option);
+    double left = card->box.low.x + DIGIT + GAP, right = card->box.high.x - GAP - (*mark ? MARK : 0);
+    bool draws = card->draws;
+    card->draws = false;
+    double lines = add_wrapped(card, style, ROLE_TEXT, left, right, card->y, text);
+    card->draws = draws;
+    double height = lines + votes * STRIP + GAP;
+    Box box = {{card->box.low.x, card->y}, {card->box.high.x, card->y + height}};
+    if (draws) {
+        press_option(card, option, box);
+        double middle = card->y + GAP / 2 + line_height(card, style) / 2;
+        ui_draw_text(card->ui, UI_CLOCK, ROLE_TEXT, vec2(card->box.low.x + (DIGIT + GAP) / 2, middle), 0.5,
+                     text_in_arena(card->arena, "%zu", option + 1));
+        add_wrapped(card, style, ROLE_TEXT, left, right, card->y + GAP / 2, text);
+        if (*mark)
+            ui_draw_text(card->ui, UI_CLOCK, strcmp(mark, "\u2713") == 0 ? ROLE_EXIT_TAG : ROLE_ERROR,
+                         vec2(card->box.high.x - GAP, middle), 1, mark);
+        for (int vote = 0; vote < votes; vote++) {
+            double top = card->y + lines + vote * STRIP + GAP / 2;
+            draw_vote(card, card->shown, vote, option, (Box){{left, top + 2}, {right, top + STRIP - 2}});
+        }
+    }
+    card->y += height + GAP / 2;
+}
+
+static void add_options(Card *card) {
+    for (size_t o = 0; o < card->step->options.count; o++)
+        add_option(card, o);
+    card->y += GAP / 2;
+    if (card->step->kind != LESSON_PREDICT)
+        return;
+    int hands = play_hands(card->shown, card->shown->vote);
+    const char *vote = card->shown->vote ? "Second vote: " : "";
+    const char *words = hands ? text_in_arena(card->arena, "%s%d %s; Backspace takes one back", vote, hands,
+                                              hands == 1 ? "hand" : "hands")
+                              : text_in_arena(card->arena, "%sa number key counts a raised hand", vote);
+    if (card->size < SIZES - 1 || hands)
+        card->y += add_wrapped(card, UI_BODY, ROLE_DIM_TEXT, card->box.low.x, card->box.high.x, card->y, words) + GAP;
+}
+
+/* Says whether the answer after watching is right, and how the class had guessed. */
+static void add_verdict(Card *card) {
+    int chosen = card->shown->chosen, truth = card->step->truth;
+    if (card->step->kind != LESSON_OBSERVE || !chosen || !truth)
+        return;
+    bool good = chosen == truth;
+    const LessonTexts *wrong = &card->step->wrong;
+    const char *words = good                                                       ? "Yes."
+                        : (size_t)chosen <= wrong->count && *wrong->at[chosen - 1] ? wrong->at[chosen - 1]
+                                                                                   : "Not so. Look again.";
+    add_marked(card, CARD_ASK, good, words_fill(&card->play->lesson, words, card->arena));
+}
+
+/* Lays the result over the guesses of the class. */
+static void add_guesses(Card *card) {
+    size_t at = play_guessed(card->play);
+    const LessonStep *asked = at == SIZE_MAX ? NULL : &card->play->lesson.steps[at];
+    const PlayStep *guesses = asked ? &card->play->steps[at] : NULL;
+    if (!guesses || !asked->truth || !play_hands(guesses, 0) || !card->guesses)
+        return;
+    double height = line_height(card, UI_BODY);
+    card->y += GAP;
+    card->y += add_wrapped(
+        card, UI_BOLD, ROLE_TEXT, card->box.low.x, card->box.high.x, card->y,
+        text_in_arena(card->arena, "Your guesses: it was \u201c%s\u201d", asked->options.at[asked->truth - 1]));
+    for (size_t o = 0; o < asked->options.count; o++, card->y += height) {
+        if (!card->draws)
+            continue;
+        bool true_one = (int)o + 1 == asked->truth;
+        double middle = card->y + height / 2, left = card->box.low.x + DIGIT + GAP;
+        ui_draw_text(card->ui, UI_BOLD, ROLE_TEXT, vec2(card->box.low.x, middle), 0,
+                     text_in_arena(card->arena, "%zu%s", o + 1, true_one ? " \u2713" : ""));
+        draw_vote(card, guesses, guesses->vote, o,
+                  (Box){{left, card->y + 2}, {card->box.high.x, card->y + height - 2}});
+    }
+    card->y += GAP;
+}
+
+/* A task ----------------------------------------------------------------------------------------------------------- */
+
+static void add_goal(Card *card) {
+    PlayGoal goal = card->shown->goal;
+    if (!card->step->goal_count)
+        return;
+    if (card->working || goal == PLAY_GOAL_OPEN) {
+        card->y += add_wrapped(card, styles[card->size][CARD_ASK], ROLE_DIM_TEXT, card->box.low.x, card->box.high.x,
+                               card->y, "\u2026 being worked out") +
+                   GAP;
+        return;
+    }
+    add_marked(card, CARD_ASK, goal == PLAY_GOAL_YES, goal == PLAY_GOAL_YES ? "Goal reached" : "Not yet");
+    if (goal == PLAY_GOAL_YES) {
+        add_text(card, CARD_TEXT, ROLE_TEXT, card->step->done);
+        return;
+    }
+    for (size_t g = 0; g < card->step->goal_count; g++) {
+        const Condition *condition = &card->step->goals[g].condition;
+        add_marked(card, CARD_TEXT, condition->verdict == VERDICT_PASSED,
+                   words_goal(&card->step->goals[g], card->arena));
+    }
+}
+
+static void add_hints(Card *card) {
+    int first = card->size == SIZES - 1 && card->shown->hints > 0 ? card->shown->hints - 1 : 0;
+    if (card->shown->goal == PLAY_GOAL_YES)
+        return;
+    for (int h = first; h < card->shown->hints; h++)
+        add_text(card, CARD_TEXT, ROLE_TEXT, text_in_arena(card->arena, "Hint %d: %s", h + 1, card->step->hints.at[h]));
+}
+
+/* The card --------------------------------------------------------------------------------------------------------- */
+
+static void add_head(Card *card) {
+    double height = line_height(card, UI_HEADING), y = card->y + height / 2;
+    if (card->draws) {
+        ui_draw_text(card->ui, UI_HEADING, ROLE_CHAIR, vec2(card->box.low.x, y), 0,
+                     lesson_kind_title((LessonKind)card->step->kind));
+        ui_draw_text(card->ui, UI_BODY, ROLE_DIM_TEXT, vec2(card->box.high.x, y), 1,
+                     text_in_arena(card->arena, "%zu of %zu", card->play->step + 1, card->play->lesson.step_count));
+    }
+    card->y += height + GAP;
+}
+
+static void add_body(Card *card) {
+    const LessonStep *step = card->step;
+    card->y = card->box.low.y;
+    add_head(card);
+    if (card->play->step == 0)
+        add_text(card, CARD_ASK, ROLE_TEXT, card->play->lesson.title);
+    add_text(card, CARD_TEXT, ROLE_TEXT, step->text);
+    add_text(card, CARD_ASK, ROLE_TEXT, step->ask);
+    add_options(card);
+    add_verdict(card);
+    bool seen = step->kind == LESSON_OBSERVE && card->shown->chosen == step->truth;
+    if (step->kind == LESSON_COMPARE || seen)
+        add_guesses(card);
+    add_goal(card);
+    add_hints(card);
+    if (card->shown->model)
+        add_text(card, CARD_TEXT, ROLE_TEXT, step->model);
+}
+
+/* Returns the words of the button that goes on. */
+static const char *next_words(const Card *card) {
+    const Play *play = card->play;
+    if (play->step + 1 == play->lesson.step_count)
+        return "End";
+    if (card->step->kind == LESSON_EXPLAIN && !card->shown->model && *card->step->model)
+        return "An answer";
+    return play->lesson.steps[play->step + 1].kind == LESSON_OBSERVE ? "Watch" : "On";
+}
+
+typedef struct FootButton {
+    const char *label, *help;
+    CardPress press;
+    bool usable, first;
+} FootButton;
+
+static void show_foot(Card *card, Box pane) {
+    const LessonStep *step = card->step;
+    const char *hint = text_in_arena(
+        card->arena, "Hint %d of %zu (?)",
+        card->shown->hints < (int)step->hints.count ? card->shown->hints + 1 : card->shown->hints, step->hints.count);
+    const char *vote = "Vote again (0)";
+    bool predicts = step->kind == LESSON_PREDICT;
+    bool last = card->play->step + 1 == card->play->lesson.step_count;
+    const FootButton buttons[] = {
+        {"\u25c0",
+         "Back (PgUp): The step before, as it was left",
+         {true, false, PLAY_BACK, 0},
+         card->play->step > 0,
+         false},
+        {predicts ? vote : hint,
+         predicts ? "Vote again (0): The class has talked and votes once more" : "Hint (?): The next of three hints",
+         {true, false, predicts ? PLAY_VOTE : PLAY_HINT, 0},
+         predicts ? !card->shown->vote && play_hands(card->shown, 0) > 0 : card->shown->hints < (int)step->hints.count,
+         false},
+        {text_in_arena(card->arena, "%s \u25b6", next_words(card)),
+         "On (PgDn): The next step",
+         {true, last, PLAY_NEXT, 0},
+         true,
+         true},
+    };
+    enum { BUTTONS = sizeof buttons / sizeof *buttons };
+    double widths[BUTTONS] = {0.16, 0.5, 0.34}, left = card->box.low.x, whole = box_width(card->box);
+    for (int b = 0; b < BUTTONS; b++) {
+        const FootButton *row = &buttons[b];
+        double right = left + widths[b] * whole - (b + 1 < BUTTONS ? GAP : 0);
+        bool there = b != 1 || predicts || step->hints.count;
+        ui_at(card->ui, (Box){{left, pane.high.y - EDGE - FOOT}, {right, pane.high.y - EDGE}});
+        UiButton button = {.id = text_in_arena(card->arena, "foot %d", b),
+                           .label = row->label,
+                           .help = row->help,
+                           .chosen = row->first,
+                           .disabled = !row->usable};
+        if (there && ui_button(card->ui, &button))
+            card->press = row->press;
+        left += widths[b] * whole;
+    }
+}
+
+CardPress card_show(Ui *ui, const Play *play, Box box, bool working, Arena *arena) {
+    Card card = {.ui = ui,
+                 .play = play,
+                 .step = play_step(play),
+                 .shown = &play->steps[play->step],
+                 .arena = arena,
+                 .box = box_expand(box, -EDGE),
+                 .working = working};
+    card.box.high.y -= FOOT + GAP;
+    ui_pane_begin(ui, &(UiPane){.name = "lesson", .box = box, .ground = ROLE_PANEL});
+    for (int t = 0; t < TRIES; t++) {
+        card.size = tries[t].size;
+        card.guesses = tries[t].guesses;
+        add_body(&card);
+        if (card.y <= card.box.high.y)
+            break;
+    }
+    card.draws = true;
+    add_body(&card);
+    show_foot(&card, box);
+    ui_pane_end(ui);
+    return card.press;
+}

@@ -1,0 +1,17 @@
+/* The card of a lesson: what the step says and asks, the guesses of the class as bars, and the goal's verdict in words.
+ * The window places it beside the view, so that it never covers the plan, the answer or the scale bar. */
+#pragma once
+
+#include "classroom/play.h"
+#include "widgets/ui.h"
+
+/* What was pressed on the card: a key of play.h, or the wish to leave the lesson. */
+typedef struct CardPress {
+    bool pressed, leaves;
+    PlayKey key;
+    int digit; /* of an option, from 1 */
+} CardPress;
+
+/* Shows the card in a pane of its own, "lesson". `working`: the goal is being judged. Letters shrink before anything is
+ * left out. */
+CardPress card_show(Ui *ui, const Play *play, Box box, bool working, Arena *arena);

@@ -1,0 +1,201 @@
+#include "classroom/judge.h"
+
+#include <pthread.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "lesson/attempt.h"
+
+typedef struct Question {
+    size_t step;
+    uint64_t state;
+    char *text;
+    char *settings[LESSON_SETTINGS_MOST];
+    size_t count;
+} Question;
+
+struct Judge {
+    Lesson lesson; /* the thread's own copy */
+    const char *profiles;
+    int jobs;
+    pthread_t thread;
+    Stop stop;
+    pthread_mutex_t lock; /* of the members below */
+    pthread_cond_t changed;
+    Question *asked; /* NULL: nothing new */
+    Question *done;  /* its goals are judged, or a fault says why not */
+    Fault fault;     /* of `done` */
+    bool good, working, closing, numbered, numbers_new;
+};
+
+static void question_free(Question *question) {
+    if (!question)
+        return;
+    memory_free(question->text);
+    for (size_t i = 0; i < question->count; i++)
+        memory_free(question->settings[i]);
+    memory_free(question);
+}
+
+/* Judges a question without the lock; false: it was given up. */
+static bool answer(Judge *judge, const Question *question, Fault *fault) {
+    AttemptState state = {.text = question->text,
+                          .settings = (const char *const *)question->settings,
+                          .setting_count = question->count,
+                          .profiles = judge->profiles,
+                          .jobs = judge->jobs,
+                          .stop = &judge->stop};
+    return attempt_goal(&judge->lesson, &judge->lesson.steps[question->step], &state, fault);
+}
+
+static void find_numbers(Judge *judge) {
+    AttemptState state = {.profiles = judge->profiles, .jobs = judge->jobs, .stop = &judge->stop};
+    Fault fault = {0};
+    bool good = attempt_numbers(&judge->lesson, &state, &fault);
+    fault_clear(&fault);
+    pthread_mutex_lock(&judge->lock);
+    judge->numbered = judge->numbers_new = good;
+    pthread_mutex_unlock(&judge->lock);
+}
+
+/* Returns the next question; NULL: there is none yet, or the judge is closing. */
+static Question *take_question(Judge *judge) {
+    Question *question = judge->asked;
+    judge->asked = NULL;
+    judge->working = question;
+    return question;
+}
+
+static void *work(void *context) {
+    Judge *judge = context;
+    pthread_mutex_lock(&judge->lock);
+    while (!judge->closing) {
+        Question *question = take_question(judge);
+        bool numbers = !question && !judge->numbered;
+        if (!question && !numbers) {
+            pthread_cond_wait(&judge->changed, &judge->lock);
+            continue;
+        }
+        stop_withdraw(&judge->stop);
+        pthread_mutex_unlock(&judge->lock);
+        Fault fault = {0};
+        bool good = question && answer(judge, question, &fault);
+        if (numbers)
+            find_numbers(judge);
+        pthread_mutex_lock(&judge->lock);
+        bool wanted = question && !judge->asked && !judge->closing && (good || fault.total);
+        if (numbers && !judge->numbered && !judge->asked && !judge->closing)
+            judge->numbered = true; /* they cannot be computed, and will not be asked for again */
+        if (wanted) {
+            question_free(judge->done);
+            fault_clear(&judge->fault);
+            judge->done = question;
+            judge->good = good;
+            judge->fault = fault;
+        } else {
+            question_free(question);
+            fault_clear(&fault);
+        }
+        judge->working = false;
+    }
+    pthread_mutex_unlock(&judge->lock);
+    return NULL;
+}
+
+Judge *judge_create(const char *path, const char *profiles, int jobs) {
+    Judge *judge = memory_zeroed(1, sizeof *judge);
+    Fault fault = {0};
+    judge->profiles = profiles;
+    judge->jobs = jobs;
+    bool read = lesson_read(&judge->lesson, path, &fault);
+    fault_clear(&fault);
+    pthread_mutex_init(&judge->lock, NULL);
+    pthread_cond_init(&judge->changed, NULL);
+    if (read && pthread_create(&judge->thread, NULL, work, judge) == 0)
+        return judge;
+    pthread_cond_destroy(&judge->changed);
+    pthread_mutex_destroy(&judge->lock);
+    lesson_free(&judge->lesson);
+    memory_free(judge);
+    return NULL;
+}
+
+void judge_destroy(Judge *judge) {
+    if (!judge)
+        return;
+    pthread_mutex_lock(&judge->lock);
+    judge->closing = true;
+    stop_request(&judge->stop);
+    pthread_cond_signal(&judge->changed);
+    pthread_mutex_unlock(&judge->lock);
+    pthread_join(judge->thread, NULL);
+    pthread_cond_destroy(&judge->changed);
+    pthread_mutex_destroy(&judge->lock);
+    question_free(judge->asked);
+    question_free(judge->done);
+    fault_clear(&judge->fault);
+    lesson_free(&judge->lesson);
+    memory_free(judge);
+}
+
+void judge_ask(Judge *judge, size_t step, uint64_t state, const char *text, const char *const *settings, size_t count) {
+    Question *question = memory_zeroed(1, sizeof *question);
+    question->step = step;
+    question->state = state;
+    question->text = text ? text_copy(text) : NULL;
+    question->count = count < LESSON_SETTINGS_MOST ? count : LESSON_SETTINGS_MOST;
+    for (size_t i = 0; i < question->count; i++)
+        question->settings[i] = text_copy(settings[i]);
+    pthread_mutex_lock(&judge->lock);
+    question_free(judge->asked);
+    judge->asked = question;
+    stop_request(&judge->stop);
+    pthread_cond_signal(&judge->changed);
+    pthread_mutex_unlock(&judge->lock);
+}
+
+/* Copies what was found into another copy of the same lesson. */
+static void copy_condition(Condition *to, const Condition *from) {
+    to->verdict = from->verdict;
+    to->value = from->value;
+    memcpy(to->note, from->note, sizeof to->note);
+}
+
+static void copy_goals(Judge *judge, Lesson *lesson, size_t step) {
+    for (size_t g = 0; g < lesson->steps[step].goal_count; g++) {
+        Condition *condition = &lesson->steps[step].goals[g].condition;
+        copy_condition(condition, &judge->lesson.steps[step].goals[g].condition);
+        if (!judge->good)
+            condition->verdict = VERDICT_NOT_RUN;
+    }
+}
+
+bool judge_take(Judge *judge, Lesson *lesson, size_t *step, uint64_t *state, bool *numbered, Fault *fault) {
+    pthread_mutex_lock(&judge->lock);
+    if (judge->numbers_new) {
+        for (size_t n = 0; n < lesson->number_count; n++)
+            copy_condition(&lesson->numbers[n].condition, &judge->lesson.numbers[n].condition);
+        *numbered = true;
+        judge->numbers_new = false;
+    }
+    Question *done = judge->working ? NULL : judge->done; /* the thread may be writing into the goals */
+    if (done) {
+        *step = done->step;
+        *state = done->state;
+        copy_goals(judge, lesson, done->step);
+        for (size_t i = 0; i < judge->fault.count; i++)
+            fault_add(fault, "%s", judge->fault.lines[i]);
+        fault_clear(&judge->fault);
+        question_free(done);
+        judge->done = NULL;
+    }
+    pthread_mutex_unlock(&judge->lock);
+    return done;
+}
+
+bool judge_works(Judge *judge) {
+    pthread_mutex_lock(&judge->lock);
+    bool works = judge->working || judge->asked || judge->done;
+    pthread_mutex_unlock(&judge->lock);
+    return works;
+}

@@ -1,0 +1,27 @@
+/* Judges goals and computes the numbers of a lesson on a thread, so that the window never waits. A verdict belongs to
+ * the state that it was asked for; the answer for an older state is given up. */
+#pragma once
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "lesson/lesson.h"
+
+typedef struct Judge Judge;
+
+/* Begins to compute the numbers of the lesson at this path, which can be read; `profiles` as in attempt.h, kept by the
+ * caller. NULL: the system has no more threads. judge_destroy ends the work. */
+Judge *judge_create(const char *path, const char *profiles, int jobs);
+void judge_destroy(Judge *judge);
+
+/* Asks for the goal of a step (from 0) in a state with this number. The texts are copied: `text` a house as file text,
+ * or NULL; `settings` (count) NAME=VALUE. Work on an earlier question ends. */
+void judge_ask(Judge *judge, size_t step, uint64_t state, const char *text, const char *const *settings, size_t count);
+
+/* Takes over finished work into `lesson`, the caller's copy: true if its goals were judged, for `step` and `state`. If
+ * the numbers have come, *numbered becomes true. What cannot be run leaves its goals without verdicts and a reason in
+ * `fault`. */
+bool judge_take(Judge *judge, Lesson *lesson, size_t *step, uint64_t *state, bool *numbered, Fault *fault);
+
+/* True while it works. */
+bool judge_works(Judge *judge);

@@ -1,0 +1,526 @@
+#include "window/lesson.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/choice.h"
+#include "base/digest.h"
+#include "classroom/card.h"
+#include "classroom/judge.h"
+#include "laboratory/shipped.h"
+#include "window/autosave.h"
+#include "window/dialog_pane.h"
+#include "window/notice.h"
+#include "window/opening.h"
+#include "window/plan_input.h"
+
+/* Design points. */
+#define CARD_WIDTH 0.34 /* of the page */
+#define CARD_LEAST 300.0
+#define CARD_MOST 432.0
+#define PRESENT_WIDTH 0.42
+#define LEAVE_WIDTH 560.0
+#define LEAVE_HEIGHT 200.0
+#define EDGE 24.0
+
+enum { LONGEST = 1 << 20 /* bytes of a lesson */ };
+
+/* How a house or machine was when a step was left. */
+typedef struct Left {
+    char *text;     /* of a house, as file text */
+    size_t edits;   /* of a house, in its history */
+    double *values; /* (value_count) of a machine's parameters */
+    size_t value_count;
+} Left;
+
+struct GivenLesson {
+    Play play;
+    Judge *judge;
+    size_t tab;
+    void *session; /* of the tab; another one means that something else was opened there */
+    Left left[LESSON_STEPS_MOST];
+    bool waits;     /* a step has begun, and its run shall play once it is there */
+    uint64_t asked; /* digest of the state and step that were asked about; 0: none */
+    bool judged;    /* that goal is known */
+};
+
+static Tab *tab_of(Window *window) {
+    return &window->tabs[window->lesson->tab];
+}
+
+static bool is_answered(Tab *tab) {
+    if (!tab->session || tab->laboratory->answer(tab->session).stale)
+        return false;
+    RecordSpan span = tab->laboratory->span(tab->session);
+    return span.complete || span.endless;
+}
+
+/* States ----------------------------------------------------------------------------------------------------------- */
+
+static void left_clear(Left *left) {
+    memory_free(left->text);
+    memory_free(left->values);
+    *left = (Left){0};
+}
+
+static size_t edits_in_effect(Editor *editor) {
+    EditStep steps[EDITOR_STEPS_MOST];
+    size_t count = editor_steps(editor, steps), now = count ? steps[0].number - 1 : 0;
+    for (size_t i = 0; i < count; i++)
+        now = steps[i].done ? steps[i].number : now;
+    return now;
+}
+
+static void keep_state(Left *left, Tab *tab) {
+    left_clear(left);
+    Editor *editor = tab_editor(tab);
+    if (editor) {
+        left->text = text_copy(editor_text(editor));
+        left->edits = edits_in_effect(editor);
+        return;
+    }
+    const PanelParameter *parameters = tab->laboratory->parameters(tab->session, &left->value_count);
+    left->values = memory_zeroed(left->value_count + 1, sizeof *left->values);
+    for (size_t i = 0; i < left->value_count; i++)
+        left->values[i] = parameters[i].value;
+}
+
+/* Opens a kept house anew: its edits are no longer in the history. */
+static void reopen(Window *window, const Left *left) {
+    Tab *tab = tab_of(window);
+    RecoveryAbout about = {.origin = tab->path, .name = tab->laboratory->title(tab->session)};
+    if (window->recovery && !recovery_write(window->recovery, left->text, &about))
+        opening_copy(window, recovery_path(window->recovery), window->lesson->play.lesson.file, " [Lesson]");
+    window->lesson->session = tab->session;
+}
+
+static void restore_state(Window *window, const Left *left) {
+    Tab *tab = tab_of(window);
+    Editor *editor = tab_editor(tab);
+    if (editor && left->text) {
+        if (strcmp(editor_text(editor), left->text) != 0)
+            editor_go_to_step(editor, left->edits);
+        if (strcmp(editor_text(editor), left->text) != 0)
+            reopen(window, left);
+        return;
+    }
+    Fault none = {0};
+    size_t count;
+    for (size_t i = 0; i < left->value_count; i++) {
+        const PanelParameter *parameters = tab->laboratory->parameters(tab->session, &count);
+        if (i < count && parameters[i].value != left->values[i])
+            tab_set(tab, parameters[i].name, left->values[i], &none);
+    }
+    fault_clear(&none);
+}
+
+/* Settings --------------------------------------------------------------------------------------------------------- */
+
+/* Returns the number that a setting's words mean for a parameter. */
+static double value_of(const PanelParameter *parameter, const char *words) {
+    const Parameter *row = parameter->row;
+    if (row->kind == PARAMETER_CHOICE)
+        return choice_place(row->choices, words);
+    if (row->kind == PARAMETER_FLAG)
+        return strcmp(words, "true") == 0;
+    return strtod(words, NULL);
+}
+
+static void apply_setting(Window *window, Tab *tab, const char *setting) {
+    size_t count, length = strcspn(setting, "=");
+    Fault fault = {0};
+    const PanelParameter *parameters = tab->laboratory->parameters(tab->session, &count);
+    for (size_t i = 0; i < count; i++)
+        if (strncmp(parameters[i].name, setting, length) == 0 && !parameters[i].name[length]) {
+            tab_set(tab, parameters[i].name, value_of(&parameters[i], setting + length + 1), &fault);
+            notice_fault(window, &fault, NAN);
+            return;
+        }
+    notice_post(window, "This lesson sets %.*s, which cannot be changed here.", (int)length, setting);
+}
+
+static void apply_settings(Window *window, const char *set) {
+    const char *settings[LESSON_SETTINGS_MOST];
+    Arena arena = {0};
+    size_t count = lesson_add_settings(set, settings, 0, &arena);
+    for (size_t i = 0; i < count; i++)
+        apply_setting(window, tab_of(window), settings[i]);
+    arena_clear(&arena);
+}
+
+/* Opening and closing ---------------------------------------------------------------------------------------------- */
+
+static bool is_lesson_file(const char *path) {
+    size_t size;
+    char *text = text_read_refusal(path) ? NULL : text_read_file(path, LONGEST, &size);
+    bool is = text && strstr(text, "\"clearance-lesson\"");
+    memory_free(text);
+    return is;
+}
+
+static void cover(Tab *tab, bool covered) {
+    tab->covered = covered;
+    if (tab->session)
+        tab->laboratory->set_layers(tab->session, tab_layers(tab));
+}
+
+void lesson_close(Window *window) {
+    GivenLesson *given = window->lesson;
+    if (!given)
+        return;
+    cover(tab_of(window), false);
+    window->lesson = NULL;
+    judge_destroy(given->judge);
+    for (size_t s = 0; s < LESSON_STEPS_MOST; s++)
+        left_clear(&given->left[s]);
+    lesson_free(&given->play.lesson);
+    memory_free(given);
+    window->dirty = true;
+}
+
+/* The shown state has no answer yet, and so no verdict. */
+static void forget(GivenLesson *given) {
+    given->asked = 0;
+    given->judged = false;
+}
+
+/* Puts the clock to the beginning; a run that shall be watched then plays from there. */
+static void begin_playing(Window *window) {
+    GivenLesson *given = window->lesson;
+    Tab *tab = tab_of(window);
+    RecordSpan span = tab->laboratory->span(tab->session);
+    const LessonStep *step = play_step(&given->play);
+    if (step->kind != LESSON_OBSERVE && !play_hides(&given->play))
+        return;
+    player_pause(&tab->player, &span);
+    player_seek(&tab->player, span.begin, &span);
+    given->waits = step->kind == LESSON_OBSERVE;
+}
+
+static void show_step(Window *window) {
+    GivenLesson *given = window->lesson;
+    Tab *tab = tab_of(window);
+    forget(given);
+    bool hides = play_hides(&given->play);
+    if (hides)
+        tab_select(tab, (Item){0});
+    cover(tab, hides);
+    window->drawer = false;
+    begin_playing(window);
+    tab->plot_panes_stale = true;
+    window->dirty = true;
+}
+
+static bool open_lesson(Window *window, const char *path) {
+    static const char *const words[] = {[LESSON_HOUSE] = "house", [LESSON_BEAM] = "beam", [LESSON_CRANK] = "crank"};
+    GivenLesson *given = memory_zeroed(1, sizeof *given);
+    Fault fault = {0};
+    const char *settings[LESSON_SETTINGS_MOST];
+    Arena arena = {0};
+    if (!lesson_read(&given->play.lesson, path, &fault)) {
+        notice_fault(window, &fault, NAN);
+        memory_free(given);
+        return false;
+    }
+    lesson_close(window);
+    const Lesson *lesson = &given->play.lesson;
+    given->tab = laboratory_find(words[lesson->laboratory]);
+    size_t count = lesson_add_settings(lesson->set, settings, 0, &arena);
+    bool opened = opening_with(window, given->tab, lesson->file, settings, count);
+    given->judge = opened ? judge_create(lesson->path, shipped_places()->profiles, window->options->jobs) : NULL;
+    arena_clear(&arena);
+    if (!given->judge) {
+        if (opened)
+            notice_post(window, "The lesson cannot be given: the system has no more threads; close other programs");
+        lesson_free(&given->play.lesson);
+        memory_free(given);
+        return false;
+    }
+    window->lesson = given;
+    given->session = tab_of(window)->session;
+    settings_add_recent(&window->settings, path);
+    ui_focus(window->ui, "view");
+    apply_settings(window, play_step(&given->play)->set);
+    show_step(window);
+    return true;
+}
+
+bool lesson_open_any(Window *window, const char *path) {
+    return path && is_lesson_file(path) ? open_lesson(window, path) : opening_file(window, path);
+}
+
+/* What is shown ---------------------------------------------------------------------------------------------------- */
+
+bool lesson_is_shown(const Window *window) {
+    return window->lesson && window->lesson->tab == window->current;
+}
+
+bool lesson_hides(const Window *window) {
+    return lesson_is_shown(window) && play_hides(&window->lesson->play);
+}
+
+bool lesson_hides_words(const Window *window) {
+    return lesson_is_shown(window) && (play_hides(&window->lesson->play) || play_asks(&window->lesson->play));
+}
+
+bool lesson_has_panel(const Window *window) {
+    return !lesson_is_shown(window) || play_step(&window->lesson->play)->kind == LESSON_TASK;
+}
+
+const char *lesson_title(Window *window) {
+    if (lesson_is_shown(window))
+        return text_in_arena(&window->arena, "Lesson: %s", window->lesson->play.lesson.title);
+    return tab_title(window_tab(window), &window->arena);
+}
+
+const char *lesson_question(const Window *window) {
+    return play_asks(&window->lesson->play)                           ? "What do you see?"
+           : play_step(&window->lesson->play)->kind == LESSON_PREDICT ? "What do you think?"
+                                                                      : window->lesson->play.lesson.title;
+}
+
+/* Keys ------------------------------------------------------------------------------------------------------------- */
+
+void lesson_press(Window *window, PlayKey key, int digit) {
+    GivenLesson *given = window->lesson;
+    Play *play = &given->play;
+    size_t step = play->step;
+    Left *left = &given->left[step];
+    plan_input_reset(window);
+    if (key == PLAY_NEXT || key == PLAY_BACK)
+        keep_state(left, tab_of(window));
+    if (!play_key(play, key, digit) && key == PLAY_NEXT)
+        lesson_leave(window);
+    window->dirty = true;
+    if (play->step > step)
+        apply_settings(window, play_step(play)->set);
+    else if (play->step < step)
+        restore_state(window, &given->left[play->step]);
+    if (play->step != step)
+        show_step(window);
+}
+
+bool lesson_key(Window *window, const SdlWindowEvent *event) {
+    static const struct {
+        const char *name;
+        PlayKey key;
+        bool always; /* also while the focus is elsewhere: remotes send it */
+    } keys[] = {{"PageDown", PLAY_NEXT, true}, {"PageUp", PLAY_BACK, true},    {"?", PLAY_HINT, false},
+                {"0", PLAY_VOTE, false},       {"Keypad 0", PLAY_VOTE, false}, {"Backspace", PLAY_UNDO, false}};
+    if (!lesson_is_shown(window) || window->dialog != DIALOG_NONE || ui_types(window->ui) || event->mods)
+        return false;
+    const Play *play = &window->lesson->play;
+    bool predicts = play_step(play)->kind == LESSON_PREDICT;
+    for (size_t k = 0; k < sizeof keys / sizeof *keys; k++)
+        if (event->key == sdl_window_key(keys[k].name) && (keys[k].always || keys[k].key == PLAY_HINT || predicts)) {
+            lesson_press(window, keys[k].key, 0);
+            return true;
+        }
+    for (int digit = 1; digit <= LESSON_OPTIONS_MOST && play_takes_digits(play); digit++) {
+        char name[] = {(char)('0' + digit), 0}, pad[] = "Keypad 0";
+        pad[7] = name[0];
+        if (event->key == sdl_window_key(name) || event->key == sdl_window_key(pad)) {
+            lesson_press(window, PLAY_DIGIT, digit);
+            return true;
+        }
+    }
+    return false;
+}
+
+bool lesson_type(Window *window, const char *text) {
+    if (!lesson_is_shown(window) || window->dialog != DIALOG_NONE || ui_types(window->ui) || strcmp(text, "?") != 0)
+        return false;
+    lesson_press(window, PLAY_HINT, 0);
+    return true;
+}
+
+bool lesson_do(Window *window, Action action) {
+    static const struct {
+        Action action;
+        PlayKey key;
+    } rows[] = {{ACTION_LESSON_NEXT, PLAY_NEXT},
+                {ACTION_LESSON_BACK, PLAY_BACK},
+                {ACTION_LESSON_HINT, PLAY_HINT},
+                {ACTION_LESSON_VOTE, PLAY_VOTE}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        if (rows[i].action == action) {
+            if (lesson_is_shown(window))
+                lesson_press(window, rows[i].key, 0);
+            return true;
+        }
+    if (action == ACTION_LESSON_LEAVE && lesson_is_shown(window))
+        lesson_leave(window);
+    return action == ACTION_LESSON_LEAVE;
+}
+
+const char *lesson_reason(const Window *window, Action action) {
+    if (!lesson_is_shown(window))
+        return "No lesson is open: choose one with \"Lessons\"";
+    const Play *play = &window->lesson->play;
+    const LessonStep *step = play_step(play);
+    switch (action) {
+    case ACTION_LESSON_BACK:
+        return play->step ? NULL : "This is the first step";
+    case ACTION_LESSON_HINT:
+        return (size_t)play->steps[play->step].hints < step->hints.count ? NULL : "This step has no more hints";
+    case ACTION_LESSON_VOTE:
+        return step->kind == LESSON_PREDICT && !play->steps[play->step].vote ? NULL
+                                                                             : "There is nothing to vote on again";
+    default:
+        return NULL;
+    }
+}
+
+void lesson_close_panel(Window *window) {
+    window->drawer = false;
+    ui_focus(window->ui, "view");
+    window->dirty = true;
+}
+
+/* Leaving ---------------------------------------------------------------------------------------------------------- */
+
+void lesson_leave(Window *window) {
+    if (play_is_begun(&window->lesson->play))
+        dialog_pane_show(window, DIALOG_LESSON);
+    else
+        lesson_close(window);
+}
+
+void lesson_show_leave(Window *window) {
+    const Play *play = &window->lesson->play;
+    bool last = play->step + 1 == play->lesson.step_count;
+    dialog_pane_begin(window, dialog_pane_centred(window, LEAVE_WIDTH, LEAVE_HEIGHT, EDGE));
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, last ? "End the lesson?" : "Leave the lesson?");
+    ui_text(
+        window->ui, UI_BODY, ROLE_TEXT,
+        "The guesses of the class and the place in the lesson are lost. What is open stays open, with its changes.");
+    ui_row(window->ui, 2);
+    bool stays = ui_button(window->ui, &(UiButton){.label = "Stay", .help = "Stay (Escape): Return to the lesson"});
+    bool leaves =
+        ui_button(window->ui, &(UiButton){.label = last ? "End" : "Leave", .help = "Leave: Forget the guesses"});
+    ui_pane_end(window->ui);
+    if (stays || leaves)
+        dialog_pane_close(window);
+    if (leaves)
+        lesson_close(window);
+}
+
+/* The goal --------------------------------------------------------------------------------------------------------- */
+
+/* Asks for the goal in the state on the screen, once for each state. */
+static void ask(Window *window, Tab *tab) {
+    GivenLesson *given = window->lesson;
+    size_t step = given->play.step, count, used = 0;
+    const char *settings[LESSON_SETTINGS_MOST];
+    Editor *editor = tab_editor(tab);
+    const char *text = editor ? editor_text(editor) : NULL;
+    const char *const *words = tab->laboratory->command(tab->session, &count);
+    uint64_t digest = digest_bytes(DIGEST_START, &step, sizeof step);
+    digest = digest_text(digest, text ? text : "");
+    for (size_t i = 0; !text && i + 1 < count && used < LESSON_SETTINGS_MOST; i++)
+        if (strcmp(words[i], "--set") == 0) {
+            settings[used++] = words[i + 1];
+            digest = digest_text(digest, words[i + 1]);
+        }
+    if (digest == given->asked)
+        return;
+    given->asked = digest;
+    given->judged = false;
+    judge_ask(given->judge, step, digest, text, settings, used);
+    window->dirty = true;
+}
+
+static void take(Window *window) {
+    GivenLesson *given = window->lesson;
+    Play *play = &given->play;
+    size_t step;
+    uint64_t state;
+    bool numbered = play->numbered;
+    Fault fault = {0};
+    if (judge_take(given->judge, &play->lesson, &step, &state, &play->numbered, &fault) && state == given->asked &&
+        step == play->step) {
+        play_judge(play);
+        given->judged = true;
+        window->dirty = true;
+        if (window->present && window->drawer && !ui_types(window->ui))
+            lesson_close_panel(window); /* the verdict is seen */
+        notice_fault(window, &fault, NAN);
+    }
+    fault_clear(&fault);
+    window->dirty |= play->numbered != numbered;
+}
+
+/* Plays the run that shall be watched, as soon as it is there. */
+static void play_on(Window *window, Tab *tab) {
+    GivenLesson *given = window->lesson;
+    if (!given->waits || !is_answered(tab))
+        return;
+    given->waits = false;
+    RecordSpan span = tab->laboratory->span(tab->session);
+    double speed = play_step(&given->play)->speed;
+    player_normal_speed(&tab->player);
+    player_change_speed(&tab->player, speed > 0 ? (int)lround(log2(speed)) : 0, &span);
+    player_seek(&tab->player, span.begin, &span);
+    tab->player.playing = true;
+    window->dirty = true;
+}
+
+void lesson_update(Window *window) {
+    GivenLesson *given = window->lesson;
+    if (!given)
+        return;
+    Tab *tab = tab_of(window);
+    if (tab->session != given->session) {
+        lesson_close(window);
+        return;
+    }
+    take(window);
+    if (!tab->session || !lesson_is_shown(window))
+        return;
+    if (play_hides(&given->play) && tab->player.playing) {
+        RecordSpan span = tab->laboratory->span(tab->session);
+        player_pause(&tab->player, &span);
+        player_seek(&tab->player, span.begin, &span);
+    }
+    play_on(window, tab);
+    if (play_step(&given->play)->goal_count && is_answered(tab) && !plan_input_animation(tab))
+        ask(window, tab);
+    else
+        forget(given);
+}
+
+bool lesson_works(const Window *window) {
+    const GivenLesson *given = window->lesson;
+    return given && play_step(&given->play)->goal_count && !given->judged;
+}
+
+/* The card --------------------------------------------------------------------------------------------------------- */
+
+double lesson_width(const Window *window, Vec2 page) {
+    if (!lesson_is_shown(window))
+        return 0;
+    if (window->present)
+        return PRESENT_WIDTH * page.x;
+    return fmin(fmax(CARD_WIDTH * page.x, CARD_LEAST), CARD_MOST);
+}
+
+void lesson_show(Window *window) {
+    if (!lesson_is_shown(window) || box_width(window->frame.card) <= 0)
+        return;
+    CardPress press =
+        card_show(window->ui, &window->lesson->play, window->frame.card, lesson_works(window), &window->arena);
+    if (press.leaves)
+        lesson_leave(window);
+    else if (press.pressed)
+        lesson_press(window, press.key, press.digit);
+}
+
+json_t *lesson_state(const Window *window) {
+    if (!window->lesson)
+        return json_null();
+    json_t *state = play_state(&window->lesson->play);
+    json_object_set_new(state, "working", json_boolean(lesson_works(window)));
+    json_object_set_new(state, "hides_words", json_boolean(lesson_hides_words(window)));
+    return state;
+}

@@ -1,0 +1,58 @@
+/* A lesson that is given in the window: it opens the house or machine, hides what the class shall guess, plays what it
+ * shall watch, and has goals judged for the state on the screen. The card (classroom/card.h) stands beside the view. */
+#pragma once
+
+#include <jansson.h>
+
+#include "classroom/play.h"
+#include "window/window_state.h"
+
+/* Opens a file: a lesson, by its contents, in place of the present one; otherwise as opening_file. False: faults were
+ * posted. lesson_close ends the lesson; what it had opened stays open. */
+bool lesson_open_any(Window *window, const char *path);
+void lesson_close(Window *window);
+
+/* True while the tab of an open lesson is shown. */
+bool lesson_is_shown(const Window *window);
+
+/* True if nothing of the result may be seen; if it may not be said yet; if the step's answer needs the panel. */
+bool lesson_hides(const Window *window);
+bool lesson_hides_words(const Window *window);
+bool lesson_has_panel(const Window *window);
+
+/* Returns the title of what is open: of the lesson, or of the file. */
+const char *lesson_title(Window *window);
+
+/* Returns the words that stand in place of a hidden answer. */
+const char *lesson_question(const Window *window);
+
+/* Uses a key or a typed character; false: it is not the lesson's. */
+bool lesson_key(Window *window, const SdlWindowEvent *event);
+bool lesson_type(Window *window, const char *text);
+
+/* Closes the panel that lies over the card in presentation mode. */
+void lesson_close_panel(Window *window);
+
+/* Carries out a key of the play; does an action of the menu Learn, false: it is another action. */
+void lesson_press(Window *window, PlayKey key, int digit);
+bool lesson_do(Window *window, Action action);
+
+/* Leaves the lesson, and asks first if something would be lost; leaves it after the answer. */
+void lesson_leave(Window *window);
+void lesson_show_leave(Window *window);
+
+/* Takes over verdicts, and asks for the goal of a new state. */
+void lesson_update(Window *window);
+
+/* True while the goal of the shown state is not judged yet. */
+bool lesson_works(const Window *window);
+
+/* Returns the width of the card, design points; 0: there is none. */
+double lesson_width(const Window *window, Vec2 page);
+void lesson_show(Window *window);
+
+/* Returns why a row of the menu Learn cannot be used; NULL: it can. */
+const char *lesson_reason(const Window *window, Action action);
+
+/* Returns what scripts expect of; new, json_decref it. */
+json_t *lesson_state(const Window *window);
