@@ -24,11 +24,11 @@ enum { LINES_MOST = 24, SIZES = 3, TRIES = 5 };
 typedef enum CardText { CARD_TEXT, CARD_ASK } CardText;
 static const UiTextStyle styles[SIZES][2] = {{UI_DETAIL, UI_CLOCK}, {UI_DETAIL, UI_HEADING}, {UI_BODY, UI_BOLD}};
 
-/* Smaller letters only where leaving out the guesses does not do. */
+/* Small letters only where leaving something out does not do. */
 static const struct {
     int size;
-    bool guesses;
-} tries[TRIES] = {{0, true}, {1, true}, {0, false}, {1, false}, {2, false}};
+    bool whole;
+} tries[TRIES] = {{0, true}, {0, false}, {1, true}, {1, false}, {2, false}};
 
 typedef struct Card {
     Ui *ui;
@@ -39,7 +39,7 @@ typedef struct Card {
     Box box;      /* inside the edges */
     double y;     /* of the next line */
     int size;     /* of `styles` */
-    bool guesses; /* those of the class are shown behind the result */
+    bool whole;   /* with remarks, the guesses behind the result, and the conditions that hold */
     bool draws;   /* otherwise it is only measured */
     bool working; /* the goal is being judged */
     CardPress press;
@@ -172,7 +172,7 @@ static void add_option(Card *card, size_t option) {
     card->draws = false;
     double lines = add_wrapped(card, style, ROLE_TEXT, left, right, card->y, text);
     card->draws = draws;
-    double height = lines + votes * STRIP + GAP;
+    double height = lines + (votes ? STRIP : 0) + GAP;
     Box box = {{card->box.low.x, card->y}, {card->box.high.x, card->y + height}};
     if (draws) {
         press_option(card, option, box);
@@ -184,8 +184,9 @@ static void add_option(Card *card, size_t option) {
             ui_draw_text(card->ui, UI_CLOCK, strcmp(mark, "\u2713") == 0 ? ROLE_EXIT_TAG : ROLE_ERROR,
                          vec2(card->box.high.x - GAP, middle), 1, mark);
         for (int vote = 0; vote < votes; vote++) {
-            double top = card->y + lines + vote * STRIP + GAP / 2;
-            draw_vote(card, card->shown, vote, option, (Box){{left, top + 2}, {right, top + STRIP - 2}});
+            double top = card->y + lines + GAP / 2, width = (right - left + GAP) / votes;
+            draw_vote(card, card->shown, vote, option,
+                      (Box){{left + vote * width, top + 2}, {left + (vote + 1) * width - GAP, top + STRIP - 2}});
         }
     }
     card->y += height + GAP / 2;
@@ -202,7 +203,7 @@ static void add_options(Card *card) {
     const char *words = hands ? text_in_arena(card->arena, "%s%d %s; Backspace takes one back", vote, hands,
                                               hands == 1 ? "hand" : "hands")
                               : text_in_arena(card->arena, "%sa number key counts a raised hand", vote);
-    if (card->size < SIZES - 1 || hands)
+    if (card->whole)
         card->y += add_wrapped(card, UI_BODY, ROLE_DIM_TEXT, card->box.low.x, card->box.high.x, card->y, words) + GAP;
 }
 
@@ -224,7 +225,7 @@ static void add_guesses(Card *card) {
     size_t at = play_guessed(card->play);
     const LessonStep *asked = at == SIZE_MAX ? NULL : &card->play->lesson.steps[at];
     const PlayStep *guesses = asked ? &card->play->steps[at] : NULL;
-    if (!guesses || !asked->truth || !play_hands(guesses, 0) || !card->guesses)
+    if (!guesses || !asked->truth || !play_hands(guesses, 0) || !card->whole)
         return;
     double height = line_height(card, UI_BODY);
     card->y += GAP;
@@ -263,6 +264,8 @@ static void add_goal(Card *card) {
     }
     for (size_t g = 0; g < card->step->goal_count; g++) {
         const Condition *condition = &card->step->goals[g].condition;
+        if (condition->verdict == VERDICT_PASSED && !card->whole)
+            continue;
         add_marked(card, CARD_TEXT, condition->verdict == VERDICT_PASSED,
                    words_goal(&card->step->goals[g], card->arena));
     }
@@ -350,7 +353,7 @@ static void show_foot(Card *card, Box pane) {
          true},
     };
     enum { BUTTONS = sizeof buttons / sizeof *buttons };
-    double widths[BUTTONS] = {0.16, 0.5, 0.34}, left = card->box.low.x, whole = box_width(card->box);
+    double widths[BUTTONS] = {0.14, 0.45, 0.41}, left = card->box.low.x, whole = box_width(card->box);
     for (int b = 0; b < BUTTONS; b++) {
         const FootButton *row = &buttons[b];
         double right = left + widths[b] * whole - (b + 1 < BUTTONS ? GAP : 0);
@@ -379,7 +382,7 @@ CardPress card_show(Ui *ui, const Play *play, Box box, bool working, Arena *aren
     ui_pane_begin(ui, &(UiPane){.name = "lesson", .box = box, .ground = ROLE_PANEL});
     for (int t = 0; t < TRIES; t++) {
         card.size = tries[t].size;
-        card.guesses = tries[t].guesses;
+        card.whole = tries[t].whole;
         add_body(&card);
         if (card.y <= card.box.high.y)
             break;

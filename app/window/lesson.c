@@ -20,6 +20,7 @@
 #define CARD_LEAST 300.0
 #define CARD_MOST 432.0
 #define PRESENT_WIDTH 0.42
+#define PRESENT_MACHINE 0.37 /* whose view is wide */
 #define LEAVE_WIDTH 560.0
 #define LEAVE_HEIGHT 200.0
 #define EDGE 24.0
@@ -288,6 +289,7 @@ void lesson_press(Window *window, PlayKey key, int digit) {
     size_t step = play->step;
     Left *left = &given->left[step];
     plan_input_reset(window);
+    window->echo[0] = 0;
     if (key == PLAY_NEXT || key == PLAY_BACK)
         keep_state(left, tab_of(window));
     if (!play_key(play, key, digit) && key == PLAY_NEXT)
@@ -501,7 +503,7 @@ double lesson_width(const Window *window, Vec2 page) {
     if (!lesson_is_shown(window))
         return 0;
     if (window->present)
-        return PRESENT_WIDTH * page.x;
+        return (window->tabs[window->current].laboratory->numbers_first ? PRESENT_MACHINE : PRESENT_WIDTH) * page.x;
     return fmin(fmax(CARD_WIDTH * page.x, CARD_LEAST), CARD_MOST);
 }
 
