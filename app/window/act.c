@@ -297,7 +297,7 @@ static bool do_tab(Window *window, Tab *tab, Action action) {
         return true;
     case ACTION_EDIT_NUMBERS:
         window->panel = window->drawer = true;
-        if (tab->laboratory->selected(tab->session).kind)
+        if (tab->laboratory->selected(tab->session).kind || lesson_is_shown(window))
             ui_focus_number(window->ui, "panel");
         else
             ui_focus(window->ui, "panel");

@@ -303,6 +303,12 @@ void lesson_press(Window *window, PlayKey key, int digit) {
         show_step(window);
 }
 
+/* True for "?" on the keyboards on which it is Shift with another key; elsewhere the button and the menu do it. */
+static bool is_question_mark(const SdlWindowEvent *event) {
+    bool shifted = event->key == sdl_window_key("/") || event->key == sdl_window_key("\u00df");
+    return event->mods == SDL_WINDOW_EVENT_SHIFT && shifted;
+}
+
 bool lesson_key(Window *window, const SdlWindowEvent *event) {
     static const struct {
         const char *name;
@@ -310,10 +316,15 @@ bool lesson_key(Window *window, const SdlWindowEvent *event) {
         bool always; /* also while the focus is elsewhere: remotes send it */
     } keys[] = {{"PageDown", PLAY_NEXT, true}, {"PageUp", PLAY_BACK, true},    {"?", PLAY_HINT, false},
                 {"0", PLAY_VOTE, false},       {"Keypad 0", PLAY_VOTE, false}, {"Backspace", PLAY_UNDO, false}};
-    if (!lesson_is_shown(window) || window->dialog != DIALOG_NONE || ui_types(window->ui) || event->mods)
+    if (!lesson_is_shown(window) || window->dialog != DIALOG_NONE || ui_types(window->ui) ||
+        (event->mods && !is_question_mark(event)))
         return false;
     const Play *play = &window->lesson->play;
     bool predicts = play_step(play)->kind == LESSON_PREDICT;
+    if (is_question_mark(event)) {
+        lesson_press(window, PLAY_HINT, 0);
+        return true;
+    }
     for (size_t k = 0; k < sizeof keys / sizeof *keys; k++)
         if (event->key == sdl_window_key(keys[k].name) && (keys[k].always || keys[k].key == PLAY_HINT || predicts)) {
             lesson_press(window, keys[k].key, 0);
@@ -328,13 +339,6 @@ bool lesson_key(Window *window, const SdlWindowEvent *event) {
         }
     }
     return false;
-}
-
-bool lesson_type(Window *window, const char *text) {
-    if (!lesson_is_shown(window) || window->dialog != DIALOG_NONE || ui_types(window->ui) || strcmp(text, "?") != 0)
-        return false;
-    lesson_press(window, PLAY_HINT, 0);
-    return true;
 }
 
 bool lesson_do(Window *window, Action action) {

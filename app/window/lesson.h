@@ -26,9 +26,8 @@ const char *lesson_title(Window *window);
 /* Returns the words that stand in place of a hidden answer. */
 const char *lesson_question(const Window *window);
 
-/* Uses a key or a typed character; false: it is not the lesson's. */
+/* Uses a key; false: it is not the lesson's. */
 bool lesson_key(Window *window, const SdlWindowEvent *event);
-bool lesson_type(Window *window, const char *text);
 
 /* Closes the panel that lies over the card in presentation mode. */
 void lesson_close_panel(Window *window);

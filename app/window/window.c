@@ -164,10 +164,7 @@ static void end_waiting(Window *window, const char *text) {
 /* Passes typed text to the open text field, otherwise to the gesture. */
 static void type(Window *window, const char *text) {
     bool fresh = !window->plan_input.done && place_of(window) == KEY_PLAN && !ui_types(window->ui);
-    bool done = window->plan_input.done;
     window->plan_input.done = false;
-    if (!done && lesson_type(window, text))
-        return;
     if (!fresh || !plan_input_type(window, text))
         ui_type(window->ui, text);
 }

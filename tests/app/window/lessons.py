@@ -1,0 +1,173 @@
+#!/usr/bin/env python3
+"""Tests lessons in the window: a house and a beam from the first card to the last by real keys, in presentation mode at
+1280 x 720, the wrong way first and then the right one; guesses, a second vote, going back, hints, leaving; and that
+nothing of the result can be seen before the class has guessed."""
+
+import stage
+from stage import Screen, act, check, differing
+
+lesson = lambda name: str(stage.source / "assets" / "lessons" / f"{name}.json")
+
+
+def judged(s):
+    return s["lesson"] and not s["lesson"]["working"] and not s["answer"]["stale"]
+
+
+def step(screen, number):
+    """Waits for a step, and returns the state."""
+    return screen.until(lambda s: s["lesson"] and s["lesson"]["step"] == number)
+
+
+def select(screen, key):
+    """Walks with Tab to a thing of the plan."""
+    for _ in range(60):
+        if screen.state()["selected"] == key:
+            return True
+        screen.keys("Tab")
+    return False
+
+
+def type_number(screen, text):
+    """Opens the first number of the selection by Return, types it, and waits for the verdict."""
+    screen.keys("Return")
+    screen.until(lambda s: s["focus"] == "panel")
+    screen.keys("Return")
+    screen.until(lambda s: s["types"])
+    screen.keys("ctrl+a")
+    screen.type(text)
+    screen.keys("Return")
+    return screen.until(lambda s: not s["types"] and judged(s) and s["focus"] == "view")
+
+
+def apart(boxes):
+    return all(a is b or a[0] > b[2] - 1 or b[0] > a[2] - 1 or a[1] > b[3] - 1 or b[1] > a[3] - 1
+               for a in boxes for b in boxes)
+
+
+# a house, from the first card to the last
+screen = Screen("house", lesson("legal-no-way"), "--size", "1280x720")
+screen.keys("F5")
+now = screen.until(lambda s: s["present"] and not s["answer"]["stale"])
+check(now["lesson"]["step"] == 1 and now["lesson"]["steps"] == 6, "the lesson begins at its first step", now["lesson"])
+frame = now["frame"]
+check(apart([frame[name] for name in ("answer", "card", "view", "timeline")]),
+      "the card covers neither the answer nor the view nor the timeline", frame)
+screen.keys("Next")
+now = step(screen, 2)
+check(now["lesson"]["hides"] and not now["playing"], "nothing plays while the class guesses")
+screen.keys("space")
+check(screen.state()["time"] == 0, "Play does not play before the guess")
+screen.keys("1", "1", "2", "3", "3", "3")
+check(screen.state()["lesson"]["hands"] == [2, 1, 3], "number keys count hands", screen.state()["lesson"])
+screen.keys("BackSpace")
+check(screen.state()["lesson"]["hands"] == [2, 1, 2], "Backspace takes one back")
+screen.keys("0", "3", "3", "1")
+now = screen.state()["lesson"]
+check(now["vote"] == 2 and now["hands"] == [1, 0, 2], "0 begins a second vote", now)
+screen.keys("Next")
+now = step(screen, 3)
+check(now["lesson"]["hides_words"], "what was seen is asked before the answer says it")
+screen.keys("2")
+screen.keys("1")
+check(screen.state()["lesson"]["chosen"] == 1 and not screen.state()["lesson"]["hides_words"], "a wrong answer can be mended")
+screen.keys("Next")
+now = screen.until(lambda s: s["lesson"]["step"] == 4 and judged(s))
+check(now["lesson"]["goal"] == "no", "the task begins unsolved", now["lesson"])
+check(select(screen, "door d1"), "Tab comes to the entrance door")
+now = type_number(screen, "0.98")
+check(now["lesson"]["goal"] == "no" and now["parameters"]["door.d1.width"] == 0.98,
+      "the obvious way, a wider entrance, does not reach the goal", (now["lesson"], now["parameters"].get("door.d1.width")))
+screen.keys("question", "question", "question")
+check(screen.state()["lesson"]["hints"] == 3, "? shows three hints, one after another", screen.state()["lesson"])
+screen.keys("ctrl+z")
+screen.until(lambda s: s["parameters"]["door.d1.width"] != 0.98 and judged(s))
+check(select(screen, "door d3"), "Tab comes to the bedroom door")
+now = type_number(screen, "0.83")
+check(now["lesson"]["goal"] == "yes", "the right door reaches the goal", (now["lesson"], now["answer"]))
+wide = now["digest"]
+screen.keys("Next")
+step(screen, 5)
+screen.keys("ctrl+z")
+now = screen.until(lambda s: s["parameters"]["door.d3.width"] != 0.83 and not s["answer"]["stale"])
+screen.keys("Prior")
+now = screen.until(lambda s: s["lesson"]["step"] == 4 and judged(s))
+check(now["parameters"]["door.d3.width"] == 0.83 and now["lesson"]["goal"] == "yes" and now["digest"] == wide,
+      "going back restores the house as the step was left", (now["parameters"]["door.d3.width"], now["lesson"]))
+screen.keys("Prior")
+now = screen.until(lambda s: s["lesson"]["step"] == 3 and s["parameters"]["door.d3.width"] != 0.83)
+check(now["parameters"]["door.d3.width"] != 0.83, "and the one before that, too", now["parameters"]["door.d3.width"])
+screen.keys("Next")
+step(screen, 4)
+screen.keys("Next")
+step(screen, 5)
+screen.keys("Next")
+check(screen.until(lambda s: s["lesson"]["model"])["lesson"]["step"] == 5, "a model answer comes before the next step")
+screen.keys("Next")
+check(step(screen, 6)["lesson"]["step"] == 6, "the last card is reached")
+screen.keys("Escape")
+screen.until(lambda s: s["sheet"] == "lesson" or not s["selected"])
+while screen.state()["sheet"] != "lesson":
+    screen.keys("Escape")
+screen.keys("Escape")
+check(screen.until(lambda s: s["sheet"] == "none")["lesson"], "Escape asks before the lesson is left, and again returns to it")
+screen.keys("Next")
+screen.until(lambda s: s["sheet"] == "lesson")
+screen.keys("Tab", "Return")
+check(not screen.until(lambda s: not s["lesson"])["lesson"], "the question is answered by keys, and the lesson ends")
+screen.end()
+
+# a beam
+screen = Screen("beam", lesson("half-the-rhythm"), "--size", "1280x720")
+screen.keys("F5")
+screen.keys("Next")
+step(screen, 2)
+screen.keys("1", "2", "2")
+check(screen.state()["lesson"]["hands"] == [1, 2], "hands are counted for a beam", screen.state()["lesson"])
+check(not screen.state()["frame"]["plots"], "no plot tells the result")
+screen.keys("Next")
+now = screen.until(lambda s: s["lesson"]["step"] == 3 and s["playing"])
+check(now["playing"] and now["frame"]["plots"], "the beam plays, with plots", now["frame"])
+screen.keys("1")
+screen.keys("Next")
+now = screen.until(lambda s: s["lesson"]["step"] == 4 and judged(s))
+check(now["lesson"]["goal"] == "no", "at 112 Hz there is no period 2")
+now = type_number(screen, "103")
+check(now["lesson"]["goal"] == "no" and now["parameters"]["drive.frequency"] == 103, "irregular motion is not enough",
+      (now["lesson"], now["parameters"]["drive.frequency"]))
+now = type_number(screen, "105.5")
+check(now["lesson"]["goal"] == "yes", "105.5 Hz reaches the goal", now["lesson"])
+screen.keys("Next")
+step(screen, 5)
+screen.keys("Prior")
+now = screen.until(lambda s: s["lesson"]["step"] == 4 and judged(s))
+check(now["parameters"]["drive.frequency"] == 105.5 and now["lesson"]["goal"] == "yes", "the beam is as it was left")
+screen.keys("Prior")
+now = step(screen, 3)
+check(now["parameters"]["drive.frequency"] == 112, "and as the step before was left", now["parameters"]["drive.frequency"])
+screen.keys("Next")
+now = screen.until(lambda s: s["lesson"]["step"] == 4 and judged(s))
+screen.keys("Next", "Next")
+screen.keys("Next")
+check(step(screen, 6)["lesson"]["step"] == 6, "the last card of the beam is reached")
+screen.end()
+
+# nothing of the result is painted before the guess: the hidden picture is that of a house without a result
+lines = ("until answered", "wait 3", "state STATE", "view FOLDER/before.png", "key PageDown", "wait 3",
+         "view FOLDER/guess.png", "key 3", "wait 3", "view FOLDER/counted.png", "key PageDown", "until answered", "wait 3",
+         "key 1", "wait 3", "view FOLDER/after.png", "state STATE")
+found = act("hidden", *lines, arguments=[lesson("legal-no-way"), "--size", "1280x720"])
+place = stage.folder / "hidden"
+check(differing(place / "guess.png", place / "counted.png") == 0, "counting changes nothing in the view")
+check(differing(place / "before.png", place / "after.png") > 200, "the result is seen only after the guess")
+check(found[0]["frame"]["panel"][2] - found[0]["frame"]["panel"][0] == 0, "the panel tells nothing before the guess")
+
+# the card at other sizes, in both themes: beside the view, never over it
+for width, height in ((1280, 720), (1920, 1080), (1024, 600)):
+    for key in ("wait 1", "key F5"):
+        found = act(f"size-{width}-{key[:3]}", key, "until answered", "wait 3", "state STATE", "key Ctrl+T", "wait 3",
+                    "state STATE", arguments=[lesson("two-doors-locked"), "--size", f"{width}x{height}"])
+        for now in found:
+            frame = now["frame"]
+            check(apart([frame[name] for name in ("answer", "card", "view", "timeline")]),
+                  f"{width} x {height}, {key}, {now['theme']}: the card stands beside the view", frame)
+stage.end()
