@@ -83,7 +83,7 @@ TEST(numbers_stand_in_texts_once_they_are_known) {
     arena_clear(&arena);
 }
 
-TEST(a_goal_holds_where_all_its_conditions_hold) {
+LONG_TEST(a_goal_holds_where_all_its_conditions_hold) {
     Lesson lesson = {.path = NULL};
     Fault fault = {0};
     char profiles[4096];
