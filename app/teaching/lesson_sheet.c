@@ -13,7 +13,8 @@
 #define PICTURE_WIDTH 640.0
 #define PICTURE_HEIGHT 480.0
 #define BEAM_HEIGHT 160.0
-#define RESULT_HEIGHT 460.0
+#define RESULT_WIDTH 1020.0 /* the whole width of a page */
+#define RESULT_HEIGHT 640.0
 
 #define LINE "______________________________________________________________________"
 
@@ -63,12 +64,13 @@ static double make_start(Sheet *sheet, Scene *scene) {
             height = PICTURE_HEIGHT;
         }
         house_free(&house);
-    } else if (sheet->lesson->laboratory == LESSON_BEAM) {
+    } else {
         Thumbnail thumbnail = {.name = NULL};
-        if (thumbnail_read_beam(&thumbnail, sheet->lesson->file, sheet->fault)) {
+        bool beam = sheet->lesson->laboratory == LESSON_BEAM;
+        if ((beam ? thumbnail_read_beam : thumbnail_read_crank)(&thumbnail, sheet->lesson->file, sheet->fault)) {
             *scene = thumbnail.scene;
             thumbnail.scene = (Scene){0};
-            height = BEAM_HEIGHT;
+            height = beam ? BEAM_HEIGHT : PICTURE_HEIGHT;
         }
         thumbnail_clear(&thumbnail);
     }
@@ -98,7 +100,7 @@ static void add_result(Sheet *sheet, const LessonPicture *picture) {
         observation_free(&observation);
         const char *caption = filled(sheet, picture->caption);
         document_add_figures(&sheet->document);
-        document_add_scene(&sheet->document, &scene, vec2(PICTURE_WIDTH, RESULT_HEIGHT), caption, caption);
+        document_add_scene(&sheet->document, &scene, vec2(RESULT_WIDTH, RESULT_HEIGHT), caption, caption);
     }
     house_free(&house);
     arena_clear(&arena);
