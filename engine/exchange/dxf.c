@@ -2,8 +2,10 @@
 
 #include <math.h>
 #include <stdint.h>
+#include <strings.h>
 
 #include "base/real.h"
+#include "exchange/block_name.h"
 #include "exchange/bounding_rectangle.h"
 #include "exchange/dxf_shapes.h"
 #include "exchange/dxf_unit.h"
@@ -31,7 +33,9 @@ typedef struct Drawing {
     DxfShapes shapes;
     double unit; /* m */
     WallFaces faces;
-    size_t leaf_points; /* lines on door layers */
+    size_t leaf_points;  /* lines on door layers */
+    const char *renamed; /* the first block whose piece of furniture has another name, */
+    size_t renamed_count;
 } Drawing;
 
 static void scale_all(Drawing *drawing) {
@@ -155,10 +159,14 @@ static void add_instance(Drawing *drawing, size_t first, size_t end) {
         for (size_t i = 0; i < shapes->list[s].count; i++)
             box = box_include(box, vec2_unturn(points_of(drawing, &shapes->list[s])[i], instance->x));
     Vec2 centre = vec2_turn(vec2_scale(vec2_add(box.low, box.high), 0.5), instance->x);
-    size_t piece = house_builder_piece(drawing->builder, instance->block, centre, vec2_sub(box.high, box.low),
+    const char *name = block_name_of(instance->block);
+    size_t piece = house_builder_piece(drawing->builder, name, centre, vec2_sub(box.high, box.low),
                                        degrees(real_atan2(instance->x.y, instance->x.x)), 0);
     if (piece == SIZE_MAX)
         import_report_leave(drawing->builder->report, 1, "furniture blocks narrower than 1 cm");
+    if (piece == SIZE_MAX || strcasecmp(name, instance->block) == 0)
+        return;
+    drawing->renamed = drawing->renamed_count++ ? drawing->renamed : instance->block;
 }
 
 static void add_furniture(Drawing *drawing) {
@@ -179,6 +187,9 @@ static void add_furniture(Drawing *drawing) {
                                             0) == SIZE_MAX)
             import_report_leave(drawing->builder->report, 1, "furniture outlines narrower than 1 cm");
     }
+    if (drawing->renamed_count)
+        import_report_note(drawing->builder->report, "pieces of furniture are called by their kind (%zu): %s became %s",
+                           drawing->renamed_count, drawing->renamed, block_name_of(drawing->renamed));
 }
 
 /* Doors ----------------------------------------------------------------------------------------------------------- */

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "exchange/block_name.h"
 #include "exchange/length_text.h"
 #include "imported.h"
 
@@ -112,9 +113,37 @@ TEST(blocks_in_blocks_are_scaled_turned_and_moved_and_furniture_is_their_box) {
                          "    {'id': 'w2', 'points': [[1, 1], [1, 2]], 'thickness': 0}\n"
                          "  ],\n"
                          "  'furniture': [\n"
-                         "    {'id': 'f1', 'name': 'BED', 'centre': [0.55, 2], 'size': [1, 0.9], 'angle': 90}\n"
+                         "    {'id': 'f1', 'name': 'bed', 'centre': [0.55, 2], 'size': [1, 0.9], 'angle': 90}\n"
                          "  ]\n}\n");
     CHECK(imported_left_out(&import, "blocks missing from the file", 1));
+    imported_end(&import, true);
+    memory_free(entities.text);
+}
+
+TEST(a_block_is_called_by_its_kind_of_furniture) {
+    static const char *const names[][2] = {{"xref-Bishop-Overland-08$0$FIXT-OVALBATH", "bath tub"},
+                                           {"plan|A-BATH-SINK", "sink"},
+                                           {"BED", "bed"},
+                                           {"WC_01", "toilet"},
+                                           {"NEWCASTLE$2$", "furniture"},
+                                           {"A$C0B2", "furniture"},
+                                           {"Sideboard", "Sideboard"},
+                                           {"$0", "furniture"},
+                                           {"", "furniture"},
+                                           {"CHAIR-ARMCHAIR", "armchair"}};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        CHECK_TEXT(block_name_of(names[i][0]), names[i][1]);
+    Text entities = {0};
+    text_format(&entities, "%s%s", room, "0 INSERT 8 FURN 2 xref-a$0$FIXT-OVALBATH 10 1000 20 1000");
+    Imported import = import_drawing(millimetres,
+                                     "0 BLOCK 2 xref-a$0$FIXT-OVALBATH 10 0 20 0 0 LINE 8 0 10 0 20 0 11 1700 21 0 0 "
+                                     "LINE 8 0 10 1700 20 0 11 1700 21 700 0 ENDBLK",
+                                     entities.text, (ImportOptions){0});
+    CHECK(import.plan.furniture_count == 1);
+    CHECK_TEXT(import.plan.furniture[0].name, "bath tub");
+    CHECK(imported_noted(&import,
+                         "pieces of furniture are called by their kind (1): xref-a$0$FIXT-OVALBATH became bath "
+                         "tub"));
     imported_end(&import, true);
     memory_free(entities.text);
 }
