@@ -160,6 +160,13 @@ void act_show_place(Window *window) {
     window->dirty = true;
 }
 
+void act_set_scale(Window *window) {
+    act_do(window, ACTION_TOOL_MEASURE, 0, 0);
+    Editor *editor = tab_editor(window_tab(window));
+    if (editor)
+        editor_take_scale(editor);
+}
+
 /* Does an action that opens or closes a dialog; false: it is another action. */
 static bool do_dialog(Window *window, Action action) {
     switch (action) {

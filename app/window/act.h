@@ -8,3 +8,6 @@ void act_do(Window *window, Action action, int32_t key, int mods);
 
 /* Selects the most dangerous place, zooms in on it and goes to its time. */
 void act_show_place(Window *window);
+
+/* Takes the tool that sets the scale of the house. */
+void act_set_scale(Window *window);

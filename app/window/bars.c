@@ -175,8 +175,18 @@ static bool show_clauses(Window *window, const char *detail, Role role, double l
     return true;
 }
 
-/* Shows the result's numbers in one line, or small in two. The background work is named behind them, so that nothing
- * moves when it ends. */
+/* Names the background work behind the numbers, so that nothing moves when it ends; where it does not fit, in the line
+ * above its progress. It is never shortened. */
+static void show_doing_note(Window *window, const char *doing, double left, double behind, double right, double y) {
+    Vec2 extent = ui_extent(window->ui, UI_SMALL, doing);
+    double below = window->frame.answer.high.y - PROGRESS_HEIGHT - extent.y / 2 + 1;
+    if (behind + ui_extent(window->ui, UI_BODY, doing).x < right)
+        show_text(window, UI_BODY, ROLE_DIM_TEXT, behind, right, y, doing);
+    else if (left + extent.x < right)
+        show_text(window, UI_SMALL, ROLE_DIM_TEXT, left, right, below, doing);
+}
+
+/* Shows the result's numbers in one line, or small in two. */
 static void show_detail(Window *window, const Result *answer, double left, double right, double y) {
     const char *detail = answer->detail ? answer->detail : "";
     Role role = answer->stale ? ROLE_DIM_TEXT : ROLE_TEXT;
@@ -190,9 +200,8 @@ static void show_detail(Window *window, const Result *answer, double left, doubl
         return;
     }
     show_text(window, size, role, left, right, y, detail);
-    left += *detail ? extent.x + GAP : 0;
-    if (answer->doing && left + GAP < right)
-        show_text(window, UI_BODY, ROLE_DIM_TEXT, left, right, y, answer->doing);
+    if (answer->doing)
+        show_doing_note(window, answer->doing, left, left + (*detail ? extent.x + GAP : 0), right, y);
 }
 
 /* Returns the size of the title: large, unless the numbers would then not fit. */
@@ -367,8 +376,11 @@ void bars_show_strip(Window *window) {
     if (box_height(bar) <= 0)
         return;
     ui_pane_begin(window->ui, &(UiPane){.name = "strip", .box = bar, .ground = ROLE_PAPER});
-    double y = middle_of(bar).y, left = MARGIN / 2, right = bar.high.x - MARGIN;
-    const char *place = tab->session ? place_text(window, tab) : "";
+    size_t faults;
+    bool says = notice_shown(window, &faults) || window->export;
+    double end = says ? message_box(window, faults > 0).low.x : bar.high.x;
+    double y = middle_of(bar).y, left = MARGIN / 2, right = fmax(left, end - MARGIN);
+    const char *place = tab->session && !says ? place_text(window, tab) : "";
     ui_draw_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, vec2(right, y), 1, place);
     right -= ui_extent(window->ui, UI_SMALL, place).x + GAP;
     left = show_doing(window, left, right, y);

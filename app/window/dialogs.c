@@ -12,6 +12,7 @@
 #include "window/dialog_gallery.h"
 #include "window/dialog_leave.h"
 #include "window/dialog_pane.h"
+#include "window/dialog_unit.h"
 #include "window/lesson.h"
 #include "window/menu.h"
 
@@ -289,6 +290,7 @@ void dialogs_show(Window *window) {
         [DIALOG_LEAVE] = dialog_leave_show,
         [DIALOG_LESSON] = lesson_show_leave,
         [DIALOG_RECOVERED] = dialog_leave_show_recovered,
+        [DIALOG_UNIT] = dialog_unit_show,
     };
     if (window->dialog != DIALOG_NONE)
         shows[window->dialog](window);

@@ -39,6 +39,8 @@ bool notice_dismiss(Window *window) {
 void notice_edit(Window *window) {
     Editor *editor = window_tab(window)->session ? tab_editor(window_tab(window)) : NULL;
     const Message *last = messages_last(&window->messages);
+    if (editor && editor_rescaled(editor))
+        tab_fit(window_tab(window));
     if (editor && editor_next_step(editor)) {
         bool said = last && last->kind == MESSAGE_NOTE && last->number > window->message_before;
         if (!said && editor_undo_name(editor))

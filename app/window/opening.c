@@ -104,7 +104,18 @@ static bool open_text(Window *window, const char *path, const ImportFile *import
     return true;
 }
 
-static bool import(Window *window, const char *path) {
+/* Asks in a dialog for the unit of a file. */
+static void ask_unit(Window *window, const char *path, const ImportFile *import) {
+    ImportAsk *ask = &window->import_ask;
+    ask->count = import->choice_count;
+    memcpy(ask->choices, import->choices, sizeof ask->choices);
+    ask->width = import->width;
+    snprintf(ask->path, sizeof ask->path, "%s", path);
+    snprintf(window->field, sizeof window->field, "%.2f m", import->width * import->choices[0].metres);
+    dialog_pane_show(window, DIALOG_UNIT);
+}
+
+bool opening_import(Window *window, const char *path, double unit) {
     ImportFile import = {.text = NULL};
     Fault fault = {0};
     int refusal = text_read_refusal(path);
@@ -112,7 +123,13 @@ static bool import(Window *window, const char *path) {
         notice_post(window, "%s cannot be read: %s", path, text_read_reason(refusal));
         return false;
     }
-    bool read = window->recovery && import_file_read(&import, path, &fault);
+    bool read = window->recovery && import_file_read(&import, path, unit, &fault);
+    if (import.choice_count && unit == 0) {
+        ask_unit(window, path, &import);
+        fault_clear(&fault);
+        import_file_clear(&import);
+        return false;
+    }
     if (!window->recovery)
         notice_post(window, "%s cannot be imported: no folder for recovery files is writable", path);
     notice_fault(window, &fault, NAN);
@@ -127,7 +144,7 @@ static bool import(Window *window, const char *path) {
 
 bool opening_file(Window *window, const char *path) {
     if (path && import_file_knows(path))
-        return import(window, path);
+        return opening_import(window, path, 0);
     size_t index = path ? laboratory_of(path) : (size_t)(autosave_tab(window) - window->tabs);
     plan_input_reset(window);
     if (!open_in(window, index, path, NULL, true))

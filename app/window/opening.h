@@ -4,9 +4,12 @@
 #include "window/window_state.h"
 
 /* Opens a file in the tab of its laboratory and shows that tab; NULL: a new house. A file of another program becomes a
- * new house that no file holds yet. False: faults were posted, and what was open stays open. What was open is closed
- * unsaved: see files_leave. */
+ * new house that no file holds yet; if its unit is in doubt, a dialog asks for it first. False: faults were posted, and
+ * what was open stays open. What was open is closed unsaved: see files_leave. */
 bool opening_file(Window *window, const char *path);
+
+/* Opens a file of another program whose unit (m in one) was chosen. */
+bool opening_import(Window *window, const char *path, double unit);
 
 /* Opens a house that no file of its own holds, as `mark` says: it has no path and is not listed as recent. `origin`: as
  * in LaboratoryOptions. */

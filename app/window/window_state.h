@@ -2,6 +2,7 @@
 #pragma once
 
 #include "laboratory/edit/editor.h"
+#include "laboratory/import_file.h"
 #include "laboratory/laboratories.h"
 #include "platform/export.h"
 #include "window/frame.h"
@@ -35,8 +36,11 @@ typedef enum Dialog {
     DIALOG_LEAVE,     /* edits are not saved */
     DIALOG_LESSON,    /* the lesson shall be left */
     DIALOG_RECOVERED, /* a program that crashed has left edits */
+    DIALOG_UNIT,      /* the unit of an imported plan is in doubt */
     DIALOGS,
 } Dialog;
+
+enum { FOLDS_MOST = 64, WINDOW_PATH = 4096, WINDOW_TITLE = 256, GALLERY_MOST = 64 };
 
 /* The state of mouse and keys over the plan. */
 typedef struct PlanInput {
@@ -50,6 +54,14 @@ typedef struct PlanInput {
     bool done;          /* the key was handled, so its text is ignored */
     SdlWindowEvent key;
 } PlanInput;
+
+/* An imported plan whose unit is asked for. */
+typedef struct ImportAsk {
+    char path[WINDOW_PATH];
+    ImportChoice choices[IMPORT_CHOICES]; /* (count) the likeliest first */
+    size_t count;
+    double width; /* of the plan, in the file's unit */
+} ImportAsk;
 
 /* When the recovery file must be written. */
 typedef struct Watch {
@@ -77,8 +89,6 @@ typedef struct EditBenchmark {
 
 /* The lesson that is being given: see lesson.h. */
 typedef struct GivenLesson GivenLesson;
-
-enum { FOLDS_MOST = 64, WINDOW_PATH = 4096, WINDOW_TITLE = 256, GALLERY_MOST = 64 };
 
 typedef struct Window {
     const WindowOptions *options;
@@ -130,6 +140,7 @@ typedef struct Window {
     char field[WINDOW_PATH]; /* text typed into a dialog */
     char hold[WINDOW_PATH];  /* text of DIALOG_EXPLAIN */
 
+    ImportAsk import_ask;
     PlanInput plan_input;
     ScreenTexture trace_image; /* of the picture to trace, */
     char *trace_image_path;    /* from this file; NULL: none */

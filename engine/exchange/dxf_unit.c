@@ -85,6 +85,16 @@ static WallLines list_walls(const DxfShapes *shapes) {
     return lines;
 }
 
+/* Lists the units in the report, for someone to choose among. */
+static void list_units(const DxfShapes *shapes, const Sizes *sizes, ImportReport *report) {
+    WallLines lines = list_walls(shapes);
+    double walls[PLAN_SIZE_UNITS];
+    for (size_t u = 0; u < PLAN_SIZE_UNITS; u++)
+        walls[u] = wall_faces_likely(&lines, plan_size_units[u].metres);
+    memory_free(lines.list);
+    plan_size_list(report, sizes->plan, sizes->leaf, walls);
+}
+
 /* Keeps those candidates in which walls that are drawn as two lines have a possible thickness, if there are any. */
 static void ask_walls(const DxfShapes *shapes, bool possible[PLAN_SIZE_UNITS]) {
     WallLines lines = list_walls(shapes);
@@ -159,6 +169,7 @@ static bool choose_by_sizes(const PlanUnit *said, const DxfShapes *shapes, const
                             double *metres) {
     bool possible[PLAN_SIZE_UNITS];
     size_t count = find_possible(sizes, possible), chosen = 0;
+    list_units(shapes, sizes, builder->report);
     if (count > 1)
         ask_walls(shapes, possible);
     count = 0;
@@ -201,6 +212,7 @@ static bool walls_agree(const PlanUnit *said, const DxfShapes *shapes, const Siz
     memory_free(lines.list);
     if (!other)
         return true;
+    list_units(shapes, sizes, builder->report);
     double x = sizes->plan.x * said->metres, y = sizes->plan.y * said->metres;
     Text why = {0};
     if (thickest > 0)

@@ -225,6 +225,8 @@ static const char *strip_text(Editor *edit) {
         return "First place the person whose route you draw.";
     if ((edit->tool == TOOL_DOOR || edit->tool == TOOL_EXIT) && !plan->wall_count)
         return edit->tool == TOOL_DOOR ? "First draw a wall for the door." : "First draw a wall for the exit.";
+    if (edit_scale_in_hand(edit))
+        return "Click two points a known distance apart, then type that distance.";
     return tools[edit->tool].strip;
 }
 
@@ -414,6 +416,17 @@ double editor_measured(const Editor *edit) {
 bool editor_set_measured(Editor *edit, double length, Fault *fault) {
     prepare(edit);
     return edit_scale_set(edit, length, fault);
+}
+
+void editor_take_scale(Editor *edit) {
+    editor_set_tool(edit, TOOL_MEASURE);
+    editor_choose_item(edit, ITEM_SET_SCALE);
+}
+
+bool editor_rescaled(Editor *edit) {
+    bool was = edit->rescaled;
+    edit->rescaled = false;
+    return was;
 }
 
 bool editor_drop_proposals(Editor *edit) {

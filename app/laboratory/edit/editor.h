@@ -260,6 +260,10 @@ void editor_go_to_step(Editor *editor, size_t number);
 /* True once after each new step. */
 bool editor_next_step(Editor *editor);
 
+/* Takes the tool that sets the scale of the house by two points and their real distance; true once after it was set. */
+void editor_take_scale(Editor *editor);
+bool editor_rescaled(Editor *editor);
+
 /* Texts, catalogue, proposals, picture ---------------------------------------------------------------------------- */
 
 const EditText *editor_texts(Editor *editor, size_t *count);

@@ -178,6 +178,8 @@ struct Editor {
 
     EditMeasure measures[EDIT_MEASURES];
     size_t measure_count;
+    bool scales;   /* the gesture that sets the scale is being completed */
+    bool rescaled; /* the scale was set since the owner's last request */
 
     EditSearch *search;    /* search for changes that let all people leave, or NULL */
     EditSearch *cancelled; /* list of cancelled searches that have not ended yet */

@@ -10,6 +10,7 @@
 #include "laboratory/edit/image.h"
 #include "laboratory/edit/measure.h"
 #include "laboratory/edit/place.h"
+#include "laboratory/edit/scale.h"
 #include "laboratory/edit/select.h"
 
 static const double STIR = 0.4; /* share of the reach: pointer travel below this is a click, not a drag */
@@ -21,6 +22,8 @@ static bool is_chain(EditTool tool) {
 static void begin(Editor *edit, bool keys) {
     if (edit->tool == TOOL_IMAGE)
         edit_image_begin(edit, keys);
+    else if (edit_scale_in_hand(edit))
+        edit_scale_begin(edit, keys);
     else if (is_chain(edit->tool))
         edit_chain_begin(edit, keys);
     else
@@ -122,7 +125,7 @@ void edit_pointer_press(Editor *edit, const Pointer *pointer, bool twice) {
     edit->pressed = pointer->at;
     edit->pending = PENDING_NOTHING;
     edit->keys = edit->clicked = false; /* a gesture begun by keys continues by pointer */
-    if (edit->gesture && twice && edit->tool == TOOL_MEASURE && edit_measure_side(edit)) {
+    if (edit->gesture && twice && edit->tool == TOOL_MEASURE && !edit_scale_in_hand(edit) && edit_measure_side(edit)) {
         edit_gesture_cancel(edit);
     } else if (edit->gesture && twice && edit->tool == TOOL_AREA && edit->chain.count == 1 &&
                edit_chain_room_here(edit)) {

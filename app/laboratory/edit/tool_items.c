@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "laboratory/shipped.h"
+#include "result/names.h"
 
 #define USUAL_PROFILE "manual-chair" /* profile that is placed by default */
 
@@ -98,11 +99,18 @@ const CatalogueRow *edit_tool_items_list(Editor *edit, size_t *count) {
         list_furniture(edit, count);
     } else if (edit->tool == TOOL_PERSON) {
         for (size_t i = 0; i < edit->profile_count; i++)
-            add(edit, count, (CatalogueRow){.name = edit->profiles[i], .group = "", .detail = ""});
+            add(edit, count, (CatalogueRow){.name = names_profile(edit->profiles[i]), .group = "", .detail = ""});
     } else if (edit->tool == TOOL_DOOR) {
         add(edit, count, (CatalogueRow){.name = "hinged", .group = "", .detail = "a leaf that swings"});
         add(edit, count, (CatalogueRow){.name = "opening", .group = "", .detail = "without a leaf"});
         add(edit, count, (CatalogueRow){.name = "sliding", .group = "", .detail = "a leaf that slides along the wall"});
+    }
+    if (edit->tool == TOOL_MEASURE) {
+        add(edit, count, (CatalogueRow){.name = "measure", .group = "", .detail = "a distance, and what fits through"});
+        add(edit, count,
+            (CatalogueRow){.name = "set the scale",
+                           .group = "",
+                           .detail = "of the whole house: two points, then their real distance"});
     }
     if (edit->tool == TOOL_IMAGE) {
         add(edit, count, (CatalogueRow){.name = "scale", .group = "", .detail = "two points and their real distance"});
