@@ -12,7 +12,9 @@
 #define LINE 19.0 /* of several lines in a button */
 #define FLAG_BOX 20.0
 #define ROW_HEIGHT 32.0
-#define ROW_MARK 34.0 /* a disc or a line sample, and some room */
+#define ROW_PAD 8.0    /* above and below a name of several lines */
+#define ROW_LEAST 70.0 /* room for a name that may break */
+#define ROW_MARK 34.0  /* a disc or a line sample, and some room */
 #define ROW_DISC_RADIUS 11.0
 #define ROW_GAP 14.0
 #define CHOICE_GAP 4.0
@@ -233,18 +235,50 @@ static double draw_cells(Ui *ui, Box box, UiTextStyle style, const char *const *
     return right;
 }
 
+static bool is_marked(const UiRow *row) {
+    return row->mark || row->shape == ROW_DISC || row->shape == ROW_LINE;
+}
+
+static UiTextStyle style_of(const UiRow *row) {
+    return row->selected ? UI_BOLD : UI_BODY;
+}
+
+/* Returns the height of a row: a name that is too long for its column breaks between words. */
+static double row_height(Ui *ui, const UiRow *row) {
+    double room = ui_pane_width(ui) - (is_marked(row) ? ROW_MARK : 0);
+    int count = !row->cells[0] ? 0 : !row->cells[1] ? 1 : !row->cells[2] ? 2 : 3;
+    for (int column = 1; column < count; column++) {
+        double width = ui_extent(ui, style_of(row), row->cells[column]).x;
+        room -= (count > 2 && ui->place ? fmax(width, ui->place->columns[0][column - 1]) : width) + ROW_GAP;
+    }
+    if (!count || room < ROW_LEAST || ui_extent(ui, style_of(row), row->cells[0]).x <= room)
+        return ROW_HEIGHT;
+    return fmax(ROW_HEIGHT, ui_text_wrapped(ui, style_of(row), 0, (Box){{0, 0}, {room, 0}}, row->cells[0]) + ROW_PAD);
+}
+
 /* Returns the box of a row: rows of a list have no gap between them. */
-static Box next_row(Ui *ui) {
+static Box next_row(Ui *ui, double height) {
     if (!ui->at_given && ui->row_count <= 1 && ui->y == ui->list_y)
         ui->y -= UI_GAP;
-    Box box = ui_pane_next(ui, ROW_HEIGHT);
+    Box box = ui_pane_next(ui, height);
     ui->list_y = ui->y;
     return box;
 }
 
+static void draw_name(Ui *ui, const UiRow *row, Box box) {
+    UiInk ink = ui_state_ink(ui, row->dim ? ROLE_DIM_TEXT : ROLE_TEXT, 1);
+    double height = box_height(box) - ROW_PAD;
+    if (box_height(box) <= ROW_HEIGHT) {
+        ui_text_in(ui, style_of(row), ink, box, 0, row->cells[0]);
+        return;
+    }
+    box.low.y = (box.low.y + box.high.y - height) / 2;
+    ui_text_wrapped(ui, style_of(row), ink, box, row->cells[0]);
+}
+
 bool ui_list_row(Ui *ui, const UiRow *row) {
     UiId id = ui_state_id(ui, row->id ? row->id : row->cells[0]);
-    Box box = next_row(ui);
+    Box box = next_row(ui, row_height(ui, row));
     UiTouch touch = row->usable || row->help ? ui_state_touch(ui, id, box, false) : (UiTouch){0};
     Box wide = {{box.low.x - 6, box.low.y}, {box.high.x + 6, box.high.y}};
     /* keeps the frame of the focus off the neighbouring rows */
@@ -254,15 +288,14 @@ bool ui_list_row(Ui *ui, const UiRow *row) {
         ui_painter_box(ui->painter, wide, ui_state_ink(ui, ROLE_SHADE, row->selected ? 1 : 0.6));
     if (row->selected)
         ui_painter_box(ui->painter, (Box){wide.low, {wide.low.x + 4, wide.high.y}}, ui_state_ink(ui, ROLE_CHAIR, 1));
-    UiTextStyle style = row->selected ? UI_BOLD : UI_BODY;
     Box inside = box;
-    if (row->mark || row->shape == ROW_DISC || row->shape == ROW_LINE) {
+    if (is_marked(row)) {
         draw_mark(ui, box, row);
         inside.low.x += ROW_MARK;
     }
-    inside.high.x = draw_cells(ui, inside, style, row->cells);
+    inside.high.x = draw_cells(ui, inside, style_of(row), row->cells);
     if (row->cells[0])
-        ui_text_in(ui, style, ui_state_ink(ui, row->dim ? ROLE_DIM_TEXT : ROLE_TEXT, 1), inside, 0, row->cells[0]);
+        draw_name(ui, row, inside);
     ui_tip_offer(ui, id, box, row->help, touch.hovered, focused);
     return used;
 }

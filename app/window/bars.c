@@ -14,6 +14,7 @@
 /* Design points. */
 #define TWO_LINES 1.8 /* widths that a text of two lines may take: lines break between words */
 #define MARGIN 14.0
+#define NOTE_ROOM 3.0 /* that a line of detail leaves below it */
 #define GAP 12.0
 #define BUTTON_PAD 20.0
 #define SHOW_HEIGHT 38.0
@@ -194,6 +195,7 @@ static void show_detail(Window *window, const Result *answer, double left, doubl
     if (size == UI_BODY && show_clauses(window, detail, role, left, right, y))
         return;
     Vec2 extent = ui_extent(window->ui, size, detail);
+    y -= NOTE_ROOM;
     if (left + extent.x > right && extent.x < TWO_LINES * (right - left)) {
         ui_at(window->ui, (Box){{left, y - extent.y}, {right, y + extent.y}});
         ui_text(window->ui, size, role, detail);

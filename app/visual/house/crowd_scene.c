@@ -1,6 +1,7 @@
 #include "visual/house/crowd_scene.h"
 
 #include "result/names.h"
+#include "visual/house/house_scene.h"
 #include "visual/house/people_scene.h"
 #include "visual/house/silhouette.h"
 #include "visual/house/trail.h"
@@ -265,7 +266,7 @@ static Party sum_profile(const Census *census, const Profile *profile) {
 static void list_profile(Scene *scene, const House *house, const Party *sum) {
     LocusLook look = crowd_scene_look(house, sum->profile);
     const char *out = scene_text(scene, "%zu/%zu", sum->out, sum->people);
-    const char *last = sum->out ? scene_text(scene, "%.0f", sum->last) : "-";
+    const char *last = sum->out ? house_scene_duration(scene, sum->last) : "-";
     SceneRow *row = scene_add_row(scene, ROW_LINE, names_profile(sum->profile->name));
     row->role = look.role;
     row->style = look.style;
@@ -276,7 +277,7 @@ static void list_profile(Scene *scene, const House *house, const Party *sum) {
 }
 
 void crowd_scene_list(Scene *scene, const House *house, const Census *census) {
-    scene_add_row(scene, ROW_HEADING, "People: out/all, last s");
+    scene_add_row(scene, ROW_HEADING, "People: out/all, last");
     size_t listed = 0, profiles = 0;
     for (size_t k = 0; k < house->profile_count; k++) {
         Party sum = sum_profile(census, &house->profiles[k]);

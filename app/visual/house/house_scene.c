@@ -16,6 +16,8 @@
 #include "result/tight.h"
 
 #define MOST 0.95       /* share of a crowd that is most of it */
+#define LONG 99.95      /* s: longer times are told in minutes */
+#define LOST_LONG 600.0 /* s: more time lost by all is told in minutes alone */
 #define LOST_LEAST 0.05 /* s: less lost time is not told */
 
 /* The word in the note of a plan that was not measured: such a note must be shown wherever the plan is. */
@@ -61,6 +63,12 @@ static const char *most_lost(Scene *scene, const House *house, const Observation
     return gap ? scene_text(scene, "tightest: %s, %s to spare", name, gap) : "no tight place";
 }
 
+const char *house_scene_duration(Scene *scene, double seconds) {
+    long whole = lround(seconds);
+    return seconds < LONG ? scene_text(scene, "%.1f s", seconds)
+                          : scene_text(scene, "%ld:%02ld", whole / 60, whole % 60);
+}
+
 static int compare_times(const void *a, const void *b) {
     double left = *(const double *)a, right = *(const double *)b;
     return (left > right) - (left < right);
@@ -77,9 +85,32 @@ static const char *most_out(Scene *scene, const Observation *observation, const 
             times[count++] = observation->people[i].time;
     qsort(times, count, sizeof *times, compare_times);
     size_t most = (size_t)ceil(MOST * (double)count);
-    const char *text = most ? scene_text(scene, "%.0f %% out in %.1f s \u00b7 ", 100 * MOST, times[most - 1]) : "";
+    const char *text =
+        most ? scene_text(scene, "%.0f %% out in %s \u00b7 ", 100 * MOST, house_scene_duration(scene, times[most - 1]))
+             : "";
     memory_free(times);
     return text;
+}
+
+/* Returns who of a crowd is the last one out: "the last is with a walking frame". */
+static const char *last_out(Scene *scene, const House *house, const Observation *observation) {
+    size_t last = SIZE_MAX;
+    for (size_t i = 0; i < observation->person_count; i++)
+        if (observation->people[i].completed &&
+            (last == SIZE_MAX || observation->people[i].time > observation->people[last].time))
+            last = i;
+    return last == SIZE_MAX ? "" : scene_text(scene, "last out: %s", names_profile(house->people[last].profile->name));
+}
+
+/* A crowd that leaves is told by when most are out and who is the last; contacts and means stand in the report. */
+static void format_crowd(Scene *scene, const House *house, const Observation *observation, const Census *census) {
+    bool alone = house->plan.run.routes == ROUTES_ALONE && house->plan.route_count > 1;
+    const char *most = most_out(scene, observation, census);
+    if (!*most || alone)
+        return;
+    scene->title =
+        scene_text(scene, "All %zu out in %s", census->people, house_scene_duration(scene, observation->time));
+    scene->detail = scene_text(scene, "%s%s", most, last_out(scene, house, observation));
 }
 
 static void format_answer(Scene *scene, const House *house, const Observation *observation, const Census *census) {
@@ -97,6 +128,8 @@ static void format_answer(Scene *scene, const House *house, const Observation *o
                                          most_lost(scene, house, observation))
                             : most_lost(scene, house, observation);
     scene->title_role = headline.role;
+    if (is_crowd(census))
+        format_crowd(scene, house, observation, census);
 }
 
 /* Returns a row's value with its unit, as the terminal and the report have it. */
@@ -110,15 +143,17 @@ static void list_hazards(Scene *scene, const House *house, const Observation *ob
     Tight tight[TIGHT_MOST];
     size_t count = tight_places(observation, tight);
     if (count)
-        scene_add_row(scene, ROW_HEADING, crowd ? "Jams" : "Tight places");
+        scene_add_row(scene, ROW_HEADING, crowd ? "Jams: time lost by all" : "Tight places");
     for (size_t i = 0; i < count; i++) {
         const Hazard *hazard = &observation->hazards[tight[i].hazard];
         const RunSettings *run = &house->plan.run;
         bool pushed = crowd ? tight[i].peak_force * run->loss_warning > tight[i].lost_time * run->force_warning
                             : tight[i].peak_force > 0;
         const char *mark = scene_text(scene, "%zu", i + 1);
-        const char *cost =
-            pushed ? scene_text(scene, "%.0f N", tight[i].peak_force) : scene_text(scene, "%.1f s", tight[i].lost_time);
+        double lost = tight[i].lost_time;
+        const char *cost = pushed             ? scene_text(scene, "%.0f N", tight[i].peak_force)
+                           : lost < LOST_LONG ? house_scene_duration(scene, lost)
+                                              : scene_text(scene, "%.0f min", lost / 60);
         const char *gap = to_spare(scene, tight[i].clearance);
         SceneRow *row = scene_add_row(scene, ROW_DISC, names_thing(house, hazard->what, hazard->at, &scene->arena));
         row->role = people_scene_danger(hazard);

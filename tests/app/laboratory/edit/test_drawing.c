@@ -46,7 +46,7 @@ static void draw_by_hand(void *session) {
     editor_set_tool(laboratory->editor(session), TOOL_EXIT);
     editing_click(session, 8.02, 1.5);
     editor_set_tool(laboratory->editor(session), TOOL_PERSON);
-    choose(session, "", "manual-chair");
+    choose(session, "", "wheelchair");
     editing_click(session, 2.0, 4.5);
     editor_set_tool(laboratory->editor(session), TOOL_FURNITURE);
     choose(session, "European", "wardrobe");
@@ -66,7 +66,7 @@ static void type_all(void *session) {
     editor_set_tool(laboratory->editor(session), TOOL_EXIT);
     editing_keys(session, "|8>1.5|");
     editor_set_tool(laboratory->editor(session), TOOL_PERSON);
-    choose(session, "", "manual-chair");
+    choose(session, "", "wheelchair");
     editing_keys(session, "|2>4.5|");
     editor_set_tool(laboratory->editor(session), TOOL_FURNITURE);
     choose(session, "European", "wardrobe");
@@ -98,7 +98,7 @@ TEST(a_plan_without_exit_is_not_kept_as_before_and_nobody_who_is_undone) {
     editor_set_tool(laboratory->editor(session), TOOL_DOOR);
     editing_click(session, 8.02, 3.5);
     editor_set_tool(laboratory->editor(session), TOOL_PERSON);
-    choose(session, "", "manual-chair");
+    choose(session, "", "wheelchair");
     editing_click(session, 2.0, 4.5);
     running_house_finish(session, 0);
     editor_set_tool(laboratory->editor(session), TOOL_EXIT);
@@ -111,7 +111,7 @@ TEST(a_plan_without_exit_is_not_kept_as_before_and_nobody_who_is_undone) {
     running_house_finish(session, 0);
     CHECK(has_before(session));
     editor_set_tool(laboratory->editor(session), TOOL_PERSON);
-    choose(session, "", "manual-chair");
+    choose(session, "", "wheelchair");
     editing_click(session, 2.0, 2.5);
     running_house_finish(session, 0);
     CHECK(!has_before(session));
