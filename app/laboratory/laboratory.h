@@ -185,6 +185,10 @@ typedef struct Laboratory {
     void (*set_layers)(void *session, unsigned layers);
 
     /* Plots. `until`: number of points of a series that are drawn at a time. */
+    /* Names of the plots that this session opens by itself; NULL, or returning NULL: plots_at_first, if there is room.
+     */
+    const char *(*plots_for)(const void *session);
+
     size_t (*plot_count)(const void *session);
     LaboratoryPlot (*plot)(const void *session, size_t index);
     size_t (*points_until)(const void *session, size_t plot, size_t series, double time);

@@ -52,7 +52,7 @@ void canvas_paint(Window *window) {
         view_layers_show(&tab->view_layers, tab->laboratory, tab->session, tab->player.time);
     window->dirty |= tab->plot_panes_stale; /* the next frame lays them out */
     if (tab->plot_panes_stale)
-        plot_panes_choose(&tab->panes, tab->laboratory, tab->session, tab->plots, window->screen);
+        plot_panes_choose(&tab->panes, tab->laboratory, tab->session, tab_plots(tab), window->screen);
     tab->plot_panes_stale = false;
 }
 

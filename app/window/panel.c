@@ -10,25 +10,31 @@
 #include "window/panel_edit.h"
 #include "window/plan_input.h"
 
-enum { DIGITS_MOST = 6, PRESETS_IN_ROW = 2 };
+enum { DIGITS_MOST = 6, PRESETS_IN_ROW = 2, OPEN_MOST = 3 };
 #define STEPS_SHOWN 500.0 /* steps of a slider's range that its digits distinguish */
 
 /* Folds ------------------------------------------------------------------------------------------------------------ */
 
-/* Shows the heading of a fold and returns true if it is open. Folds are kept by their titles. */
+/* Shows the heading of a fold and returns true if it is open. Folds that were touched stay as they were left; of the
+ * others the first ones are open, so that at most OPEN_MOST are unless more were opened. Folds are kept by their
+ * titles. */
 static bool show_fold(Window *window, const char *title, const char *summary, bool open_at_first) {
     uint64_t key = digest_text(DIGEST_START, title);
     size_t i = 0;
-    while (i < window->fold_count && window->folds[i] != key)
+    while (i < window->fold_count && window->folds[i].key != key)
         i++;
-    bool other = i < window->fold_count, open = open_at_first != other;
-    if (!ui_fold(window->ui, title, open ? NULL : summary, &open))
-        return open;
-    if (other)
-        window->folds[i] = window->folds[--window->fold_count];
-    else if (window->fold_count < FOLDS_MOST)
-        window->folds[window->fold_count++] = key;
-    window->dirty = true;
+    bool touched = i < window->fold_count;
+    size_t taken = window->folds_open + window->folds_opened; /* by others that were opened, above and in all */
+    bool open = touched ? window->folds[i].open : open_at_first && taken < OPEN_MOST;
+    if (ui_fold(window->ui, title, open ? NULL : summary, &open)) {
+        if (touched || window->fold_count < FOLDS_MOST)
+            window->folds[i] = (Fold){key, open};
+        window->fold_count += !touched && window->fold_count < FOLDS_MOST;
+        touched = true;
+        window->dirty = true;
+    }
+    window->folds_open += open && !touched;
+    window->folds_opening += open && touched;
     return open;
 }
 
@@ -305,7 +311,7 @@ static void show_plots(Window *window, Tab *tab) {
             shown |= strcmp(tab->panes.panes[c].source.name, plot.name) == 0;
         const char *help = text_in_arena(&window->arena, "%s: Show or hide the plot", plot.title);
         if (ui_flag(window->ui, text_in_arena(&window->arena, "plot %s", plot.name), plot.title, help, &shown)) {
-            tab->plots = toggled(window, tab->plots, plot.name, shown);
+            tab->plots = toggled(window, tab_plots(tab), plot.name, shown);
             tab->plot_panes_stale = true;
         }
     }
@@ -315,6 +321,9 @@ void panel_show(Window *window) {
     Tab *tab = window_tab(window);
     if (box_width(window->frame.panel) <= 0)
         return;
+    window->dirty |= window->folds_opened != window->folds_opening; /* those above have not known it */
+    window->folds_opened = window->folds_opening;
+    window->folds_open = window->folds_opening = 0;
     ui_pane_begin(window->ui,
                   &(UiPane){.name = "panel", .box = window->frame.panel, .ground = ROLE_PANEL, .scrolls = true});
     if (tab->session) {

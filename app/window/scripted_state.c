@@ -126,6 +126,17 @@ static json_t *command_state(const Tab *tab) {
     return state;
 }
 
+/* Returns the times of the exits that the timeline marks. */
+static json_t *ticks_state(const Tab *tab) {
+    json_t *ticks = json_array();
+    size_t count;
+    const TimelineMark *marks = tab->laboratory->marks(tab->session, &count);
+    for (size_t i = 0; i < count; i++)
+        if (marks[i].kind == TIMELINE_EXIT)
+            json_array_append_new(ticks, json_real(marks[i].time));
+    return ticks;
+}
+
 /* Returns the labels of all marks. */
 static json_t *marks_state(const GestureView *gesture) {
     static const char *const kinds[] = {
@@ -265,6 +276,7 @@ static void add_tab(json_t *state, Window *window) {
     json_object_set_new(state, "azimuth", number_or_null(tab->camera.azimuth));
     json_object_set_new(state, "layers", json_integer(tab_layers(tab)));
     json_object_set_new(state, "clock", json_string(tab->laboratory->clock(tab->session, player->time)));
+    json_object_set_new(state, "ticks", ticks_state(tab));
     json_object_set_new(state, "selected", item.kind ? json_string(key_of(tab, item)) : json_null());
     json_object_set_new(state, "floor", floor_state(window, tab));
     json_object_set_new(state, "answer", answer_state(tab));

@@ -166,6 +166,21 @@ unsigned tab_update(Tab *tab, double seconds) {
     return changes;
 }
 
+/* Plots and speed -------------------------------------------------------------------------------------------------- */
+
+static const char *plots_for(const Tab *tab) {
+    return tab->session && tab->laboratory->plots_for ? tab->laboratory->plots_for(tab->session) : NULL;
+}
+
+bool tab_opens_plots(const Tab *tab) {
+    return tab->laboratory->numbers_first || plots_for(tab);
+}
+
+const char *tab_plots(const Tab *tab) {
+    const char *own = plots_for(tab);
+    return own && strcmp(tab->plots, tab->laboratory->plots_at_first) == 0 ? own : tab->plots;
+}
+
 /* Layers ----------------------------------------------------------------------------------------------------------- */
 
 static bool is_names(const Tab *tab, size_t layer) {

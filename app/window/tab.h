@@ -46,6 +46,10 @@ unsigned tab_layers(const Tab *tab);
 void tab_toggle_layer(Tab *tab, size_t layer);
 void tab_set_cramped(Tab *tab, bool cramped);
 
+/* True if the session opens plots by itself; the names of the plots that are shown, unless others were chosen. */
+bool tab_opens_plots(const Tab *tab);
+const char *tab_plots(const Tab *tab);
+
 /* Applies the camera to the view. */
 void tab_apply_camera(Tab *tab);
 

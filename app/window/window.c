@@ -246,8 +246,8 @@ static void make_frame(Window *window) {
     window->unit = window_unit(window->width, window->height, sdl_window_density(window->sdl_window), window->present) *
                    window->text;
     Vec2 page = {window->width / window->unit, window->height / window->unit};
-    bool plots = window->plots == PLOTS_AUTO ? tab->laboratory->numbers_first || frame_is_wide(page)
-                                             : window->plots == PLOTS_OPEN;
+    bool plots =
+        window->plots == PLOTS_AUTO ? tab_opens_plots(tab) || frame_is_wide(page) : window->plots == PLOTS_OPEN;
     window->plots_shown = plots;
     bool teaches = lesson_is_shown(window), machine = tab->laboratory->numbers_first;
     bool panel = window->panel && lesson_has_panel(window) && (!window->present || window->drawer);

@@ -87,6 +87,12 @@ typedef struct EditBenchmark {
     size_t count, capacity, missed;
 } EditBenchmark;
 
+/* A fold of the panel as it was left. */
+typedef struct Fold {
+    uint64_t key; /* of its title */
+    bool open;
+} Fold;
+
 /* The lesson that is being given: see lesson.h. */
 typedef struct GivenLesson GivenLesson;
 
@@ -116,13 +122,16 @@ typedef struct Window {
     bool present, panel, fullscreen, more;
     enum { PLOTS_AUTO, PLOTS_OPEN, PLOTS_CLOSED } plots; /* as chosen; otherwise by the room there is */
     bool plots_shown;
-    bool editing;               /* the toolbar is shown */
-    uint64_t folds[FOLDS_MOST]; /* (fold_count) folds of the panel that are not in their first state */
+    bool editing;           /* the toolbar is shown */
+    Fold folds[FOLDS_MOST]; /* (fold_count) folds of the panel that were touched */
     size_t fold_count;
-    bool noted_in_title; /* the note of the laboratory stands in the title bar */
-    bool drawer;         /* the panel is open as a drawer over the view, or in place of a lesson's card */
-    bool lessons_only;   /* the gallery shows lessons alone */
-    bool reduced;        /* nothing moves but what is simulated */
+    size_t folds_open;    /* untouched ones that are open, so far in this frame; */
+    size_t folds_opening; /* touched ones, so far, */
+    size_t folds_opened;  /* and in the frame before */
+    bool noted_in_title;  /* the note of the laboratory stands in the title bar */
+    bool drawer;          /* the panel is open as a drawer over the view, or in place of a lesson's card */
+    bool lessons_only;    /* the gallery shows lessons alone */
+    bool reduced;         /* nothing moves but what is simulated */
 
     int width, height; /* pixels */
     double unit;       /* pixels a design point */

@@ -9,6 +9,7 @@
 #include "laboratory/house/picture.h"
 #include "laboratory/house/text.h"
 #include "laboratory/save_file.h"
+#include "visual/house/people_scene.h"
 
 #define STEP (1.0 / 30) /* s, duration of one displayed frame */
 #define FASTEST 16.0
@@ -155,6 +156,16 @@ static void close_house(void *context) {
 }
 
 /* Display --------------------------------------------------------------------------------------------------------- */
+
+/* A crowd is followed by how many are out. */
+static const char *plots_for(const void *context) {
+    const HouseSession *session = context;
+    const Plan *plan = draft_plan(session->draft);
+    size_t people = plan->person_count;
+    for (size_t i = 0; i < plan->crowd_count; i++)
+        people += (size_t)plan->crowds[i].count;
+    return people > PEOPLE_SCENE_INDIVIDUALS ? "out,flow" : NULL;
+}
 
 static RecordSpan span(const void *context) {
     const HouseSession *session = context;
@@ -437,6 +448,7 @@ const Laboratory house_laboratory = {
     .moving = moving,
     .set_camera = set_camera,
     .set_layers = set_layers,
+    .plots_for = plots_for,
     .plot_count = plot_count,
     .plot = plot,
     .points_until = points_until,

@@ -19,7 +19,7 @@
 #define ALIKE 0.05 /* s: times closer than this count as equal */
 #define AHEAD 2.0  /* s, time before a person reaches a dangerous point at which "go to" begins */
 
-enum { MARKS_MOST = 2000 };
+enum { MARKS_MOST = 2000, EXITS_MOST = 8 /* that are counted in a crowd */ };
 
 #define NEW_CONTACT 0.1 /* s: a body that has been free for less is still touching */
 
@@ -29,6 +29,10 @@ static PanelRow *add_row(HouseSession *session, RowKind kind, const char *first)
     PanelRow *row = &texts->rows[texts->row_count++];
     *row = (PanelRow){.row = {.kind = kind, .role = ROLE_TEXT, .cells = {first}}, .time = NAN};
     return row;
+}
+
+static bool is_crowd(const HouseSession *session) {
+    return session->runs[RUN_SHOWN]->house.person_count > PEOPLE_SCENE_INDIVIDUALS;
 }
 
 /* The selection ---------------------------------------------------------------------------------------------------- */
@@ -147,6 +151,33 @@ static void compare(HouseSession *session) {
     result_clear(&now);
 }
 
+/* A crowd now ------------------------------------------------------------------------------------------------------ */
+
+/* Returns how many people are out at a time, by one exit or by any (SIZE_MAX). */
+static size_t count_out(const Observation *observation, size_t exit, double time) {
+    size_t count = 0;
+    for (size_t i = 0; i < observation->person_count; i++) {
+        const PersonObservation *person = &observation->people[i];
+        count += person->completed && person->time <= time && (exit == SIZE_MAX || person->exit == exit);
+    }
+    return count;
+}
+
+/* Adds how many are out, of all and at each exit of those who will leave there. */
+static void add_now(HouseSession *session, double time) {
+    const Observation *observation = session->observation;
+    const Plan *plan = &session->runs[RUN_SHOWN]->house.plan;
+    Scene *scene = &session->texts.moment;
+    if (!session->whole || !is_crowd(session))
+        return;
+    add_row(session, ROW_HEADING, "Now");
+    add_pair(session, "out",
+             scene_text(scene, "%zu of %zu", count_out(observation, SIZE_MAX, time), observation->person_count));
+    for (size_t e = 0; e < plan->exit_count && e < EXITS_MOST; e++)
+        add_pair(session, scene_text(scene, "exit %s", plan->exits[e].id),
+                 scene_text(scene, "%zu of %zu", count_out(observation, e, time), count_out(observation, e, HUGE_VAL)));
+}
+
 /* Rows of the scene's list: dangerous points and people ----------------------------------------------------------- */
 
 /* Finds the time when a person is nearest to each tight place, minus AHEAD; s. */
@@ -211,6 +242,31 @@ static void add_mark(HouseSession *session, double time, TimelineMarkKind kind) 
     texts->marks[texts->mark_count++] = (TimelineMark){time, kind};
 }
 
+static int compare_times(const void *a, const void *b) {
+    double p = *(const double *)a, q = *(const double *)b;
+    return (p > q) - (p < q);
+}
+
+/* Marks when half, 95 of 100 and all of a crowd are out, as its plot does. */
+static void add_shares(HouseSession *session) {
+    static const double shares[] = {0.5, 0.95, 1};
+    const Observation *observation = session->observation;
+    double *times = memory_zeroed(observation->person_count + 1, sizeof *times);
+    size_t count = 0, all = 0;
+    for (size_t i = 0; i < observation->person_count; i++) {
+        all += observation->people[i].took_part;
+        if (observation->people[i].completed)
+            times[count++] = observation->people[i].time;
+    }
+    qsort(times, count, sizeof *times, compare_times);
+    for (size_t s = 0; s < sizeof shares / sizeof *shares; s++) {
+        size_t needed = (size_t)ceil(shares[s] * (double)all - 1e-9);
+        if (needed > 0 && needed <= count)
+            add_mark(session, times[needed - 1], TIMELINE_EXIT);
+    }
+    memory_free(times);
+}
+
 static int compare_marks(const void *a, const void *b) {
     const TimelineMark *p = a, *q = b;
     return p->time != q->time ? (p->time > q->time) - (p->time < q->time) : (int)p->kind - (int)q->kind;
@@ -231,11 +287,13 @@ static void make_marks(HouseSession *session) {
                 add_mark(session, row[TRACE_TIME], TIMELINE_CONTACT);
             touched = row[TRACE_TIME];
         }
-        if (person->completed)
+        if (person->completed && !is_crowd(session))
             add_mark(session, person->time, TIMELINE_EXIT);
         if (person->reason == REASON_DIVERGED)
             add_mark(session, person->time, TIMELINE_ERROR);
     }
+    if (is_crowd(session) && session->whole)
+        add_shares(session);
     for (size_t i = 1; i < session->runs[RUN_SHOWN]->wish.epoch_count; i++)
         add_mark(session, session->runs[RUN_SHOWN]->wish.epochs[i].time, TIMELINE_CHANGE);
     if (session->texts.mark_count > 1)
@@ -312,6 +370,7 @@ void house_text_make(HouseSession *session, double time) {
     make_answer(session);
     add_selected(session, time);
     compare(session);
+    add_now(session, time);
     add_listed(session);
 }
 
@@ -324,7 +383,11 @@ void house_text_clear(HouseSession *session) {
 }
 
 bool house_text_moved(const HouseSession *session, double time) {
-    if (!session->runs[RUN_SHOWN] || session->selected.kind != HOUSE_PERSON || time == session->texts.time)
+    if (!session->runs[RUN_SHOWN] || time == session->texts.time)
+        return false;
+    if (is_crowd(session) && session->whole && stopwatch_now() - session->texts.said >= MOMENT)
+        return true;
+    if (session->selected.kind != HOUSE_PERSON)
         return false;
     const Trail *trail = &session->trails.trails[session->selected.index];
     return stopwatch_now() - session->texts.said >= MOMENT &&

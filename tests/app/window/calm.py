@@ -79,13 +79,32 @@ crowd.write_text(json.dumps({
     "people": [{"id": "chair", "profile": "manual-chair", "at": [1, 1], "heading": 0}] +
               [{"id": f"n{i}", "profile": "adult", "at": [2 + i % 8 * 0.7, 1.5 + i // 8 * 0.9], "heading": 0}
                for i in range(40)]}))
-state = act("crowd", "until answered", "wait 5", "state STATE", arguments=[crowd, "--size", "1280x720"])[0]
+state, early, end = act("crowd", "until answered", "wait 5", "state STATE", "pause", "seek 4", "wait 5", "state STATE",
+                        "seek 1000", "wait 5", "state STATE", arguments=[crowd, "--size", "1280x720"])
 told = re.match(r"95 % out in ([0-9.]+) s \u00b7 ", state["answer"]["detail"] or "")
 last = re.search(r"in ([0-9.]+) s", state["answer"]["title"])
 check(told and last and float(told.group(1)) <= float(last.group(1)), "a crowd: when 95 % are out, and when all",
       state["answer"])
 check(["wheelchair", "adult"] == [row[0] for row in state["rows"] if "/" in row[1]], "a crowd: kinds by their words",
       state["rows"])
+
+
+# 27: how many are out now, at each exit; the plots open by themselves, and the line of time marks half, 95 % and all
+def out_now(state):
+    return {row[0]: [int(word) for word in row[1].split(" of ")] for row in state["rows"] if row[1] and " of " in row[1]}
+
+
+check(state["frame"]["plots"].keys() == {"out", "flow"}, "27: the plots of a crowd open by themselves", state["frame"]["plots"])
+for name, moment in (("at 4 s", early), ("at the end", end)):
+    now = out_now(moment)
+    everybody = now.pop("out", [0, 0])
+    check(everybody[1] == 41 and sum(n[0] for n in now.values()) == everybody[0] > 0,
+          f"27: {name}: the exits' numbers add up to all who are out", (everybody, now))
+    drawn = sum(int(t["string"].split(": ")[1]) for t in moment["text_in_view"] if t["string"].startswith("EXIT") and ":" in t["string"])
+    check(drawn in (0, everybody[0]), f"27: {name}: and equal those in the picture", (drawn, everybody))
+check(everybody == [41, 41], "27: at the end all are out", everybody)
+exits = state["ticks"]
+check(len(exits) == 3 and abs(exits[1] - float(told.group(1))) < 0.06, "27: half, 95 % and all are marked", exits)
 
 # 9, 10, 11: a change during a run
 lines = []
