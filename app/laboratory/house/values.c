@@ -159,7 +159,7 @@ static void add_people(HouseValues *values, const House *house) {
 
 static const char *part_of_profile(const char *name) {
     static const char *const parts[][2] = {
-        {"body.", "body"}, {"drive.", "driving"}, {"space.", "personal space"}, {"contact.", "contact"}};
+        {"body.", "body"}, {"drive.", "driving"}, {"space.", "space"}, {"contact.", "contact"}};
     for (size_t i = 0; i < COUNT(parts); i++)
         if (strncmp(name, parts[i][0], strlen(parts[i][0])) == 0)
             return parts[i][1];

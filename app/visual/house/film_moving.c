@@ -25,6 +25,7 @@
 #define CONTACT_HEIGHT 0.725 /* m, in the raised view */
 
 #define SPACE_OPACITY 0.13
+#define OTHER_RUN 0.4 /* opacity of a chair that lies over one of another run */
 
 /* True if the person is visible. The last person out stays: a film ends with a person in the picture. */
 static bool is_there(const Film *film, size_t i) {
@@ -104,13 +105,63 @@ static void add_chair(Film *film, const Standing *standing) {
         space_scene_add_circles(&film->moving, standing->profile, standing->pose);
 }
 
+/* True if one of the sides of a convex outline separates it from another; outlines are counter-clockwise. */
+static bool separates(const Vec2 a[SILHOUETTE_POINTS], const Vec2 b[SILHOUETTE_POINTS]) {
+    for (size_t side = 0; side < SILHOUETTE_POINTS; side++) {
+        Vec2 along = vec2_sub(a[(side + 1) % SILHOUETTE_POINTS], a[side]);
+        size_t outside = 0;
+        while (outside < SILHOUETTE_POINTS && vec2_cross(along, vec2_sub(b[outside], a[side])) < 0)
+            outside++;
+        if (outside == SILHOUETTE_POINTS)
+            return true;
+    }
+    return false;
+}
+
+/* True if the chair would lie over one of another run, with which it has nothing to do. */
+static bool lies_over_other_run(const Film *film, size_t count, size_t i) {
+    Vec2 own[SILHOUETTE_POINTS], other[SILHOUETTE_POINTS];
+    const Standing *standing = &film->standing[i];
+    silhouette_outline(standing->profile, standing->pose.at, standing->pose.heading, 0, own);
+    for (size_t k = 0; k < count; k++) {
+        const Standing *beside = &film->standing[k];
+        if (beside->group == standing->group || census_walks(beside->profile))
+            continue;
+        silhouette_outline(beside->profile, beside->pose.at, beside->pose.heading, 0, other);
+        if (!separates(own, other) && !separates(other, own))
+            return true;
+    }
+    return false;
+}
+
+/* Makes the primitives from one on faint. */
+static void fade(Scene *scene, size_t first) {
+    for (size_t p = first; p < scene->count; p++) {
+        scene->primitives[p].fill_opacity *= OTHER_RUN;
+        scene->primitives[p].edge_opacity *= OTHER_RUN;
+    }
+}
+
+/* Chairs of separate runs that would overlap are faint: they never meet. */
 static void add_chairs(Film *film, size_t count) {
-    for (size_t i = 0; i < count && !film->small && !(film->options.hidden & FILM_RINGS); i++)
+    Scene *scene = &film->moving;
+    bool alone = film->house->plan.run.routes == ROUTES_ALONE && film->several && !film->crowd;
+    bool *faint = memory_zeroed(count + 1, sizeof *faint);
+    for (size_t i = 0; i < count; i++)
+        faint[i] = alone && !census_walks(film->standing[i].profile) && lies_over_other_run(film, count, i);
+    for (size_t i = 0; i < count && !film->small && !(film->options.hidden & FILM_RINGS); i++) {
+        size_t first = scene->count;
         if (!census_walks(film->standing[i].profile))
             add_space(film, count, i);
-    for (size_t i = 0; i < count; i++)
+        fade(scene, faint[i] ? first : scene->count);
+    }
+    for (size_t i = 0; i < count; i++) {
+        size_t first = scene->count;
         if (!census_walks(film->standing[i].profile))
             add_chair(film, &film->standing[i]);
+        fade(scene, faint[i] ? first : scene->count);
+    }
+    memory_free(faint);
 }
 
 /* A star whose size shows the force. */
