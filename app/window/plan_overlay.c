@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "window/plan_input.h"
+#include "window/selected_name.h"
 
 /* Design points. */
 #define OUTER 6.0 /* of a frame of what is selected, and of what lies within it */
@@ -358,6 +359,7 @@ void plan_overlay_show(Window *window) {
     Editor *editor = tab_editor(tab);
     Labels labels = {.count = 0};
     show_selection(window, tab);
+    *window->selected_name.text = 0;
     if (!editor)
         return;
     const GestureView *gesture = editor_gesture(editor);
@@ -368,6 +370,8 @@ void plan_overlay_show(Window *window) {
     words = words ? words : name;
     Vec2 above = vec2_add(vec2_scale(window->mouse, 1 / window->unit), vec2(0, -HAND)); /* never under the pointer */
     Box box = words ? label_box(window, &labels, above, words) : box_empty();
+    if (!gesture->active && !window->present && editor_tool(editor) == TOOL_SELECT)
+        selected_name_show(window);
     show_marks(window, tab, gesture, &labels);
     if (words)
         write_in(window, box, is_wrong(gesture) ? ROLE_ERROR : ROLE_TEXT, words);

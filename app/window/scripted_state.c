@@ -240,12 +240,24 @@ static void add_captions(json_t *labels, const Window *window, const Layout *lay
     }
 }
 
+static void add_selected_name(json_t *labels, const Window *window) {
+    const SelectedName *name = &window->selected_name;
+    if (!*name->text)
+        return;
+    json_t *one = json_pack("{s:s,s:f,s:s}", "string", name->text, "size", 16 * window->unit, "kind", "selected");
+    json_object_set_new(one, "box", json_box(window, name->box));
+    json_object_set_new(one, "pointed",
+                        json_pack("[f,f]", name->pointed.x * window->unit, name->pointed.y * window->unit));
+    json_array_append_new(labels, one);
+}
+
 /* Returns the texts in the view. */
 static json_t *text_state(const Window *window, const Tab *tab) {
     json_t *labels = json_array();
     if (tab->view_layers.painted) {
         add_captions(labels, window, &tab->view_layers.still);
         add_captions(labels, window, &tab->view_layers.moving);
+        add_selected_name(labels, window);
     }
     return labels;
 }

@@ -87,6 +87,13 @@ typedef struct EditBenchmark {
     size_t count, capacity, missed;
 } EditBenchmark;
 
+/* The name of what is selected, as it stands in the view. */
+typedef struct SelectedName {
+    char text[WINDOW_TITLE]; /* "": none */
+    Box box;                 /* design points, */
+    Vec2 pointed;            /* the middle of the thing */
+} SelectedName;
+
 /* A fold of the panel as it was left. */
 typedef struct Fold {
     uint64_t key; /* of its title */
@@ -157,6 +164,7 @@ typedef struct Window {
     char leave_path[WINDOW_PATH]; /* of LEAVE_OPEN */
     Recovery *recovery;           /* the recovery file; NULL: there is no folder for it */
     Watch watch;
+    SelectedName selected_name;
     char hovered[WINDOW_TITLE]; /* the name shown at the pointer, "": none */
     char echo[WINDOW_TITLE];    /* the last key and its name, for presentation mode, */
     double echo_at;             /* s of wall time */

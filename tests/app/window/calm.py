@@ -70,6 +70,47 @@ for name in HOUSES:
 
     check("wall" not in cells, f"12: {name}: a wall is named by its room", cells)
 
+# 5: each door in turn by Tab: its label stands at its own opening
+def openings(house):
+    """Returns the middle of each door's opening, m."""
+    plan, found = json.loads(open(stage.house(house)).read()), {}
+    walls = {wall["id"]: wall["points"] for wall in plan["walls"]}
+    for door in plan.get("doors", []):
+        a, b = walls[door["wall"]][door.get("segment", 0):][:2]
+        length = ((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2) ** 0.5
+        found[door["id"]] = [a[i] + (b[i] - a[i]) * door["at"] / length for i in (0, 1)]
+    return found
+
+
+def pixel(state, at):
+    origin, right, up = state["floor"]
+    return [origin[i] + at[0] * (right[i] - origin[i]) + at[1] * (up[i] - origin[i]) for i in (0, 1)]
+
+
+def distance(box, at):
+    return max(box[0] - at[0], at[0] - box[2], box[1] - at[1], at[1] - box[3], 0)
+
+
+for name in ("ube-techno-house", "flat-0.910-module"):
+    places = openings(name)
+    found = act(f"doors-{name}", "until answered", "pause", "wait 4", *(["key Tab", "wait 3", "state STATE"] * 30),
+                arguments=[stage.house(name), "--size", "1280x720"])
+    named = {}
+    for state in found:
+        door = (state["selected"] or "").removeprefix("door ")
+        if door in places and door not in named:
+            labels = [t for t in state["text_in_view"] if t["kind"] == "selected"]
+            near = [(distance(t["box"], pixel(state, places[door])), t) for t in labels]
+            named[door] = min(near, key=lambda pair: pair[0]) if near else None
+            if named[door]:
+                box = named[door][1]["box"]
+                others = [distance(box, pixel(state, at)) for other, at in places.items() if other != door]
+                check(named[door][0] <= 24 and named[door][0] < min(others, default=1e9),
+                      f"5: {name}: the label of door {door} stands at its opening", (named[door], min(others, default=0)))
+    check(len(named) == len(places), f"5: {name}: Tab reaches all doors", sorted(set(places) - set(named)))
+    check(sum(label is not None for label in named.values()) >= len(places) / 2,
+          f"5: {name}: doors are named while they are selected", {k: bool(v) for k, v in named.items()})
+
 # a crowd is told by when most are out, and its people by their words
 crowd = stage.folder / "crowd.json"
 crowd.write_text(json.dumps({

@@ -1,0 +1,138 @@
+#include "window/selected_name.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "draw/caption.h"
+
+/* Design points. */
+#define PAD 5.0
+#define BESIDE 4.0 /* from the outline */
+#define EDGE 8.0   /* of the view */
+
+#define END 12.0 /* of a shifted label, over the thing */
+
+enum { SHIFTS = 3, OTHERS_MOST = 64 };
+
+static bool overlap(Box a, Box b) {
+    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
+static Box on_page(const Window *window, const Caption *caption) {
+    Box box = caption_box(caption);
+    return (Box){vec2_add(box.low, window->frame.view.low), vec2_add(box.high, window->frame.view.low)};
+}
+
+/* True if the box lies in the view and over none of the picture's texts. */
+static bool is_free(const Window *window, const ViewLayers *layers, Box box) {
+    Box view = box_expand(window->frame.view, -EDGE);
+    const Layout *layouts[] = {&layers->still, &layers->moving};
+    if (!box_holds(view, box.low) || !box_holds(view, box.high))
+        return false;
+    for (int l = 0; l < 2; l++)
+        for (size_t i = 0; i < layouts[l]->caption_count; i++)
+            if (overlap(box, on_page(window, &layouts[l]->captions[i])))
+                return false;
+    return true;
+}
+
+/* True if the picture has this name at the thing. */
+static bool is_written(const Window *window, const ViewLayers *layers, Box thing, const char *name) {
+    const Layout *layout = &layers->still;
+    for (size_t i = 0; i < layout->caption_count; i++)
+        if (strcmp(layout->captions[i].text, name) == 0 &&
+            overlap(box_expand(thing, BESIDE), on_page(window, &layout->captions[i])))
+            return true;
+    return false;
+}
+
+/* Returns the box round the selected thing in the view; empty: nothing is selected. */
+static Box selected_box(const Window *window, const Tab *tab, Item item) {
+    Vec2 points[LABORATORY_OUTLINE_MOST];
+    size_t count = item.kind ? tab->laboratory->outline(tab->session, item, tab->player.time, points) : 0;
+    Box box = box_empty();
+    for (size_t i = 0; i < count; i++)
+        box = box_include(box, vec2_add(window->frame.view.low, view_layers_point(&tab->view_layers, points[i])));
+    return box;
+}
+
+static Box around(Vec2 middle, Vec2 size) {
+    Vec2 half = vec2_scale(size, 0.5);
+    return (Box){vec2_sub(middle, half), vec2_add(middle, half)};
+}
+
+static double distance(Box box, Vec2 at) {
+    return fmax(fmax(fmax(box.low.x - at.x, at.x - box.high.x), fmax(box.low.y - at.y, at.y - box.high.y)), 0);
+}
+
+/* Lists the middles of the other things of that kind. */
+static size_t list_others(const Window *window, const Tab *tab, Item item, Vec2 others[OTHERS_MOST]) {
+    size_t count = 0;
+    for (size_t i = 0; count < OTHERS_MOST; i++) {
+        Box box = i == item.index ? box_empty() : selected_box(window, tab, (Item){item.kind, i});
+        if (box_width(box) >= 0)
+            others[count++] = vec2_scale(vec2_add(box.low, box.high), 0.5);
+        else if (!*tab->laboratory->item_name(tab->session, (Item){item.kind, i}))
+            break;
+    }
+    return count;
+}
+
+/* True if the label is nearer to its own thing than to any other of that kind. */
+static bool is_nearest(Box label, Vec2 own, const Vec2 *others, size_t count) {
+    double apart = distance(label, own);
+    for (size_t i = 0; i < count; i++)
+        if (distance(label, others[i]) <= apart)
+            return false;
+    return true;
+}
+
+/* Lists places for a label: beside the thing where it is long, over its middle last; above and below also shifted, so
+ * that only the label's end stands there. Returns their number. */
+static size_t list_places(Box thing, Vec2 size, Vec2 places[3 * SHIFTS + 2]) {
+    Vec2 middle = vec2_scale(vec2_add(thing.low, thing.high), 0.5), half = vec2_scale(size, 0.5);
+    bool tall = box_height(thing) > box_width(thing);
+    double shift = fmax(half.x - END, 0);
+    size_t count = 0;
+    for (int part = 0; part < 3; part++) {
+        bool beside = part == (tall ? 0 : 1), above = part == (tall ? 1 : 0);
+        for (int side = 0; side < 2 && beside; side++)
+            places[count++] = vec2(side ? thing.low.x - BESIDE - half.x : thing.high.x + BESIDE + half.x, middle.y);
+        for (int s = 0; s < SHIFTS && above; s++) {
+            double x = middle.x + (s == 0 ? 0 : s == 1 ? shift : -shift);
+            places[count++] = vec2(x, thing.low.y - BESIDE - half.y);
+            places[count++] = vec2(x, thing.high.y + BESIDE + half.y);
+        }
+        for (int s = 0; s < SHIFTS && part == 2; s++)
+            places[count++] = vec2(middle.x + (s == 0 ? 0 : s == 1 ? shift : -shift), middle.y);
+    }
+    return count;
+}
+
+void selected_name_show(Window *window) {
+    Tab *tab = window_tab(window);
+    Item item = tab->laboratory->selected(tab->session);
+    SelectedName *shown = &window->selected_name;
+    *shown->text = 0;
+    if (!item.kind || !tab->view_layers.painted || box_height(window->frame.view) <= 0)
+        return;
+    const char *name = text_in_arena(&window->arena, "%s", tab->laboratory->item_name(tab->session, item));
+    Box thing = selected_box(window, tab, item);
+    if (!*name || !(box_width(thing) >= 0) || is_written(window, &tab->view_layers, thing, name))
+        return;
+    Vec2 size = vec2_add(ui_extent(window->ui, UI_BOLD, name), vec2(2 * PAD, 2));
+    Vec2 places[3 * SHIFTS + 2], others[OTHERS_MOST], middle = vec2_scale(vec2_add(thing.low, thing.high), 0.5);
+    size_t place_count = list_places(thing, size, places), other_count = list_others(window, tab, item, others);
+    for (size_t i = 0; i < place_count; i++) {
+        Box box = around(places[i], size);
+        if (!is_free(window, &tab->view_layers, box) || !is_nearest(box, middle, others, other_count))
+            continue;
+        ui_draw_box(window->ui, box, ROLE_TEXT, 1);
+        ui_draw_text(window->ui, UI_BOLD, ROLE_PAPER, vec2(box.low.x + PAD, places[i].y), 0, name);
+        shown->box = box;
+        shown->pointed = middle;
+        snprintf(shown->text, sizeof shown->text, "%s", name);
+        return;
+    }
+}
