@@ -19,6 +19,8 @@
 #define ROW_GAP 14.0
 #define CHOICE_GAP 4.0
 
+enum { IN_ROW = 4 /* options side by side; more are listed below */ };
+
 typedef struct Look {
     bool chosen, plain, disabled, hovered, held;
 } Look;
@@ -165,6 +167,63 @@ static void share_width(Ui *ui, const char *const *text, size_t count, double wi
         widths[i] = widest <= equal ? equal : widths[i] * equal * (double)count / sum;
 }
 
+/* True if all labels can be read side by side. */
+static bool fits_in_row(Ui *ui, const char *const *text, size_t count, double width) {
+    double sum = CHOICE_GAP * (double)(count - 1);
+    for (size_t i = 0; i < count; i++)
+        sum += ui_extent(ui, UI_SMALL, text[i]).x + PADDING;
+    return count <= IN_ROW && sum <= width;
+}
+
+static void name_choice(Ui *ui, Box box, const char *label) {
+    if (label && *label)
+        ui_text_in(ui, UI_BODY, ui_state_ink(ui, ROLE_TEXT, 1),
+                   (Box){box.low, {box.high.x, box.low.y + UI_LINE_HEIGHT}}, 0, label);
+}
+
+/* Lists the options below; true if one was clicked. */
+static bool list_options(Ui *ui, UiId id, const char *const *text, size_t count, size_t *chosen) {
+    bool clicked = false;
+    for (size_t i = 0; i < count; i++) {
+        ui->y -= UI_GAP;
+        Box part = ui_pane_next(ui, UI_BUTTON_HEIGHT - UI_GAP);
+        part.low.x += 2 * PADDING;
+        UiTouch touch = ui_state_touch(ui, digest_chain(id, i + 1), part, false);
+        Look look = {.chosen = i == *chosen, .plain = true, .hovered = touch.hovered};
+        draw_button_ground(ui, part, look);
+        draw_label(ui, part, look, text[i]);
+        clicked |= touch.clicked;
+        *chosen = touch.clicked ? i : *chosen;
+    }
+    return clicked;
+}
+
+/* Shows the chosen option as a button that lists all of them below, where they have no room side by side. */
+static bool pull_down(Ui *ui, UiId id, Box box, const char *label, const char *help, const char *const *text,
+                      size_t count, size_t *chosen) {
+    size_t before = *chosen;
+    bool focused = ui_stop_make(ui, id, UI_IS_CHOICE, box), open = ui->pulled == id;
+    name_choice(ui, box, label);
+    Box button = {{box.low.x, box.high.y - UI_BUTTON_HEIGHT}, box.high};
+    UiTouch touch = ui_state_touch(ui, digest_chain(id, 0), button, false);
+    Look look = {.hovered = touch.hovered, .held = touch.held && touch.hovered};
+    draw_button_ground(ui, button, look);
+    ui_text_in(ui, UI_BODY, ui_state_ink(ui, ROLE_TEXT, 1),
+               (Box){{button.low.x + PADDING, button.low.y}, {button.high.x - 3 * PADDING, button.high.y}}, 0,
+               text[*chosen]);
+    Vec2 sign = {button.high.x - 2 * PADDING, (button.low.y + button.high.y) / 2};
+    Vec2 down[] = {{sign.x - 5, sign.y - 3}, {sign.x + 5, sign.y - 3}, {sign.x, sign.y + 4}};
+    ui_painter_convex(ui->painter, down, 3, ui_state_ink(ui, ROLE_DIM_TEXT, 1));
+    if (touch.clicked)
+        open = !open;
+    if (open && list_options(ui, id, text, count, chosen))
+        open = false;
+    choose_by_keys(ui, id, count, chosen);
+    ui->pulled = open ? id : ui->pulled == id ? 0 : ui->pulled;
+    ui_tip_offer(ui, id, box, help, touch.hovered, focused);
+    return *chosen != before;
+}
+
 bool ui_choice(Ui *ui, const char *id_text, const char *label, const char *help, const char *const *text, size_t count,
                size_t *chosen) {
     enum { MOST = 12 };
@@ -173,12 +232,12 @@ bool ui_choice(Ui *ui, const char *id_text, const char *label, const char *help,
     bool named = label && *label;
     size_t before = *chosen;
     Box box = ui_pane_next(ui, UI_BUTTON_HEIGHT + (named ? UI_LINE_HEIGHT : 0));
+    if (!fits_in_row(ui, text, count, box_width(box)))
+        return pull_down(ui, id, box, label, help, text, count, chosen);
     bool focused = ui_stop_make(ui, id, UI_IS_CHOICE, box), hovered = false;
     double widths[MOST];
     share_width(ui, text, count, box_width(box), widths);
-    if (named)
-        ui_text_in(ui, UI_BODY, ui_state_ink(ui, ROLE_TEXT, 1),
-                   (Box){box.low, {box.high.x, box.low.y + UI_LINE_HEIGHT}}, 0, label);
+    name_choice(ui, box, label);
     Vec2 at = {box.low.x, named ? box.low.y + UI_LINE_HEIGHT : box.low.y};
     for (size_t i = 0; i < count; at.x += widths[i] + CHOICE_GAP, i++) {
         Box part = {at, {at.x + widths[i], box.high.y}};

@@ -136,6 +136,7 @@ struct Ui {
     Role ground;
     Box inner;                 /* the area of the flow, as if it had no end */
     double y, first_y, list_y; /* below the last row of a list */
+    UiId pulled;               /* the choice whose options are listed below it; 0: none */
     int row_count, row_index;
     double row_height;
     bool at_given;

@@ -250,6 +250,14 @@ discs = [t["string"] for t in found[2]["text_in_view"] if t["kind"] == "disc" an
 check(len(discs) <= 1 and found[2]["echo"].startswith("V "), "presenting: one danger, and the key is named",
       (discs, found[2]["echo"]))
 
+# 25: the beam at 720 lines has two plots, and choices of many words are listed below a button
+found = act("pulled", "until answered", "wait 20", "mouse 1100 400", "wheel -30", "wait 4", "click 1080 502", "wait 4",
+            "wheel -3", "wait 4", "state STATE", "click 1128 499", "wait 4", "click 1128 567", "wait 4", "state STATE",
+            arguments=[stage.beam("ibs"), "--size", "1280x720"])
+check(found[0]["frame"]["plots"].keys() == {"phase", "orbit"}, "25: the beam has two plots", found[0]["frame"]["plots"])
+check([state["choices"]["Orbit over"] for state in found] == ["excitation frequency", "force"],
+      "25: a click opens the list, a click in it chooses", [state["choices"] for state in found])
+
 # 26: presentation mode
 for name in HOUSES[:3]:
     for size in ("1280x720", "1024x768"):
