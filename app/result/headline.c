@@ -1,5 +1,6 @@
 #include "result/headline.h"
 
+#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
@@ -7,6 +8,14 @@
 #include "base/text.h"
 
 static const double CLOSE = 0.1; /* m: smaller clearances are printed to the millimetre */
+
+static const double LONG = 99.95; /* s: longer times are told in minutes */
+
+const char *headline_duration(double seconds, Arena *arena) {
+    long whole = lround(seconds);
+    return seconds < LONG ? text_in_arena(arena, "%.1f s", seconds)
+                          : text_in_arena(arena, "%ld:%02ld", whole / 60, whole % 60);
+}
 
 const char *headline_clearance(double clearance, Arena *arena) {
     if (clearance <= 0)

@@ -20,3 +20,6 @@ const char *headline_sentence(const House *house, const Observation *observation
 
 /* Returns "0.26 m", "0.064 m" below a decimetre, or "touches" from 0 down. */
 const char *headline_clearance(double clearance, Arena *arena);
+
+/* Returns a time as people read it: "20.8 s", from 100 s on "1:44". */
+const char *headline_duration(double seconds, Arena *arena);

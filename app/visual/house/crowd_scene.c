@@ -1,7 +1,7 @@
 #include "visual/house/crowd_scene.h"
 
+#include "result/headline.h"
 #include "result/names.h"
-#include "visual/house/house_scene.h"
 #include "visual/house/people_scene.h"
 #include "visual/house/silhouette.h"
 #include "visual/house/trail.h"
@@ -266,7 +266,7 @@ static Party sum_profile(const Census *census, const Profile *profile) {
 static void list_profile(Scene *scene, const House *house, const Party *sum) {
     LocusLook look = crowd_scene_look(house, sum->profile);
     const char *out = scene_text(scene, "%zu/%zu", sum->out, sum->people);
-    const char *last = sum->out ? house_scene_duration(scene, sum->last) : "-";
+    const char *last = sum->out ? headline_duration(sum->last, &scene->arena) : "-";
     SceneRow *row = scene_add_row(scene, ROW_LINE, names_profile(sum->profile->name));
     row->role = look.role;
     row->style = look.style;

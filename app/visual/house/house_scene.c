@@ -16,7 +16,6 @@
 #include "result/tight.h"
 
 #define MOST 0.95       /* share of a crowd that is most of it */
-#define LONG 99.95      /* s: longer times are told in minutes */
 #define LOST_LONG 600.0 /* s: more time lost by all is told in minutes alone */
 #define LOST_LEAST 0.05 /* s: less lost time is not told */
 
@@ -63,12 +62,6 @@ static const char *most_lost(Scene *scene, const House *house, const Observation
     return gap ? scene_text(scene, "tightest: %s, %s to spare", name, gap) : "no tight place";
 }
 
-const char *house_scene_duration(Scene *scene, double seconds) {
-    long whole = lround(seconds);
-    return seconds < LONG ? scene_text(scene, "%.1f s", seconds)
-                          : scene_text(scene, "%ld:%02ld", whole / 60, whole % 60);
-}
-
 static int compare_times(const void *a, const void *b) {
     double left = *(const double *)a, right = *(const double *)b;
     return (left > right) - (left < right);
@@ -85,9 +78,9 @@ static const char *most_out(Scene *scene, const Observation *observation, const 
             times[count++] = observation->people[i].time;
     qsort(times, count, sizeof *times, compare_times);
     size_t most = (size_t)ceil(MOST * (double)count);
-    const char *text =
-        most ? scene_text(scene, "%.0f %% out in %s \u00b7 ", 100 * MOST, house_scene_duration(scene, times[most - 1]))
-             : "";
+    const char *text = most ? scene_text(scene, "%.0f %% out in %s \u00b7 ", 100 * MOST,
+                                         headline_duration(times[most - 1], &scene->arena))
+                            : "";
     memory_free(times);
     return text;
 }
@@ -109,7 +102,7 @@ static void format_crowd(Scene *scene, const House *house, const Observation *ob
     if (!*most || alone)
         return;
     scene->title =
-        scene_text(scene, "All %zu out in %s", census->people, house_scene_duration(scene, observation->time));
+        scene_text(scene, "All %zu out in %s", census->people, headline_duration(observation->time, &scene->arena));
     scene->detail = scene_text(scene, "%s%s", most, last_out(scene, house, observation));
 }
 
@@ -152,7 +145,7 @@ static void list_hazards(Scene *scene, const House *house, const Observation *ob
         const char *mark = scene_text(scene, "%zu", i + 1);
         double lost = tight[i].lost_time;
         const char *cost = pushed             ? scene_text(scene, "%.0f N", tight[i].peak_force)
-                           : lost < LOST_LONG ? house_scene_duration(scene, lost)
+                           : lost < LOST_LONG ? headline_duration(lost, &scene->arena)
                                               : scene_text(scene, "%.0f min", lost / 60);
         const char *gap = to_spare(scene, tight[i].clearance);
         SceneRow *row = scene_add_row(scene, ROW_DISC, names_thing(house, hazard->what, hazard->at, &scene->arena));

@@ -13,9 +13,6 @@
  */
 void house_scene_make(Scene *scene, const House *house, const Observation *observation);
 
-/* Returns a time as people read it: "20.8 s", from 100 s on "1:44". */
-const char *house_scene_duration(Scene *scene, double seconds);
-
 /* True if the note of the plan says that it was assumed, not measured. */
 bool house_scene_is_assumed(const Plan *plan);
 
