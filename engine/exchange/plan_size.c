@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/real.h"
 #include "base/text.h"
 
 static const double LEAST = 3, MOST = 200;                                 /* m: range of the longer side of a plan */
@@ -28,9 +29,10 @@ bool plan_size_is_plausible(double longer) {
 /* Returns how far the sizes are from usual ones: the sum of squared deviations. */
 static double oddness(const ImportUnit *unit) {
     double odd = unit->possible ? 0 : IMPOSSIBLE;
-    double leaf = unit->leaf > 0 ? log(unit->leaf / USUAL_LEAF) / LEAF_SPREAD : 0;
-    double wall = unit->wall > 0 ? log(unit->wall / USUAL_WALL) / WALL_SPREAD : NO_WALL;
-    double longer = fmax(unit->plan.x, unit->plan.y), plan = longer > 0 ? log(longer / USUAL_PLAN) / PLAN_SPREAD : 0;
+    double leaf = unit->leaf > 0 ? real_log(unit->leaf / USUAL_LEAF) / LEAF_SPREAD : 0;
+    double wall = unit->wall > 0 ? real_log(unit->wall / USUAL_WALL) / WALL_SPREAD : NO_WALL;
+    double longer = fmax(unit->plan.x, unit->plan.y),
+           plan = longer > 0 ? real_log(longer / USUAL_PLAN) / PLAN_SPREAD : 0;
     return odd + leaf * leaf + wall * wall + plan * plan;
 }
 
