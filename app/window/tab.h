@@ -3,7 +3,7 @@
 
 #include "laboratory/laboratory.h"
 #include "window/plot_panes.h"
-#include "window/player.h"
+#include "laboratory/player.h"
 #include "window/view_layers.h"
 
 typedef struct Tab {

@@ -1,4 +1,4 @@
-#include "window/player.h"
+#include "laboratory/player.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* Tests playback: clock time becomes shown time, and steps are whole frames. */
 
-#include "window/player.h"
+#include "laboratory/player.h"
 
 #include "check.h"
 
