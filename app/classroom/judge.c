@@ -15,17 +15,17 @@ typedef struct Question {
 } Question;
 
 struct Judge {
-    Lesson lesson; /* the thread's own copy */
+    Lesson lesson, numbers; /* copies of the two threads, */
     const char *profiles;
     int jobs;
-    pthread_t thread;
-    Stop stop;
+    pthread_t thread, counter; /* the judge's, and that of the numbers, which no question interrupts */
+    Stop stop, counter_stop;
     pthread_mutex_t lock; /* of the members below */
     pthread_cond_t changed;
     Question *asked; /* NULL: nothing new */
     Question *done;  /* its goals are judged, or a fault says why not */
     Fault fault;     /* of `done` */
-    bool good, working, closing, numbered, numbers_new;
+    bool good, working, closing, numbers_new;
 };
 
 static void question_free(Question *question) {
@@ -48,14 +48,16 @@ static bool answer(Judge *judge, const Question *question, Fault *fault) {
     return attempt_goal(&judge->lesson, &judge->lesson.steps[question->step], &state, fault);
 }
 
-static void find_numbers(Judge *judge) {
-    AttemptState state = {.profiles = judge->profiles, .jobs = judge->jobs, .stop = &judge->stop};
+static void *find_numbers(void *context) {
+    Judge *judge = context;
+    AttemptState state = {.profiles = judge->profiles, .jobs = judge->jobs, .stop = &judge->counter_stop};
     Fault fault = {0};
-    bool good = attempt_numbers(&judge->lesson, &state, &fault);
+    bool good = attempt_numbers(&judge->numbers, &state, &fault);
     fault_clear(&fault);
     pthread_mutex_lock(&judge->lock);
-    judge->numbered = judge->numbers_new = good;
+    judge->numbers_new = good;
     pthread_mutex_unlock(&judge->lock);
+    return NULL;
 }
 
 /* Returns the next question; NULL: there is none yet, or the judge is closing. */
@@ -71,21 +73,16 @@ static void *work(void *context) {
     pthread_mutex_lock(&judge->lock);
     while (!judge->closing) {
         Question *question = take_question(judge);
-        bool numbers = !question && !judge->numbered;
-        if (!question && !numbers) {
+        if (!question) {
             pthread_cond_wait(&judge->changed, &judge->lock);
             continue;
         }
         stop_withdraw(&judge->stop);
         pthread_mutex_unlock(&judge->lock);
         Fault fault = {0};
-        bool good = question && answer(judge, question, &fault);
-        if (numbers)
-            find_numbers(judge);
+        bool good = answer(judge, question, &fault);
         pthread_mutex_lock(&judge->lock);
-        bool wanted = question && !judge->asked && !judge->closing && (good || fault.total);
-        if (numbers && !judge->numbered && !judge->asked && !judge->closing)
-            judge->numbered = true; /* they cannot be computed, and will not be asked for again */
+        bool wanted = !judge->asked && !judge->closing && (good || fault.total);
         if (wanted) {
             question_free(judge->done);
             fault_clear(&judge->fault);
@@ -102,40 +99,49 @@ static void *work(void *context) {
     return NULL;
 }
 
-Judge *judge_create(const char *path, const char *profiles, int jobs) {
-    Judge *judge = memory_zeroed(1, sizeof *judge);
-    Fault fault = {0};
-    judge->profiles = profiles;
-    judge->jobs = jobs;
-    bool read = lesson_read(&judge->lesson, path, &fault);
-    fault_clear(&fault);
-    pthread_mutex_init(&judge->lock, NULL);
-    pthread_cond_init(&judge->changed, NULL);
-    if (read && pthread_create(&judge->thread, NULL, work, judge) == 0)
-        return judge;
-    pthread_cond_destroy(&judge->changed);
-    pthread_mutex_destroy(&judge->lock);
-    lesson_free(&judge->lesson);
-    memory_free(judge);
-    return NULL;
-}
-
-void judge_destroy(Judge *judge) {
-    if (!judge)
-        return;
+/* Ends what judge_create has begun; `threads` of the two. */
+static void end(Judge *judge, int threads) {
     pthread_mutex_lock(&judge->lock);
     judge->closing = true;
     stop_request(&judge->stop);
+    stop_request(&judge->counter_stop);
     pthread_cond_signal(&judge->changed);
     pthread_mutex_unlock(&judge->lock);
-    pthread_join(judge->thread, NULL);
+    if (threads > 0)
+        pthread_join(judge->thread, NULL);
+    if (threads > 1)
+        pthread_join(judge->counter, NULL);
     pthread_cond_destroy(&judge->changed);
     pthread_mutex_destroy(&judge->lock);
     question_free(judge->asked);
     question_free(judge->done);
     fault_clear(&judge->fault);
     lesson_free(&judge->lesson);
+    lesson_free(&judge->numbers);
     memory_free(judge);
+}
+
+Judge *judge_create(const char *path, const char *profiles, int jobs) {
+    Judge *judge = memory_zeroed(1, sizeof *judge);
+    Fault fault = {0};
+    int threads = 0;
+    judge->profiles = profiles;
+    judge->jobs = jobs;
+    bool read = lesson_read(&judge->lesson, path, &fault) && lesson_read(&judge->numbers, path, &fault);
+    fault_clear(&fault);
+    pthread_mutex_init(&judge->lock, NULL);
+    pthread_cond_init(&judge->changed, NULL);
+    if (read && pthread_create(&judge->thread, NULL, work, judge) == 0)
+        threads++;
+    if (threads == 1 && pthread_create(&judge->counter, NULL, find_numbers, judge) == 0)
+        return judge;
+    end(judge, threads);
+    return NULL;
+}
+
+void judge_destroy(Judge *judge) {
+    if (judge)
+        end(judge, 2);
 }
 
 void judge_ask(Judge *judge, size_t step, uint64_t state, const char *text, const char *const *settings, size_t count) {
@@ -174,7 +180,7 @@ bool judge_take(Judge *judge, Lesson *lesson, size_t *step, uint64_t *state, boo
     pthread_mutex_lock(&judge->lock);
     if (judge->numbers_new) {
         for (size_t n = 0; n < lesson->number_count; n++)
-            copy_condition(&lesson->numbers[n].condition, &judge->lesson.numbers[n].condition);
+            copy_condition(&lesson->numbers[n].condition, &judge->numbers.numbers[n].condition);
         *numbered = true;
         judge->numbers_new = false;
     }

@@ -22,6 +22,8 @@ enum { CORNERS = 72, BENDS = 24, TURNS_SHOWN = 8, PATH_TURNS = 3, STROKE_ANGLES 
 /* In the crank's radius: the largest drawn deflection, and the longest arrow of a force. */
 static const double DEFLECTION = 0.35, ARROW = 1.1;
 
+static const double OUTERMOST = 1.6; /* radii of the loupe: the path is drawn no farther from its middle */
+
 static const double ARC_HALF = 0.35; /* rad, half of the arc of the wall that is touched */
 
 /* What is drawn, and how. */
@@ -51,9 +53,18 @@ static void add_ring(Scene *scene, Role role, double width, LineStyle style, Vec
     scene_add_line(scene, role, width, points, CORNERS + 1)->style = style;
 }
 
+/* What the picture cannot do without, such as its scales. */
 static void add_name(const Drawing *d, Vec2 at, const char *text) {
     if (d->scale->parts & CRANK_SCENE_NAMES)
         scene_add_label(d->scene, ROLE_TEXT, NAME, at, text)->fixed = true;
+}
+
+/* What is left out of a small picture. */
+static void add_name_with_room(const Drawing *d, Vec2 at, const char *text) {
+    if (!(d->scale->parts & CRANK_SCENE_NAMES))
+        return;
+    Primitive *label = scene_add_label(d->scene, ROLE_TEXT, NAME, at, text);
+    label->fixed = label->optional = true;
 }
 
 /* Scale ------------------------------------------------------------------------------------------------------------ */
@@ -114,7 +125,6 @@ static void add_guide(const Drawing *d) {
     machine_pieces_ground(d->scene, vec2(low, -unit / 3), vec2(high, -unit / 3), -unit / 8);
     const double from[3] = {low, 0, 0}, to[3] = {high, 0, 0};
     add_segment(d->scene, ROLE_WALL, MIDDLE, from, to);
-    add_name(d, vec2(d->scale->place, -0.75 * unit), "guide and slider");
 }
 
 static void add_disc(const Drawing *d) {
@@ -224,6 +234,9 @@ static Vec2 through_loupe(const Drawing *d, double along, double across, double 
     double factor = d->scale->loupe / clearance;
     if (distance > clearance) /* the overlap is magnified further */
         factor *= (clearance + CRANK_SCENE_OVERLAP * (distance - clearance)) / distance;
+    /* After the clearance was made smaller the path before that may lie far outside. */
+    if (factor * distance > OUTERMOST * d->scale->loupe)
+        factor = OUTERMOST * d->scale->loupe / distance;
     return vec2(d->scale->socket.x + factor * x, d->scale->socket.y + factor * y);
 }
 
@@ -231,10 +244,10 @@ static void add_loupe_still(const Drawing *d) {
     static const char *const sights[CRANK_SIGHTS] = {"from the side", "along the coupler", "from above"};
     const CrankScale *scale = d->scale;
     add_ring(d->scene, ROLE_FURNITURE_LINE, MIDDLE, LINE_SOLID, scale->socket, scale->loupe);
-    add_name(d, vec2(scale->socket.x, scale->socket.y - 1.17 * scale->loupe),
-             scene_text(d->scene, "ball in its socket, %s", sights[scale->sight]));
     add_name(d, vec2(scale->socket.x, scale->socket.y - 1.38 * scale->loupe),
              scene_text(d->scene, "clearance %g mm, overlap x %g", MILLI * d->tree->clearance, CRANK_SCENE_OVERLAP));
+    add_name_with_room(d, vec2(scale->socket.x, scale->socket.y - 1.17 * scale->loupe),
+                       scene_text(d->scene, "ball in its socket, %s", sights[scale->sight]));
 }
 
 /* Adds the arc of the wall that the ball presses, wider under a larger force. */
@@ -278,10 +291,11 @@ static void add_polar_still(const Drawing *d) {
     for (int i = 0; i < 4; i++) {
         Vec2 out = polar_at(d, i * M_PI / 2, scale->largest);
         scene_add_line(d->scene, ROLE_ROOM, THIN, (Vec2[]){scale->polar, out}, 2)->style = LINE_DOTTED;
-        add_name(d, polar_at(d, i * M_PI / 2, (i % 2 ? 1.17 : 1.1) * scale->largest), names[i]);
     }
     add_name(d, polar_at(d, M_PI / 4, 1.28 * scale->largest), scene_text(d->scene, "%g N", scale->largest));
-    add_name(d, vec2(scale->polar.x, scale->polar.y - 1.38 * scale->reach), "force over the crank angle");
+    add_name_with_room(d, vec2(scale->polar.x, scale->polar.y - 1.38 * scale->reach), "force over the crank angle");
+    for (int i = 0; i < 4; i++)
+        add_name_with_room(d, polar_at(d, i * M_PI / 2, (i % 2 ? 1.17 : 1.1) * scale->largest), names[i]);
 }
 
 static void add_polar(const Drawing *d, const CrankMoment *moment) {
@@ -301,6 +315,8 @@ static void add_polar(const Drawing *d, const CrankMoment *moment) {
 
 void crank_scene_still(Scene *scene, const Crank *crank, const Tree *tree, const CrankScale *scale) {
     Drawing d = {scene, tree, scale};
+    const char *text = scale->bend > 1 ? scene_text(scene, "bending and support x %g", scale->bend) : "true to scale";
+    add_name(&d, vec2(scale->place, -1.05 * scale->unit), text);
     add_guide(&d);
     add_disc(&d);
     add_grounds(&d);
@@ -308,8 +324,7 @@ void crank_scene_still(Scene *scene, const Crank *crank, const Tree *tree, const
         add_loupe_still(&d);
     if (scale->parts & CRANK_SCENE_POLAR)
         add_polar_still(&d);
-    const char *text = scale->bend > 1 ? scene_text(scene, "bending and support x %g", scale->bend) : "true to scale";
-    add_name(&d, vec2(scale->place, -1.05 * scale->unit), text);
+    add_name_with_room(&d, vec2(scale->place, -0.75 * scale->unit), "guide and slider");
 }
 
 void crank_scene_moving(Scene *scene, const Tree *tree, const CrankScale *scale, const CrankMoment *moment) {
