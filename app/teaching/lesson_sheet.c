@@ -41,6 +41,21 @@ static void add_texts(Sheet *sheet, const char *heading, const LessonTexts *text
         add_line(sheet, "\u2022 ", texts->at[i]);
 }
 
+/* How the lesson is opened, and its keys: a sheet has to be enough. */
+static void add_keys(Sheet *sheet) {
+    static const char *const keys[] = {
+        "PgDn goes on, as a presenter's remote does, and PgUp goes back.",
+        "1 to 9 count a raised hand for that guess, Backspace takes it back, 0 begins a second vote.",
+        "? gives a hint. Ctrl+Z takes a change back. F1 tells all keys, F5 enlarges the letters.",
+    };
+    document_add_heading(&sheet->document, 2, "Keys");
+    add_line(sheet, "\u2022 ",
+             document_text(&sheet->document, "Start the program, press Ctrl+L, and choose \u201c%s\u201d.",
+                           sheet->lesson->title));
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        add_line(sheet, "\u2022 ", keys[i]);
+}
+
 /* Pictures --------------------------------------------------------------------------------------------------------- */
 
 static bool read_house(House *house, Sheet *sheet, const char *set, Arena *arena) {
@@ -184,6 +199,7 @@ Document lesson_sheet_make(const Lesson *lesson, const SheetOptions *options, Fa
     if (options->answers) {
         add_texts(&sheet, "What they learn", &lesson->learn);
         add_texts(&sheet, "Before", &lesson->before);
+        add_keys(&sheet);
     }
     add_start(&sheet);
     for (size_t s = 0; s < lesson->step_count; s++)
