@@ -15,8 +15,8 @@ static void make_still(BeamView *view, const Beam *beam) {
     still->bare = still->unscaled = true;
     still->box = beam_scene_box(&view->scale, true);
     still->camera = view->camera;
-    beam_scene_still(still, beam, &view->scale);
     beam_scene_magnified(still, &view->scale);
+    beam_scene_still(still, beam, &view->scale);
 }
 
 /* Takes over the scale and the shape of a part and cycle. True: they have changed. */

@@ -138,7 +138,7 @@ static void add_rows(Scene *scene, const BeamScale *scale, Vec2 at, int side, co
         if (side)
             scene_bind_label(scene, label, &to, 1);
         label->bold = i == 0;
-        label->fixed = true;
+        label->fixed = label->optional = true; /* a small picture has no room for it */
     }
 }
 
