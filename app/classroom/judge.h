@@ -1,5 +1,5 @@
-/* Judges goals and computes the numbers of a lesson, each on a thread, so that the window never waits. A verdict belongs
- * to the state that it was asked for; the answer for an older state is given up. */
+/* Judges goals and computes the numbers of a lesson, each on a thread, so that the window never waits. A verdict
+ * belongs to the state that it was asked for; the answer for an older state is given up. */
 #pragma once
 
 #include <stdbool.h>
