@@ -205,17 +205,17 @@ def check_paper(folder):
     beam, out = str(source / "assets/beams/ibs.json"), pathlib.Path(folder, "paper")
     short = ["--set", "beam.modes=2", "--set", "run.transient_cycles=20", "--set", "run.cycles=20"]
     answer = json.loads(expect(0, "study", beam, "--paper", *short, "--json", "--quiet", "--out", str(out)).stdout)
-    check(len(answer["claims"]) == 10 and len(answer["types"]) == 15, f"claims {answer}")
+    check(len(answer["claims"]) == 13 and len(answer["types"]) == 15, f"claims {answer}")
     check({claim["met"] for claim in answer["claims"]} <= {"met", "not met", "not told"}, f"claims {answer['claims']}")
     check(answer == json.loads((out / "summary.json").read_text()), "the paper's summary.json")
     page = (out / "paper.html").read_text()
     met = sum(claim["met"] == "met" for claim in answer["claims"])
-    check(f"{met} of 10 claims of the paper are met" in page and page.count("<svg") + page.count("<img") == 9, "page")
+    check(f"{met} of 13 claims of the paper are met" in page and page.count("<svg") + page.count("<img") == 10, "page")
     for claim in answer["claims"]:
         check(claim["id"] and claim["ours"] and claim["rule"], f"a claim says all {claim}")
     check("identified" in page and "beam.modes" in page, "the page says what was changed and where numbers come from")
     check((out / "paper.pdf").read_bytes().startswith(b"%PDF"), "paper.pdf")
-    check(len(list(out.glob("plot-figure-*.png"))) == 9, "a picture of each figure")
+    check(len(list(out.glob("plot-figure-*.png"))) == 10, "a picture of each figure")
     expect(2, "study", house("straight-corridor"), "--paper", says="is not one")
 
 
