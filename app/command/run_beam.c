@@ -19,7 +19,7 @@
 #include "mechanics/trace.h"
 #include "plot/plot_write.h"
 #include "result/beam.h"
-#include "result/survival.h"
+#include "result/verdict.h"
 #include "result/json.h"
 #include "result/text.h"
 #include "study/study.h"
@@ -84,14 +84,14 @@ static void print_orbit(const Response *response) {
 
 static void print_verdict(const Response *response, const Beam *beam, const Rig *rig) {
     Text text = {0};
-    result_survival_name(&text, response, "cycle");
+    result_verdict_name(&text, response, "cycle");
     printf("%s: ", text.text);
     print_peaks(response, beam, rig);
     memory_free(text.text);
     text = (Text){0};
     if (response->verdict == RESPONSE_PERIODIC)
         print_orbit(response);
-    result_survival_say(&text, response, "cycle");
+    result_verdict_say(&text, response, "cycle");
     if (text.text)
         printf("%s", text.text);
     memory_free(text.text);

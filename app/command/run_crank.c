@@ -16,7 +16,7 @@
 #include "report/crank_report.h"
 #include "result/crank.h"
 #include "result/json.h"
-#include "result/survival.h"
+#include "result/verdict.h"
 #include "result/text.h"
 #include "visual/crank/crank_film.h"
 #include "visual/crank/crank_plots.h"
@@ -39,7 +39,7 @@ typedef struct CrankRun {
 static void print_answer(const CrankRun *run, const Options *options) {
     Text text = {0};
     result_crank_name(&text, &run->crank, &run->response, run->ideal);
-    result_survival_say(&text, &run->response, "revolution");
+    result_verdict_say(&text, &run->response, "revolution");
     result_crank_say(&text, &run->crank, &run->tree, &run->response);
     printf("%sIts numbers are %s. For its type I, II or III: clearance study %s --types "
            "drive.frequency,joint.clearance,coupler.length,slider.mass\n",

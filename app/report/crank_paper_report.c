@@ -9,7 +9,7 @@
 #include "result/crank.h"
 #include "result/page.h"
 #include "result/paper.h"
-#include "result/survival.h"
+#include "result/verdict.h"
 #include "visual/crank/crank_plots.h"
 #include "visual/crank/crank_scene.h"
 
@@ -52,7 +52,7 @@ static void add_type(Document *document, const CrankPaper *paper, size_t i) {
     memory_free(text.text);
     text = (Text){0};
     result_crank_name(&text, crank, response, crank_cycle_ideal_force(crank));
-    result_survival_say(&text, response, "revolution");
+    result_verdict_say(&text, response, "revolution");
     result_crank_say(&text, crank, &paper->trees[i], response);
     report_lines_add(document, text.text);
     memory_free(text.text);

@@ -8,7 +8,7 @@
 #include "report/report_lines.h"
 #include "result/crank.h"
 #include "result/page.h"
-#include "result/survival.h"
+#include "result/verdict.h"
 #include "visual/crank/crank_plots.h"
 #include "visual/crank/crank_scene.h"
 
@@ -29,7 +29,7 @@ static void release_plot(void *context) {
 
 static void add_answer(Document *document, const CrankReport *report, const Making *making) {
     Text text = {0};
-    result_survival_say(&text, report->response, "revolution");
+    result_verdict_say(&text, report->response, "revolution");
     result_crank_say(&text, report->crank, report->tree, report->response);
     report_lines_add(document, text.text);
     memory_free(text.text);

@@ -1,7 +1,7 @@
 #include "result/beam.h"
 
 #include "base/text.h"
-#include "result/survival.h"
+#include "result/verdict.h"
 
 /* A length on either side of the middle, which people read in millimetres. */
 static const char *either_side(Arena *arena, double length) {
@@ -10,10 +10,6 @@ static const char *either_side(Arena *arena, double length) {
 
 ResultTable result_beam_motion(const Beam *beam, const Response *response) {
     ResultTable table = {.numbers = RESULT_SHORTEST};
-    const ChaosExponent *exponent = &response->exponent;
-    bool periodic = response->orbit.period > 0, known = isfinite(exponent->value);
-    const char *words =
-        known ? text_in_arena(&table.arena, "%+.3f \u00b1 %.3f", exponent->value, exponent->error) : NULL;
     result_add(&table, (ResultRow){.key = "frequency",
                                    .label = "drive frequency",
                                    .kind = RESULT_NUMBER,
@@ -26,37 +22,7 @@ ResultTable result_beam_motion(const Beam *beam, const Response *response) {
                                    .number = beam->clearance,
                                    .text = either_side(&table.arena, beam->clearance),
                                    .unit = "mm"});
-    result_add(&table, (ResultRow){.key = "verdict", .label = "response", .text = response_name(response)});
-    result_add(&table, (ResultRow){.key = "quick",
-                                   .label = "quick verdict",
-                                   .kind = RESULT_FLAG,
-                                   .number = response_is_quick(response)});
-    result_add(&table, (ResultRow){.key = "period",
-                                   .label = "period in cycles",
-                                   .kind = RESULT_COUNT,
-                                   .number = (double)response->orbit.period,
-                                   .unknown = !response->orbit.period});
-    result_add(&table, (ResultRow){.key = "settled",
-                                   .label = "settled",
-                                   .kind = RESULT_FLAG,
-                                   .number = response->settled,
-                                   .unknown = !periodic});
-    result_add(&table, (ResultRow){.key = "lyapunov",
-                                   .label = "largest exponent per cycle",
-                                   .kind = RESULT_NUMBER,
-                                   .number = exponent->value,
-                                   .text = words});
-    result_add(&table, (ResultRow){.key = "lyapunov_error", .kind = RESULT_NUMBER, .number = exponent->error});
-    result_add(&table, (ResultRow){.key = "zero_one",
-                                   .label = "K of the 0-1 test",
-                                   .kind = RESULT_NUMBER,
-                                   .number = response->zero_one,
-                                   .decimals = 3});
-    result_survival_add(&table, response, "cycle");
-    result_add(&table, (ResultRow){.key = "cycles",
-                                   .label = "cycles analysed",
-                                   .kind = RESULT_COUNT,
-                                   .number = (double)response->cycles});
+    result_verdict_add(&table, response, "cycle");
     result_end(&table);
     return table;
 }

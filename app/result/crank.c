@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "base/text.h"
-#include "result/survival.h"
+#include "result/verdict.h"
 
 /* A multiple of the speed within this part of a natural frequency is told. */
 static const double NEAR_MULTIPLE = 0.01;
@@ -21,10 +21,6 @@ static void add_number(ResultTable *table, const char *key, const char *label, d
 
 ResultTable result_crank_motion(const Crank *crank, const Response *response) {
     ResultTable table = {.numbers = RESULT_SHORTEST};
-    const ChaosExponent *exponent = &response->exponent;
-    bool periodic = response->orbit.period > 0, known = isfinite(exponent->value);
-    const char *words =
-        known ? text_in_arena(&table.arena, "%+.3f \u00b1 %.3f", exponent->value, exponent->error) : NULL;
     result_add(&table, (ResultRow){.key = "frequency",
                                    .label = "speed of the crank",
                                    .kind = RESULT_NUMBER,
@@ -39,37 +35,7 @@ ResultTable result_crank_motion(const Crank *crank, const Response *response) {
                                    .factor = 1000,
                                    .unit = "mm",
                                    .significant = 4});
-    result_add(&table, (ResultRow){.key = "verdict", .label = "response", .text = response_name(response)});
-    result_add(&table, (ResultRow){.key = "quick",
-                                   .label = "quick verdict",
-                                   .kind = RESULT_FLAG,
-                                   .number = response_is_quick(response)});
-    result_add(&table, (ResultRow){.key = "period",
-                                   .label = "period in revolutions",
-                                   .kind = RESULT_COUNT,
-                                   .number = (double)response->orbit.period,
-                                   .unknown = !response->orbit.period});
-    result_add(&table, (ResultRow){.key = "settled",
-                                   .label = "settled",
-                                   .kind = RESULT_FLAG,
-                                   .number = response->settled,
-                                   .unknown = !periodic});
-    result_add(&table, (ResultRow){.key = "lyapunov",
-                                   .label = "largest exponent per revolution",
-                                   .kind = RESULT_NUMBER,
-                                   .number = exponent->value,
-                                   .text = words});
-    result_add(&table, (ResultRow){.key = "lyapunov_error", .kind = RESULT_NUMBER, .number = exponent->error});
-    result_add(&table, (ResultRow){.key = "zero_one",
-                                   .label = "K of the 0-1 test",
-                                   .kind = RESULT_NUMBER,
-                                   .number = response->zero_one,
-                                   .decimals = 3});
-    result_survival_add(&table, response, "revolution");
-    result_add(&table, (ResultRow){.key = "cycles",
-                                   .label = "revolutions analysed",
-                                   .kind = RESULT_COUNT,
-                                   .number = (double)response->cycles});
+    result_verdict_add(&table, response, "revolution");
     result_end(&table);
     return table;
 }
@@ -130,7 +96,7 @@ ResultTable result_crank_forces(const Tree *tree, const Response *response, doub
 
 void result_crank_name(Text *text, const Crank *crank, const Response *response, double ideal) {
     const SectionPeaks *peaks = &response->peaks;
-    result_survival_name(text, response, "revolution");
+    result_verdict_name(text, response, "revolution");
     text_format(text, ": at %.4g rpm ", 60 * crank->frequency);
     if (!peaks->count)
         text_add(text, "the ball does not touch its socket");

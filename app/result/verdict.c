@@ -1,4 +1,4 @@
-#include "result/survival.h"
+#include "result/verdict.h"
 
 #include <math.h>
 
@@ -61,7 +61,8 @@ static void add_survival(ResultTable *table, const Survival *survival, const cha
     add_number(table, "survival.million_high", "at most", extreme->known ? extreme->high : NAN, "N");
 }
 
-void result_survival_add(ResultTable *table, const Response *response, const char *cycle) {
+/* What is known beside the verdict, and of the motions that were watched. */
+static void add_shape(ResultTable *table, const Response *response, const char *cycle) {
     add_count(table, "zero_one_step", text_in_arena(&table->arena, "K of every so many %ss", cycle),
               response->zero_one_step, isnan(response->zero_one));
     result_add(table, (ResultRow){.key = "rotation",
@@ -80,10 +81,45 @@ void result_survival_add(ResultTable *table, const Response *response, const cha
         add_survival(table, &response->survival, cycle);
 }
 
+void result_verdict_add(ResultTable *table, const Response *response, const char *cycle) {
+    Arena *arena = &table->arena;
+    const ChaosExponent *exponent = &response->exponent;
+    bool periodic = response->orbit.period > 0, known = isfinite(exponent->value);
+    const char *words = known ? text_in_arena(arena, "%+.3f \u00b1 %.3f", exponent->value, exponent->error) : NULL;
+    result_add(table, (ResultRow){.key = "verdict", .label = "response", .text = response_name(response)});
+    result_add(table, (ResultRow){.key = "quick",
+                                  .label = "quick verdict",
+                                  .kind = RESULT_FLAG,
+                                  .number = response_is_quick(response)});
+    result_add(table, (ResultRow){.key = "period",
+                                  .label = text_in_arena(arena, "period in %ss", cycle),
+                                  .kind = RESULT_COUNT,
+                                  .number = (double)response->orbit.period,
+                                  .unknown = !periodic});
+    result_add(table, (ResultRow){.key = "settled",
+                                  .label = "settled",
+                                  .kind = RESULT_FLAG,
+                                  .number = response->settled,
+                                  .unknown = !periodic});
+    result_add(table, (ResultRow){.key = "lyapunov",
+                                  .label = text_in_arena(arena, "largest exponent per %s", cycle),
+                                  .kind = RESULT_NUMBER,
+                                  .number = exponent->value,
+                                  .text = words});
+    result_add(table, (ResultRow){.key = "lyapunov_error", .kind = RESULT_NUMBER, .number = exponent->error});
+    result_add(table, (ResultRow){.key = "zero_one",
+                                  .label = "K of the 0-1 test",
+                                  .kind = RESULT_NUMBER,
+                                  .number = response->zero_one,
+                                  .decimals = 3});
+    add_shape(table, response, cycle);
+    add_count(table, "cycles", text_in_arena(arena, "%ss analysed", cycle), response->cycles, false);
+}
+
 /* Words -------------------------------------------------------------------------------------------------------------
  */
 
-void result_survival_name(Text *text, const Response *response, const char *cycle) {
+void result_verdict_name(Text *text, const Response *response, const char *cycle) {
     const char *many = response->bands > 1 ? "s that are visited in turn" : "";
     switch (response->verdict) {
     case RESPONSE_PERIODIC:
@@ -182,7 +218,7 @@ static void say_peaks(Text *text, const Survival *survival, const char *cycle) {
                     extreme->level, extreme->low, extreme->high);
 }
 
-void result_survival_say(Text *text, const Response *response, const char *cycle) {
+void result_verdict_say(Text *text, const Response *response, const char *cycle) {
     say_tried(text, response, cycle);
     if (!response->survival.lanes)
         return;
