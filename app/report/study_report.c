@@ -74,13 +74,17 @@ static void add_tables(Document *document, const Study *study) {
 
 Document study_report_make(const StudyReport *report, const Making *making) {
     Document document = document_begin(making->program);
-    const char *end = strstr(report->words, "\n\n");
-    const char *words = end ? document_text(&document, "%.*s", (int)(end - report->words), report->words)
-                            : document_text(&document, "%s", report->words);
-    document_add_title(&document, document_text(&document, "Study of a %s", report->study->experiment->kind),
-                       document_text(&document, "%.*s", (int)strcspn(words, "\n"), words));
-    words += strcspn(words, "\n");
-    report_lines_add(&document, *words ? words + 1 : words);
+    size_t size = strlen(report->words) + 1;
+    char *words = arena_allocate(&document.arena, size);
+    memcpy(words, report->words, size);
+    char *end = strstr(words, "\n\n");
+    if (end)
+        *end = '\0';
+    char *more = words + strcspn(words, "\n");
+    bool several = *more;
+    *more = '\0';
+    document_add_title(&document, document_text(&document, "Study of a %s", report->study->experiment->kind), words);
+    report_lines_add(&document, several ? more + 1 : more);
     report_basis_add_changes(&document, making);
     document_add_contents(&document);
     add_plots(&document, report);
