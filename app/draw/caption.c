@@ -12,7 +12,7 @@ Caption *caption_add(Layout *layout, const char *text, double size, bool bold, V
     layout->captions = memory_reserve(layout->captions, &layout->caption_capacity, layout->caption_count + 1,
                                       sizeof *layout->captions);
     Caption *caption = &layout->captions[layout->caption_count++];
-    *caption = (Caption){.text = text,
+    *caption = (Caption){.text = arena_text(&layout->arena, text),
                          .centre = centre,
                          .extent = text_extent(text, size, bold),
                          .size = size,

@@ -164,7 +164,7 @@ static void consider_around(Choice *best, const Places *places, Caption caption,
 static Caption label_caption(Layout *layout, const Primitive *label, Vec2 at, double size) {
     double widest = fmin(WIDEST, layout->frame.high.x - layout->frame.low.x - 2 * AIR);
     const char *text = caption_shortened(layout, label->text, size, label->bold, widest);
-    Caption caption = {.text = text,
+    Caption caption = {.text = arena_text(&layout->arena, text),
                        .centre = at,
                        .extent = text_extent(text, size, label->bold),
                        .size = size,
