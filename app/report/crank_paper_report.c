@@ -4,39 +4,13 @@
 
 #include "base/memory.h"
 #include "base/text.h"
+#include "report/crank_figures.h"
 #include "report/report_lines.h"
 #include "result/advice.h"
 #include "result/crank.h"
 #include "result/page.h"
 #include "result/paper.h"
 #include "result/verdict.h"
-#include "visual/crank/crank_plots.h"
-#include "visual/crank/crank_scene.h"
-
-/* Design points. */
-#define PICTURE_WIDTH 1027.0
-#define PICTURE_HEIGHT 578.0
-#define PLOT_WIDTH 505.0
-#define PLOT_HEIGHT 340.0
-
-static void paint_plot(const void *context, struct _cairo *cairo, Vec2 size, Theme theme) {
-    plot_paint(&((const CrankPlots *)context)->plots[0], cairo, size, theme);
-}
-
-static void release_plot(void *context) {
-    crank_plots_free(context);
-    memory_free(context);
-}
-
-static void add_plot(Document *document, const CrankPaper *paper, size_t i, const char *name, const char *caption) {
-    char fault[PLOT_CHOICE_FAULT];
-    PlotChoice choice;
-    CrankPlots *plots = memory_zeroed(1, sizeof *plots);
-    crank_plots_choose(&choice, name, fault);
-    *plots = crank_plots_make(&paper->responses[i], &paper->cranks[i], &choice);
-    document_add_picture(document, paint_plot, plots, vec2(PLOT_WIDTH, PLOT_HEIGHT), caption, caption)->release =
-        release_plot;
-}
 
 /* Adds a type with its words, picture and plots. */
 static void add_type(Document *document, const CrankPaper *paper, size_t i) {
@@ -56,17 +30,13 @@ static void add_type(Document *document, const CrankPaper *paper, size_t i) {
     result_crank_say(&text, crank, &paper->trees[i], response);
     report_lines_add(document, text.text);
     memory_free(text.text);
-    if (response->trace.rows < CRANK_SAMPLES)
+    if (!crank_figures_add_moment(document, crank, &paper->trees[i], response,
+                                  "The moment of the largest force; bending and the support's motion are magnified."))
         return;
-    Scene scene = {0};
-    crank_scene_make(&scene, crank, &paper->trees[i], response);
     document_add_figures(document);
-    document_add_scene(document, &scene, vec2(PICTURE_WIDTH, PICTURE_HEIGHT),
-                       "The moment of the largest force; bending and the support's motion are magnified.",
-                       "A slider crank with its coupler bent, its ball in the socket, and its force over the angle.");
-    document_add_figures(document);
-    add_plot(document, paper, i, "angle", "Force in the joint over the crank angle.");
-    add_plot(document, paper, i, "phase", "Phase plane of the ball in its socket, along the coupler.");
+    crank_figures_add_plot(document, crank, response, "angle", "Force in the joint over the crank angle.");
+    crank_figures_add_plot(document, crank, response, "phase",
+                           "Phase plane of the ball in its socket, along the coupler.");
 }
 
 Document crank_paper_report_make(CrankPaper *paper, const Making *making) {

@@ -5,27 +5,11 @@
 
 #include "base/memory.h"
 #include "base/text.h"
+#include "report/crank_figures.h"
 #include "report/report_lines.h"
 #include "result/crank.h"
 #include "result/page.h"
 #include "result/verdict.h"
-#include "visual/crank/crank_plots.h"
-#include "visual/crank/crank_scene.h"
-
-/* Design points. */
-#define PICTURE_WIDTH 1027.0
-#define PICTURE_HEIGHT 578.0
-#define PLOT_WIDTH 505.0
-#define PLOT_HEIGHT 340.0
-
-static void paint_plot(const void *context, struct _cairo *cairo, Vec2 size, Theme theme) {
-    plot_paint(&((const CrankPlots *)context)->plots[0], cairo, size, theme);
-}
-
-static void release_plot(void *context) {
-    crank_plots_free(context);
-    memory_free(context);
-}
 
 static void add_answer(Document *document, const CrankReport *report, const Making *making) {
     Text text = {0};
@@ -43,16 +27,10 @@ static void add_answer(Document *document, const CrankReport *report, const Maki
 }
 
 static void add_picture(Document *document, const CrankReport *report) {
-    if (report->response->trace.rows < CRANK_SAMPLES)
-        return;
-    Scene scene = {0};
-    crank_scene_make(&scene, report->crank, report->tree, report->response);
-    document_add_figures(document);
-    document_add_scene(document, &scene, vec2(PICTURE_WIDTH, PICTURE_HEIGHT),
-                       "The moment of the largest force in the recorded revolutions; bending and the support's motion "
-                       "are magnified. In the loupe the path of the ball in its socket, below it the force over the "
-                       "crank angle.",
-                       "A slider crank with its coupler bent, its ball in the socket, and its force over the angle.");
+    crank_figures_add_moment(document, report->crank, report->tree, report->response,
+                             "The moment of the largest force in the recorded revolutions; bending and the support's "
+                             "motion are magnified. In the loupe the path of the ball in its socket, below it the "
+                             "force over the crank angle.");
 }
 
 static void add_plots(Document *document, const CrankReport *report) {
@@ -69,16 +47,9 @@ static void add_plots(Document *document, const CrankReport *report) {
     };
     document_add_heading(document, 2, "Plots");
     for (size_t p = 0; p < sizeof shown / sizeof *shown; p++) {
-        char fault[PLOT_CHOICE_FAULT];
-        PlotChoice choice;
-        CrankPlots *plots = memory_zeroed(1, sizeof *plots);
-        crank_plots_choose(&choice, shown[p].name, fault);
-        *plots = crank_plots_make(report->response, report->crank, &choice);
         if (p % 2 == 0)
             document_add_figures(document);
-        document_add_picture(document, paint_plot, plots, vec2(PLOT_WIDTH, PLOT_HEIGHT), shown[p].caption,
-                             shown[p].caption)
-            ->release = release_plot;
+        crank_figures_add_plot(document, report->crank, report->response, shown[p].name, shown[p].caption);
     }
 }
 

@@ -7,7 +7,7 @@
 #include "inquiry/grade.h"
 #include "report/report_basis.h"
 
-/* What many drivers of a house have done. */
+/* The results of many drivers of a house. */
 typedef struct ReportedDrivers {
     const Drivers *drivers; /* count 0: none */
     const Population *population;
