@@ -66,17 +66,6 @@ static Pairing pair_with_base(const Ablation *ablation, int variant, size_t pers
     return (Pairing){of.count, of.mean, of.mean - wide, of.mean + wide};
 }
 
-static void add_number(ResultTable *table, const char *key, const char *label, double number, const char *unit,
-                       int decimals) {
-    result_add(table, (ResultRow){.key = key,
-                                  .label = label,
-                                  .kind = RESULT_NUMBER,
-                                  .number = number,
-                                  .unit = unit,
-                                  .decimals = decimals,
-                                  .unknown = !isfinite(number)});
-}
-
 static void add_count(ResultTable *table, const char *key, const char *label, size_t count) {
     result_add(table, (ResultRow){.key = key, .label = label, .kind = RESULT_COUNT, .number = (double)count});
 }
@@ -86,8 +75,8 @@ static void add_variant(ResultTable *table, const Ablation *ablation, int varian
     Pairing pairing = pair_with_base(ablation, variant, person);
     bool base = variant == ABLATION_WHOLE;
     result_add(table, (ResultRow){.key = "variant", .label = "variant", .text = ablation_rows[variant].name});
-    add_number(table, "time.mean", "mean", tally.time.mean, "s", 2);
-    add_number(table, "time.deviation", "deviation", tally.time.deviation, "s", 2);
+    result_add_number(table, "time.mean", "mean", tally.time.mean, "s", 2);
+    result_add_number(table, "time.deviation", "deviation", tally.time.deviation, "s", 2);
     add_count(table, "count", NULL, tally.all);
     add_count(table, "out", NULL, tally.out);
     result_add(table,
@@ -100,7 +89,7 @@ static void add_variant(ResultTable *table, const Ablation *ablation, int varian
                                   .unit = "%",
                                   .factor = 100});
     add_count(table, "contacts", "touches", tally.contacts);
-    add_number(table, "impact.speed95", "impact 95 %", tally.impact.high, "m/s", 2);
+    result_add_number(table, "impact.speed95", "impact 95 %", tally.impact.high, "m/s", 2);
     result_add(table, (ResultRow){.key = "narrowest.low",
                                   .label = "narrowest 5 %",
                                   .kind = RESULT_NUMBER,
@@ -108,7 +97,7 @@ static void add_variant(ResultTable *table, const Ablation *ablation, int varian
                                   .unit = "cm",
                                   .factor = 100,
                                   .decimals = 1});
-    add_number(table, "backwards", "backwards", tally.back, "m", 2);
+    result_add_number(table, "backwards", "backwards", tally.back, "m", 2);
     result_add(table, (ResultRow){.key = "against",
                                   .label = "against",
                                   .text = base ? NULL : ablation_rows[base_of(variant)].name,
@@ -120,8 +109,8 @@ static void add_variant(ResultTable *table, const Ablation *ablation, int varian
                                   .unit = "s",
                                   .decimals = 2,
                                   .sign = true});
-    add_number(table, "low", "from", base ? (double)NAN : pairing.low, "s", 2);
-    add_number(table, "high", "to", base ? (double)NAN : pairing.high, "s", 2);
+    result_add_number(table, "low", "from", base ? (double)NAN : pairing.low, "s", 2);
+    result_add_number(table, "high", "to", base ? (double)NAN : pairing.high, "s", 2);
     result_end(table);
 }
 

@@ -79,17 +79,6 @@ static bool has_band(const Fleet *fleet) {
     return fleet->time.count >= RESULT_DRIVERS_BAND;
 }
 
-static void add_number(ResultTable *table, const char *key, const char *label, double number, const char *unit,
-                       int decimals) {
-    result_add(table, (ResultRow){.key = key,
-                                  .label = label,
-                                  .kind = RESULT_NUMBER,
-                                  .number = number,
-                                  .unit = unit,
-                                  .decimals = decimals,
-                                  .unknown = !isfinite(number)});
-}
-
 const char *result_drivers_share(Arena *arena, const Share *share) {
     return text_in_arena(arena, "%.0f %% (%.0f to %.0f)", 100 * share->value, 100 * share->low, 100 * share->high);
 }
@@ -108,22 +97,22 @@ static void add_fleet(ResultTable *table, const House *house, double nominal, co
     static const char *const outs[] = {"out.share", "out.low", "out.high"};
     static const char *const touches[] = {"touch.share", "touch.low", "touch.high"};
     result_add(table, (ResultRow){.key = "id", .label = "person", .text = house->people[fleet->person].id});
-    add_number(table, "nominal", "nominal driver", nominal, "s", 2);
+    result_add_number(table, "nominal", "nominal driver", nominal, "s", 2);
     result_add(table,
                (ResultRow){.key = "count", .label = "drivers", .kind = RESULT_COUNT, .number = (double)fleet->count});
     result_add(table, (ResultRow){.key = "out.count", .kind = RESULT_COUNT, .number = (double)fleet->out.good});
     add_share(table, outs, "out", &fleet->out);
-    add_number(table, "time.mean", "mean", fleet->time.mean, "s", 2);
-    add_number(table, "time.deviation", "deviation", fleet->time.deviation, "s", 2);
-    add_number(table, "time.low", has_band(fleet) ? "5 %" : NULL, fleet->time.low, "s", 1);
-    add_number(table, "time.median", "median", fleet->time.median, "s", 1);
-    add_number(table, "time.high", has_band(fleet) ? "95 %" : NULL, fleet->time.high, "s", 1);
-    add_number(table, "time.least", has_band(fleet) ? NULL : "least", fleet->time.least, "s", 1);
-    add_number(table, "time.greatest", has_band(fleet) ? NULL : "greatest", fleet->time.greatest, "s", 1);
+    result_add_number(table, "time.mean", "mean", fleet->time.mean, "s", 2);
+    result_add_number(table, "time.deviation", "deviation", fleet->time.deviation, "s", 2);
+    result_add_number(table, "time.low", has_band(fleet) ? "5 %" : NULL, fleet->time.low, "s", 1);
+    result_add_number(table, "time.median", "median", fleet->time.median, "s", 1);
+    result_add_number(table, "time.high", has_band(fleet) ? "95 %" : NULL, fleet->time.high, "s", 1);
+    result_add_number(table, "time.least", has_band(fleet) ? NULL : "least", fleet->time.least, "s", 1);
+    result_add_number(table, "time.greatest", has_band(fleet) ? NULL : "greatest", fleet->time.greatest, "s", 1);
     add_share(table, touches, "touch something", &fleet->touch);
-    add_number(table, "impact.speed95", "impact 95 %", fleet->impact.high, "m/s", 2);
-    add_number(table, "impact.energy", "mean energy", fleet->energy, "J", 2);
-    add_number(table, "backwards.distance", "backwards", fleet->back, "m", 2);
+    result_add_number(table, "impact.speed95", "impact 95 %", fleet->impact.high, "m/s", 2);
+    result_add_number(table, "impact.energy", "mean energy", fleet->energy, "J", 2);
+    result_add_number(table, "backwards.distance", "backwards", fleet->back, "m", 2);
     bool hit = *fleet->where;
     result_add(table, (ResultRow){.key = "impact.what",
                                   .label = "most at",
@@ -189,14 +178,14 @@ static void add_comparison(ResultTable *table, const PlanRoute *route, const Dis
     Welch welch = welch_compare(&a, &c, 0.1);
     const char *verdict = words_of_verdict(&table->arena, &welch, &a);
     result_add(table, (ResultRow){.key = "id", .label = "route", .text = route->id});
-    add_number(table, "mean", "mean (a)", measured ? a.mean : (double)NAN, "s", 2);
-    add_number(table, "deviation", "deviation (b)", measured && a.count > 1 ? a.deviation : (double)NAN, "s", 2);
+    result_add_number(table, "mean", "mean (a)", measured ? a.mean : (double)NAN, "s", 2);
+    result_add_number(table, "deviation", "deviation (b)", measured && a.count > 1 ? a.deviation : (double)NAN, "s", 2);
     result_add(table, (ResultRow){.key = "runs",
                                   .label = "n",
                                   .kind = RESULT_COUNT,
                                   .number = measured ? (double)a.count : (double)NAN});
-    add_number(table, "simulation", "simulated mean (c)", c.mean, "s", 2);
-    add_number(table, "simulated_deviation", "deviation (d)", c.deviation, "s", 2);
+    result_add_number(table, "simulation", "simulated mean (c)", c.mean, "s", 2);
+    result_add_number(table, "simulated_deviation", "deviation (d)", c.deviation, "s", 2);
     result_add(table, (ResultRow){.key = "drivers", .label = "N", .kind = RESULT_COUNT, .number = (double)c.count});
     result_add(table, (ResultRow){.key = "error",
                                   .label = "((c)-(a))/(a)",
@@ -206,8 +195,8 @@ static void add_comparison(ResultTable *table, const PlanRoute *route, const Dis
                                   .factor = 100,
                                   .decimals = 1,
                                   .sign = true});
-    add_number(table, "error_low", NULL, measured ? welch.low / a.mean : (double)NAN, NULL, 3);
-    add_number(table, "error_high", NULL, measured ? welch.high / a.mean : (double)NAN, NULL, 3);
+    result_add_number(table, "error_low", NULL, measured ? welch.low / a.mean : (double)NAN, NULL, 3);
+    result_add_number(table, "error_high", NULL, measured ? welch.high / a.mean : (double)NAN, NULL, 3);
     result_add(table, (ResultRow){.key = "verdict", .label = "verdict", .text = verdict, .omitted = !verdict});
     result_end(table);
 }
@@ -264,9 +253,9 @@ static void add_pair(ResultTable *table, const House *house, const Drivers drive
     add_count(table, "touch_a", "touch in a", touch[0]);
     add_count(table, "touch_b", "touch in b", touch[1]);
     add_count(table, "both", "out of both", both.count);
-    add_number(table, "difference", "b - a", both.mean, "s", 2);
-    add_number(table, "low", "from", both.mean - wide, "s", 2);
-    add_number(table, "high", "to (95 %)", both.mean + wide, "s", 2);
+    result_add_number(table, "difference", "b - a", both.mean, "s", 2);
+    result_add_number(table, "low", "from", both.mean - wide, "s", 2);
+    result_add_number(table, "high", "to (95 %)", both.mean + wide, "s", 2);
     add_count(table, "quicker", "quicker in b", quicker);
     result_end(table);
 }

@@ -1,5 +1,6 @@
 #include "result/result.h"
 
+#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,6 +18,17 @@ void result_add(ResultTable *table, ResultRow row) {
     table->rows = memory_reserve(table->rows, &table->capacity, table->used + 1, sizeof *table->rows);
     row.role = row.role == ROLE_PAPER ? ROLE_TEXT : row.role;
     table->rows[table->used++] = row;
+}
+
+void result_add_number(ResultTable *table, const char *key, const char *label, double number, const char *unit,
+                       int decimals) {
+    result_add(table, (ResultRow){.key = key,
+                                  .label = label,
+                                  .kind = RESULT_NUMBER,
+                                  .number = number,
+                                  .unit = unit,
+                                  .decimals = decimals,
+                                  .unknown = !isfinite(number)});
 }
 
 void result_end(ResultTable *table) {

@@ -60,6 +60,11 @@ void result_clear(ResultTable *table);
 
 /* Adds a row to the record that is being written; result_end ends that record. */
 void result_add(ResultTable *table, ResultRow row);
+
+/* Adds a number with this many decimals; unknown unless it is finite. */
+void result_add_number(ResultTable *table, const char *key, const char *label, double number, const char *unit,
+                       int decimals);
+
 void result_end(ResultTable *table);
 
 /* Returns row `row` of a record. */
