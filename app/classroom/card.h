@@ -5,7 +5,7 @@
 #include "classroom/play.h"
 #include "widgets/ui.h"
 
-/* What was pressed on the card: a key of play.h, or the wish to leave the lesson. */
+/* A press on the card: a key of play.h, or a request to leave the lesson. */
 typedef struct CardPress {
     bool pressed, leaves;
     PlayKey key;

@@ -53,7 +53,7 @@ typedef struct Layout {
     Caption *captions;        /* (caption_count) */
     Sample *samples;          /* (sample_count) of the list, and the scale bar of a plan */
     size_t grid_count, grid_capacity, caption_count, caption_capacity, sample_count, sample_capacity;
-    Arena arena; /* holds the captions' texts: a scene may be made anew while its captions are read */
+    Arena arena; /* holds the captions' texts: a scene may be rebuilt while its captions are still read */
 } Layout;
 
 /* A scene and its layout on the page: painters draw one layer, or several over each other. The captions of all layers

@@ -232,7 +232,7 @@ typedef struct Laboratory {
     void (*stop)(void *session);
 
     /* Follows the running orbit along the orbit diagram in the background, or removes the lines of the one that is
-     * displayed or being followed. Returns true if it is being followed now. NULL: there are no orbits. */
+     * displayed or being followed. Returns true if it is being followed now. NULL: it has no orbits. */
     bool (*follow)(void *session);
 
     /* Restart with the same parameters; save the displayed run for comparison (false: there is nothing to save yet);

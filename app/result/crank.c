@@ -121,7 +121,7 @@ static void say_contact(Text *text, const Crank *crank, const Response *response
     else
         text_add(text, "The pin never leaves its socket\n");
     if (crank->contact.friction <= 0)
-        text_add(text, "There is no friction in this joint (joint.friction 0); friction calms such a mechanism\n");
+        text_add(text, "This joint has no friction (joint.friction 0); friction calms such a mechanism\n");
 }
 
 /* Returns "1st", "2nd", "13th". */

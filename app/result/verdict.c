@@ -61,7 +61,7 @@ static void add_survival(ResultTable *table, const Survival *survival, const cha
     add_number(table, "survival.million_high", "at most", extreme->known ? extreme->high : NAN, "N");
 }
 
-/* What is known beside the verdict, and of the motions that were watched. */
+/* Adds the shape of the motion and the results of the watched ones. */
 static void add_shape(ResultTable *table, const Response *response, const char *cycle) {
     add_count(table, "zero_one_step", text_in_arena(&table->arena, "K of every so many %ss", cycle),
               response->zero_one_step, isnan(response->zero_one));

@@ -244,7 +244,7 @@ static void add_folders(Gallery *gallery, size_t laboratory) {
         add_folder(gallery, laboratory, text_in_arena(&gallery->arena, "%s%s", shipped_own(i), name));
 }
 
-/* Adds the shipped lessons, with their titles. A file that is no good lesson is left out. */
+/* Adds the shipped lessons, with their titles. An invalid file is left out. */
 static void add_lessons(Gallery *gallery) {
     static const char *const words[] = {[LESSON_HOUSE] = "house", [LESSON_BEAM] = "beam", [LESSON_CRANK] = "crank"};
     Folder folder = {.count = 0};

@@ -87,7 +87,7 @@ static void keep_state(Left *left, Tab *tab) {
         left->values[i] = parameters[i].value;
 }
 
-/* Opens a kept house anew: its edits are no longer in the history. */
+/* Reopens a kept house, without the history of its edits. */
 static void reopen(Window *window, const Left *left) {
     Tab *tab = tab_of(window);
     RecoveryAbout about = {.origin = tab->path, .name = tab->laboratory->title(tab->session)};

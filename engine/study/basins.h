@@ -1,7 +1,7 @@
 /* Shares of the basins of what coexists: of many random starts at one value of a parameter, how many lead to each
  * answer. Regular answers are one when their outcomes are and their measures agree (TYPES_SAME); of irregular ones all
  * of one verdict are one. Runs of carried passes, which begin with the end state of their neighbour, and one from the
- * experiment's special start (Experiment.special; unless trials are slow) are no random starts: they count towards no
+ * experiment's special start (Experiment.special; unless trials are slow) do not count as random starts: they add to no
  * share, but show answers that the random starts miss. */
 #pragma once
 

@@ -140,7 +140,7 @@ static bool finish(Editor *edit) {
 static bool confirm(Editor *edit, bool keys) {
     EditChain *chain = &edit->chain;
     if (has_both(edit))
-        return keys && finish(edit); /* a click while the length is typed is no answer */
+        return keys && finish(edit); /* clicks are ignored while the length is typed */
     if (chain->count == 1 && vec2_distance(chain->points[0], edit->now.at) < LEAST_APART)
         return false;
     chain->points = memory_reserve(chain->points, &chain->capacity, chain->count + 1, sizeof *chain->points);

@@ -53,13 +53,13 @@ static void add_ring(Scene *scene, Role role, double width, LineStyle style, Vec
     scene_add_line(scene, role, width, points, CORNERS + 1)->style = style;
 }
 
-/* What the picture cannot do without, such as its scales. */
+/* A name that every picture needs, such as a scale. */
 static void add_name(const Drawing *d, Vec2 at, const char *text) {
     if (d->scale->parts & CRANK_SCENE_NAMES)
         scene_add_label(d->scene, ROLE_TEXT, NAME, at, text)->fixed = true;
 }
 
-/* What is left out of a small picture. */
+/* A name that a small picture leaves out. */
 static void add_name_with_room(const Drawing *d, Vec2 at, const char *text) {
     if (!(d->scale->parts & CRANK_SCENE_NAMES))
         return;

@@ -8,7 +8,7 @@
 typedef struct BandStation {
     Vec2 at, left;                       /* m, unit */
     double way;                          /* m, along the nominal driver's way */
-    size_t drivers;                      /* who pass here; below BAND_LEAST there are no quantiles */
+    size_t drivers;                      /* who pass here; below BAND_LEAST quantiles are not computed */
     double low, quarters[2], high;       /* m to the left: 5, 25, 75 and 95 % of the drivers */
     double slow, speeds[2], fast, speed; /* m/s: the same of their speeds, and the nominal one */
 } BandStation;
