@@ -81,8 +81,10 @@ static void grade(const Options *options, const House *house, json_t *answer, bo
     fflush(stdout);
     *interrupted |= !grade_all(grades, house, options->jobs, &progress_stop);
     json_object_set_new(answer, "grades", result_json_take_list(result_check_grades(house, grades)));
+    json_object_set_new(answer, "grade_places", result_json_take_list(result_check_grade_places(house, grades)));
     if (!options->json) {
         result_text_take(&text, "", result_check_grades(house, grades));
+        result_text_take(&text, "", result_check_grade_places(house, grades));
         fputs(text.text, stdout);
     }
     memory_free(text.text);

@@ -33,8 +33,11 @@ static json_t *answer_of(const House *house, const Observation *observation, Rep
                                       (json_int_t)drivers->count, "people",
                                       result_json_take_list(result_drivers_table(house, observation, drivers)),
                                       "routes", result_json_take_list(result_drivers_routes(house, drivers))));
-    if (fleets.grades)
+    if (fleets.grades) {
         json_object_set_new(answer, "grades", result_json_take_list(result_check_grades(house, fleets.grades)));
+        json_object_set_new(answer, "grade_places",
+                            result_json_take_list(result_check_grade_places(house, fleets.grades)));
+    }
     return answer;
 }
 
@@ -113,6 +116,7 @@ static void print_drivers(const House *house, const Observation *observation, co
 static void print_grades(const House *house, const Grade *grades) {
     Text text = {0};
     result_text_take(&text, "how tight the ways are\n", result_check_grades(house, grades));
+    result_text_take(&text, "", result_check_grade_places(house, grades));
     if (text.text)
         fputs(text.text, stdout);
     memory_free(text.text);

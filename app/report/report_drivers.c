@@ -119,4 +119,11 @@ void report_drivers_add(Document *document, const char *name, const Reported *ru
                                          "A (easy) to F (impossible), are assumed.");
     }
     result_page_take(document, NULL, grades);
+    ResultTable places = result_check_grade_places(house, of->grades);
+    if (places.record_count)
+        document_add_paragraph(document,
+                               "Places that stand between a way and a better grade, each with the least change "
+                               "that buys that grade here while the other places are eased. Walls are not "
+                               "moved: where none helps, nothing beyond is listed.");
+    result_page_take(document, NULL, places);
 }

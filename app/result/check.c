@@ -219,6 +219,40 @@ ResultTable result_check_grades(const House *house, const Grade *grades) {
     return table;
 }
 
+static void add_grade_place(ResultTable *table, const House *house, size_t i, const GradePlace *of) {
+    const char *next = of->letter > GRADE_D ? grade_letter(GRADE_D) : grade_letter(of->letter - 1);
+    const char *change = of->changes ? text_in_arena(&table->arena, "%s", of->change) : NULL;
+    result_add(table, (ResultRow){.key = "id", .label = "person", .text = house->people[i].id});
+    result_add(table, (ResultRow){.key = "what", .label = "place", .text = of->what});
+    result_add(table, (ResultRow){.label = "at", .text = place(table, of->at), .unit = "m"});
+    result_add(table, (ResultRow){.key = "x", .kind = RESULT_NUMBER, .number = of->at.x});
+    result_add(table, (ResultRow){.key = "y", .kind = RESULT_NUMBER, .number = of->at.y});
+    result_add(table, (ResultRow){.key = "grade", .label = "grade", .text = grade_letter(of->letter)});
+    result_add(table, (ResultRow){.key = "to_next",
+                                  .label = "missing on each side",
+                                  .head = "missing",
+                                  .kind = RESULT_NUMBER,
+                                  .number = of->to_next,
+                                  .unit = "cm",
+                                  .factor = 100,
+                                  .decimals = 1,
+                                  .omitted = !isfinite(of->to_next)});
+    result_add(table, (ResultRow){.key = "next", .label = "for grade", .text = next});
+    result_add(table, (ResultRow){.key = "change.size", .kind = RESULT_NUMBER, .number = of->by, .omitted = !change});
+    result_add(table, (ResultRow){.key = "change.text", .text = change, .omitted = !change});
+    result_add(table, (ResultRow){.label = "the change that buys it",
+                                  .text = change ? change : "no door or piece nearby is enough"});
+    result_end(table);
+}
+
+ResultTable result_check_grade_places(const House *house, const Grade *grades) {
+    ResultTable table = {.numbers = RESULT_REAL};
+    for (size_t i = 0; i < house->person_count; i++)
+        for (size_t p = 0; house->people[i].profile->driving == DRIVING_DRIVER && p < grades[i].place_count; p++)
+            add_grade_place(&table, house, i, &grades[i].places[p]);
+    return table;
+}
+
 /* The sentence ---------------------------------------------------------------------------------------------------- */
 
 const char *result_check_sentence(const House *house, const Observation *observation, const Census *census,

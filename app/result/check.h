@@ -23,6 +23,9 @@ ResultTable result_check_parties(const House *house, const Observation *observat
  * are left out). */
 ResultTable result_check_grades(const House *house, const Grade *grades);
 
+/* A record for each place that stands between a chair and a better grade, with the change that buys it there. */
+ResultTable result_check_grade_places(const House *house, const Grade *grades);
+
 /* Returns "p1 can leave by e1", "All 40 people can leave", or who cannot and why, as one sentence. */
 const char *result_check_sentence(const House *house, const Observation *observation, const Census *census,
                                   Arena *arena);

@@ -348,6 +348,10 @@ Journeys journey_plan_briefly(const House *house, const bool *part, int jobs, co
     return plan_from_start(&(Planning){.house = house, .stop = stop}, part, true, jobs);
 }
 
+Journeys journey_plan_any(const House *house, const bool *part, const Stop *stop) {
+    return plan_from_start(&(Planning){.house = house, .stop = stop, .all_or_none = true}, part, true, 1);
+}
+
 Journeys journey_follow(const Journeys *known, const House *house, const bool *part, int jobs, const Stop *stop) {
     return plan_from_start(&(Planning){.house = house, .stop = stop, .known = known}, part, true, jobs);
 }

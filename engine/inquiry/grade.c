@@ -5,10 +5,8 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
-#include "house/journey.h"
-
-/* 1: a body that is grown by 1 all round reaches sqrt(2) at its corners. */
-#define CORNER M_SQRT1_2
+#include "inquiry/grade_places.h"
+#include "inquiry/grade_try.h"
 
 /* 1: changes of direction that grade C allows. */
 enum { A_FEW = 2 };
@@ -21,14 +19,8 @@ typedef struct Grading {
     Grade *grade;
 } Grading;
 
-/* What a body that is grown finds. */
-typedef struct Tried {
-    bool found, fits;
-    double holds; /* m, growth that this way has room for, at least */
-} Tried;
-
 static void note_blockage(Grading *grading, double growth, const Blockage *blockage) {
-    if (growth >= grading->blocked_from || !*blockage->what)
+    if (growth >= grading->blocked_from)
         return;
     grading->blocked_from = growth;
     grading->grade->has_place = true;
@@ -36,36 +28,16 @@ static void note_blockage(Grading *grading, double growth, const Blockage *block
     memcpy(grading->grade->what, blockage->what, sizeof grading->grade->what);
 }
 
-/* Plans with the body grown by `growth` all round; the axle stays where it is. */
-static Tried try_growth(Grading *grading, double growth, int reversals) {
-    const House *house = grading->house;
-    size_t i = grading->person;
-    const Inhabitant *person = &house->people[i];
-    House grown = *house;
-    Profile body = *person->profile;
-    body.width += 2 * growth;
-    body.length += 2 * growth;
-    body.axle += growth;
-    grown.plan.run.reversals = reversals;
-    grown.people = memory_zeroed(house->person_count, sizeof *grown.people);
-    memcpy(grown.people, house->people, house->person_count * sizeof *grown.people);
-    grown.people[i].profile = &body;
-    bool *part = memory_zeroed(house->person_count, sizeof *part);
-    part[i] = true;
-    Journeys journeys = journey_plan_briefly(&grown, part, 1, grading->stop);
-    const Route *route = &journeys.of[i].route;
-    Tried tried = {route->answer == ROUTE_FOUND, route->fits, growth + fmax(route->narrowest, 0) * CORNER};
-    if (route->answer == ROUTE_CANNOT_PASS)
-        note_blockage(grading, growth, &route->blockage);
-    journey_free_all(&journeys);
-    memory_free(part);
-    memory_free(grown.people);
+static GradeTry try_growth(Grading *grading, double growth, int reversals) {
+    GradeTry tried = grade_try(grading->house, grading->person, growth, reversals, grading->stop);
+    if (tried.blocked)
+        note_blockage(grading, growth, &tried.blockage);
     return tried;
 }
 
 /* Returns the largest growth up to `most` with which there is a way, m; NAN: none from -GRADE_DEEPEST on. */
 static double largest_growth(Grading *grading, int reversals, double most) {
-    Tried tried = try_growth(grading, 0, reversals);
+    GradeTry tried = try_growth(grading, 0, reversals);
     double low = tried.found ? tried.holds : -GRADE_DEEPEST, high = tried.found ? most : 0;
     if (!tried.found) {
         tried = try_growth(grading, low, reversals);
@@ -116,6 +88,18 @@ Grade grade_person(const House *house, size_t person, const Stop *stop) {
         }
     }
     grade.to_next = grade.letter == GRADE_A ? 0 : limit - has;
+    const GradeLevel better[] = {
+        {GRADE_A, easy, 0}, {GRADE_B, GRADE_HANDS, 0}, {GRADE_C, GRADE_ARMS_IN, few}, {GRADE_D, 0, any}};
+    GradeLevel levels[sizeof better / sizeof *better];
+    size_t count = 0;
+    for (int letter = grade.letter > GRADE_D ? GRADE_D : grade.letter - 1; letter >= GRADE_A; letter--)
+        levels[count++] = better[letter];
+    grade_places_find(&grade, house, person, levels, count, stop);
+    if (grade.place_count) {
+        grade.has_place = true;
+        grade.at = grade.places[0].at;
+        memcpy(grade.what, grade.places[0].what, sizeof grade.what);
+    }
     if (stop_requested(stop))
         grade = (Grade){.interrupted = true};
     return grade;

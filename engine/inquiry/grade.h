@@ -10,7 +10,13 @@
  *     C  arms in           c*_2 >= 0.015 m: a tenth of the passages of a door touch with less
  *     D  touching likely   there is a way
  *     E  helper only       the body fits through, but cannot be driven
- *     F  impossible        the body does not fit */
+ *     F  impossible        the body does not fit
+ *
+ * Places: for each better grade in turn the house is tried with the body of that grade's limit. What blocks it is a
+ * place of the present grade; it is then eased as far as possible (a door as wide as its wall allows, a piece of
+ * furniture taken away), and the same is tried again, until the body passes or blocks where nothing can be eased. So
+ * all places that stand between the way and the next grade are listed, not only the tightest one, and easing one can
+ * only remove places. The change of a place is the least that lets that body pass with the other places eased. */
 #pragma once
 
 #include "base/stop.h"
@@ -21,7 +27,21 @@
 #define GRADE_ARMS_IN 0.015    /* m */
 #define GRADE_DEEPEST 0.20     /* m: how much smaller bodies are looked at */
 
+enum { GRADE_PLACES_MOST = 6 };
+
 typedef enum GradeLetter { GRADE_A, GRADE_B, GRADE_C, GRADE_D, GRADE_E, GRADE_F } GradeLetter;
+
+/* A place of a way that is too tight for a better grade. */
+typedef struct GradePlace {
+    int letter; /* GradeLetter of this place */
+    double
+        to_next; /* m per side, to the next better grade here; NAN: not known, since something else stays in the way */
+    Vec2 at;     /* m */
+    char what[96];    /* "door d2" */
+    bool changes;     /* True if a change buys the next grade here */
+    double by;        /* m, size of that change: of a door's widening, of a piece's move */
+    char change[160]; /* "widen door d2 by 3 cm to 0.78 m", "move sofa (f4) 0.05 m to the left on the plan" */
+} GradePlace;
 
 typedef struct Grade {
     int letter;       /* GradeLetter */
@@ -31,6 +51,8 @@ typedef struct Grade {
     bool has_place;   /* True if something blocks the body that is a little larger */
     Vec2 at;          /* m, where that is */
     char what[96];    /* "door d2" */
+    GradePlace places[GRADE_PLACES_MOST]; /* (place_count) tightest grade first */
+    size_t place_count;
     bool interrupted; /* True: nothing else is known */
 } Grade;
 

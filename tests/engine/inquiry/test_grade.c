@@ -76,3 +76,54 @@ LONG_TEST(a_corner_is_as_tight_turned_and_no_tighter_when_wider) {
     CHECK_NEAR(slanted.tightness, narrow.tightness, 0.005);
     CHECK(wide.tightness >= narrow.tightness && wide.letter <= narrow.letter);
 }
+
+/* Two openings one after the other, `first` and 0.80 m wide, in a closed corridor of 1.40 m. */
+static json_t *two_doors(double first) {
+    return json_pack("{s:s, s:i, s:s, s:[{s:s, s:[[f,f],[f,f],[f,f],[f,f],[f,f]], s:f}, {s:s, s:[[f,f],[f,f]], s:f}, "
+                     "{s:s, s:[[f,f],[f,f]], s:f}], s:[{s:s, s:s, s:f, s:f, s:s}, {s:s, s:s, s:f, s:f, s:s}], "
+                     "s:[{s:s, s:[f,f], s:[f,f]}], s:[]}",
+                     "format", "clearance-house", "version", 1, "name", "two doors", "walls", "id", "w", "points", 0.0,
+                     -0.8, 12.0, -0.8, 12.0, 0.8, 0.0, 0.8, 0.0, -0.8, "thickness", 0.2, "id", "c1", "points", 3.5,
+                     -0.8, 3.5, 0.8, "thickness", 0.12, "id", "c2", "points", 6.5, -0.8, 6.5, 0.8, "thickness", 0.12,
+                     "doors", "id", "d1", "wall", "c1", "at", 0.8, "width", first, "kind", "opening", "id", "d2",
+                     "wall", "c2", "at", 0.8, "width", 0.80, "kind", "opening", "exits", "id", "e1", "from", 9.5, -0.7,
+                     "to", 9.5, 0.7, "people");
+}
+
+static Grade grade_two_doors(double first) {
+    House house;
+    json_t *plan = two_doors(first);
+    case_add_person(plan, "manual-chair", 1.8, 0, 0);
+    case_made(&house, plan, -1, NULL);
+    Grade grade = grade_person(&house, 0, NULL);
+    house_free(&house);
+    return grade;
+}
+
+/* A straight door gives (its width - 0.63) / 2 on each side; B needs 0.05, A 0.138. */
+LONG_TEST(each_tight_place_has_its_grade_and_the_change_that_buys_the_next) {
+    Grade grade = grade_two_doors(0.70);
+    const GradePlace *places = grade.places;
+    for (size_t p = 0; p < grade.place_count; p++)
+        printf("%s: %s, %.1f cm, %s\n", places[p].what, grade_letter(places[p].letter), 100 * places[p].to_next,
+               places[p].change);
+    CHECK(grade.letter == GRADE_C && grade.place_count == 2 && strcmp(grade.what, "door d1") == 0);
+    CHECK(strcmp(places[0].what, "door d1") == 0 && places[0].letter == GRADE_C && places[0].changes);
+    CHECK_NEAR(places[0].to_next, 0.05 - 0.035, 0.005);
+    CHECK_NEAR(places[0].by, 0.73 - 0.70, 0.011);
+    CHECK(strncmp(places[0].change, "widen door d1 by ", strlen("widen door d1 by ")) == 0);
+    CHECK(strcmp(places[1].what, "door d2") == 0 && places[1].letter == GRADE_B && places[1].changes);
+    CHECK_NEAR(places[1].to_next, 0.138 - 0.085, 0.005);
+    CHECK_NEAR(places[1].by, 0.906 - 0.80, 0.011);
+    Grade wider = grade_two_doors(0.70 + places[0].by);
+    CHECK(wider.letter == GRADE_B && wider.place_count >= 1);
+    for (size_t p = 0; p < wider.place_count; p++)
+        CHECK(wider.places[p].letter == GRADE_B);
+}
+
+TEST(where_no_door_or_piece_helps_the_place_is_said_without_a_change) {
+    Grade grade = grade_corridor(0.80);
+    CHECK(grade.place_count == 1 && !grade.places[0].changes);
+    CHECK_NEAR(grade.places[0].letter, GRADE_B, 0);
+    CHECK_NEAR(grade.places[0].to_next, grade.to_next, 1e-12);
+}

@@ -1,0 +1,17 @@
+/* One try of grading: whether a body that is grown all round finds a way. */
+#pragma once
+
+#include "base/stop.h"
+#include "house/house.h"
+#include "route/route.h"
+
+typedef struct GradeTry {
+    bool found, fits;
+    double holds;      /* m, growth that this way has room for, at least */
+    bool blocked;      /* True if it is known what blocks it: */
+    Blockage blockage; /* the texts are its own */
+} GradeTry;
+
+/* Plans a person's way with the body grown by `growth` m and at most `reversals` changes of direction; the axle stays
+ * where it is. */
+GradeTry grade_try(const House *house, size_t person, double growth, int reversals, const Stop *stop);
