@@ -137,7 +137,7 @@ typedef struct PanelChoice {
     size_t count, chosen;
 } PanelChoice;
 
-enum { LABORATORY_LAYERS_MOST = 9, LABORATORY_OUTLINE_MOST = 128 };
+enum { LABORATORY_LAYERS_MOST = 10, LABORATORY_OUTLINE_MOST = 128 };
 
 /* The runs that the parts of the window show: equal numbers are the same run, 0 is none. */
 typedef struct LaboratoryRuns {

@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "house/touch.h"
+#include "result/names.h"
 #include "study/montecarlo.h"
 #include "study/welch.h"
 
@@ -270,6 +271,30 @@ ResultTable result_drivers_paired(const House houses[2], const Drivers drivers[2
     return table;
 }
 
+static void add_range(Text *text, const Fleet *fleet) {
+    if (fleet->time.count && has_band(fleet))
+        text_format(text, "9 of 10 drivers %.1f to %.1f s; ", fleet->time.low, fleet->time.high);
+    else if (fleet->time.count)
+        text_format(text, "drivers %.1f to %.1f s; ", fleet->time.least, fleet->time.greatest);
+}
+
+const char *result_drivers_brief(const House *house, const Drivers *drivers, size_t person, Arena *arena) {
+    Fleet fleet = fleet_of(house, drivers, person);
+    Text text = {0};
+    if (!fleet.count)
+        return NULL;
+    add_range(&text, &fleet);
+    text_format(&text, "%zu of %zu out", fleet.out.good, fleet.count);
+    if (fleet.touch.good)
+        text_format(&text, "; %.0f %% touch, most at %s", 100 * fleet.touch.value,
+                    names_text(house, fleet.where, arena));
+    else
+        text_add(&text, "; none touches anything");
+    const char *said = text_in_arena(arena, "%s", text.text);
+    memory_free(text.text);
+    return said;
+}
+
 void result_drivers_say(Text *text, const House *house, const Observation *nominal, const Drivers *drivers) {
     for (size_t i = 0; i < drivers->person_count; i++) {
         Fleet fleet = fleet_of(house, drivers, i);
@@ -278,10 +303,7 @@ void result_drivers_say(Text *text, const House *house, const Observation *nomin
         text_format(text, "%s  ", house->people[i].id);
         if (nominal->people[i].completed)
             text_format(text, "%.1f s; ", nominal->people[i].time);
-        if (fleet.time.count && has_band(&fleet))
-            text_format(text, "9 of 10 drivers %.1f to %.1f s; ", fleet.time.low, fleet.time.high);
-        else if (fleet.time.count)
-            text_format(text, "drivers %.1f to %.1f s; ", fleet.time.least, fleet.time.greatest);
+        add_range(text, &fleet);
         text_format(text, "%zu of %zu out; %.0f %% touch something (%.0f to %.0f)", fleet.out.good, fleet.count,
                     100 * fleet.touch.value, 100 * fleet.touch.low, 100 * fleet.touch.high);
         if (fleet.impact.count)

@@ -21,6 +21,10 @@ ResultTable result_drivers_routes(const House *house, const Drivers *drivers);
  * get out of both the mean difference of their times, b - a, with its 95 % interval, and how many are quicker in b. */
 ResultTable result_drivers_paired(const House houses[2], const Drivers drivers[2]);
 
+/* Returns the drivers of a person in one line, "9 of 10 drivers 11.9 to 15.2 s; 97 of 100 out; 12 % touch, most at
+ * bedroom door", in the arena; NULL: the person is not of the population. */
+const char *result_drivers_brief(const House *house, const Drivers *drivers, size_t person, Arena *arena);
+
 /* Adds a sentence for each person: "p-a  13.0 s; 9 of 10 drivers 11.9 to 15.2 s; 97 of 100 out; 12 % touch (7 to 20)".
  */
 void result_drivers_say(Text *text, const House *house, const Observation *nominal, const Drivers *drivers);

@@ -81,6 +81,9 @@ bool act_view_do(Window *window, Tab *tab, Action action, int32_t key) {
     case ACTION_PAN_DOWN:
         pan(tab, 0, action == ACTION_PAN_UP ? -1 : 1);
         return true;
+    case ACTION_DRIVERS:
+        toggle_layer(window, tab, (int32_t)('1' + tab_layer(tab, "drivers")));
+        return true;
     case ACTION_LAYER:
         toggle_layer(window, tab, key);
         return true;

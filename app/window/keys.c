@@ -122,6 +122,8 @@ static const KeyRow table[] = {
      "Turn the selection or the raised view by 15 degrees to the left", NULL},
     {ACTION_TURN_RIGHT, KEY_VIEW, "E", MENU_VIEW, "Turn right",
      "Turn the selection or the raised view by 15 degrees to the right", NULL},
+    {ACTION_DRIVERS, KEY_CANVAS, "Shift+D", MENU_VIEW, "Many drivers",
+     "Show or hide 100 drivers: the band of their paths, and where they touch something", NULL},
     {ACTION_FOLLOW, KEY_VIEW, "F", MENU_VIEW, "Follow", "Keep the selected person in the middle of the view", NULL},
     {ACTION_LAYER, KEY_CANVAS, "1", MENU_NONE, "Layers", "Show or hide a layer; the panel lists their numbers", NULL},
     {ACTION_LAYER, KEY_CANVAS, "2", MENU_NONE, NULL, NULL, NULL},

@@ -121,6 +121,9 @@ static bool is_on(Window *window, Action action) {
         return tab->player.loops;
     case ACTION_FOLLOW:
         return tab->follows;
+    case ACTION_DRIVERS:
+        return tab_layer(tab, "drivers") < tab->laboratory->layer_count &&
+               tab_layers(tab) & 1u << tab_layer(tab, "drivers");
     case ACTION_RAISED:
         return tab->camera.kind == VIEW_RAISED;
     case ACTION_SOUND:

@@ -62,6 +62,8 @@ const char *menu_reason_of(Window *window, Action action) {
         return is_selected(tab) ? NULL : "Nothing is selected: click a thing, or press Tab";
     case ACTION_FOLLOW:
         return tab->follows || is_selected(tab) ? NULL : "Select a person first";
+    case ACTION_DRIVERS:
+        return tab_layer(tab, "drivers") < tab->laboratory->layer_count ? NULL : "Only a house has drivers";
     case ACTION_RAISED:
         return tab->laboratory->raised ? NULL : "This machine has one view";
     case ACTION_TURN_LEFT:

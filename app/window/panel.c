@@ -271,15 +271,19 @@ static void show_more(Window *window, Tab *tab) {
 
 /* Layers and plots ------------------------------------------------------------------------------------------------- */
 
+enum { DIGITS = 9 /* keys of layers */ };
+
 static void show_layers(Window *window, Tab *tab) {
-    if (!show_fold(window, "Show", text_in_arena(&window->arena, "layers 1 to %zu", tab->laboratory->layer_count),
+    size_t count = tab->laboratory->layer_count;
+    if (!show_fold(window, "Show", text_in_arena(&window->arena, "layers 1 to %zu", count < DIGITS ? count : DIGITS),
                    false))
         return;
     for (size_t i = 0; i < tab->laboratory->layer_count; i++) {
         bool shown = tab_layers(tab) >> i & 1;
-        const char *label = text_in_arena(&window->arena, "%zu  %s", i + 1, tab->laboratory->layers[i]);
-        const char *help = text_in_arena(&window->arena, "%s (%zu): %s", tab->laboratory->layers[i], i + 1,
-                                         tab->laboratory->meanings[i]);
+        const char *key = i < DIGITS ? text_in_arena(&window->arena, "%zu", i + 1) : keys_row(ACTION_DRIVERS).key;
+        const char *label = text_in_arena(&window->arena, "%s  %s", key, tab->laboratory->layers[i]);
+        const char *help =
+            text_in_arena(&window->arena, "%s (%s): %s", tab->laboratory->layers[i], key, tab->laboratory->meanings[i]);
         if (ui_flag(window->ui, label, label, help, &shown))
             act_do(window, ACTION_LAYER, '1' + (int32_t)i, 0);
     }

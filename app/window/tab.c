@@ -196,6 +196,13 @@ static bool is_telling(const char *layer) {
     return true;
 }
 
+size_t tab_layer(const Tab *tab, const char *name) {
+    size_t layer = 0;
+    while (layer < tab->laboratory->layer_count && strcmp(tab->laboratory->layers[layer], name) != 0)
+        layer++;
+    return layer;
+}
+
 unsigned tab_layers(const Tab *tab) {
     unsigned layers = tab->layers;
     for (size_t i = 0; i < tab->laboratory->layer_count && tab->covered; i++)

@@ -43,6 +43,9 @@ unsigned tab_update(Tab *tab, double seconds);
 
 /* Return the layers shown; show or hide one; set whether the text is so large that names are hidden at first. */
 unsigned tab_layers(const Tab *tab);
+
+/* Returns the index of a layer by its name; layer_count: this laboratory has none of that name. */
+size_t tab_layer(const Tab *tab, const char *name);
 void tab_toggle_layer(Tab *tab, size_t layer);
 void tab_set_cramped(Tab *tab, bool cramped);
 

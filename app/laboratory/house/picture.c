@@ -66,6 +66,7 @@ void house_picture_make_film(HouseSession *session, double time) {
         .ahead = !rests && session->whole && session->ghost == GHOST_BEFORE && ghost.house, /* both are complete */
         .observed = house == &session->runs[RUN_SHOWN]->house ? NULL : &session->runs[RUN_SHOWN]->house,
         .trails = session->trails.trails,
+        .drivers = session->crew && !rests ? &session->crew->scene : NULL,
         .routes = has_routes ? &session->runs[RUN_ROUTES]->routes : NULL,
         .falling = session->fall.pieces,
         .falling_count = falling,

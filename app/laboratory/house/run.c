@@ -24,6 +24,8 @@ HouseRun *house_run_create(const HouseWish *wish) {
 void house_run_destroy(HouseRun *run) {
     observation_free(&run->observation);
     scene_clear(&run->routes);
+    for (int step = 0; step < CREW_STEPS; step++)
+        crew_clear(&run->crews[step]);
     house_free(&run->house);
     for (size_t i = 0; i + 1 < run->wish.epoch_count; i++)
         house_free(&run->earlier[i]);
@@ -127,6 +129,18 @@ static void make_routes(HouseRun *run) {
     observation_free(&all);
 }
 
+static void make_crews(HouseRun *run) {
+    const HouseWish *wish = &run->wish;
+    size_t route = wish->route ? plan_find_route(&run->house.plan, wish->route) : SIZE_MAX;
+    for (int step = 0; step < CREW_STEPS; step++) {
+        if (!crew_make(&run->crews[step], step, &run->house, route, wish->jobs, &run->stop, &run->fault))
+            return;
+        pthread_mutex_lock(&run->mutex);
+        run->crew_count = step + 1;
+        pthread_mutex_unlock(&run->mutex);
+    }
+}
+
 /* Reads the houses of all epochs. */
 static bool read_houses(HouseRun *run) {
     const HouseWish *wish = &run->wish;
@@ -149,6 +163,8 @@ void house_run_make(HouseRun *run) {
     enter(run, HOUSE_PLANS);
     if (run->wish.job == HOUSE_JOB_ROUTES)
         make_routes(run);
+    else if (run->wish.job == HOUSE_JOB_CREW)
+        make_crews(run);
     else
         drive(run);
     enter(run, stop_requested(&run->stop) ? HOUSE_STOPPED : HOUSE_OVER);
@@ -189,6 +205,13 @@ double house_run_age(HouseRun *run) {
     double age = run->begun > 0 ? stopwatch_now() - run->begun : 0;
     pthread_mutex_unlock(&run->mutex);
     return age;
+}
+
+const Crew *house_run_crew(HouseRun *run) {
+    pthread_mutex_lock(&run->mutex);
+    const Crew *crew = run->crew_count ? &run->crews[run->crew_count - 1] : NULL;
+    pthread_mutex_unlock(&run->mutex);
+    return crew;
 }
 
 /* Returns the time up to which all groups are recorded, s. The mutex must be locked. */

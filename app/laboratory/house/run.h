@@ -10,6 +10,7 @@
 #include "house/house.h"
 #include "house/observation.h"
 #include "draw/scene.h"
+#include "laboratory/house/crew.h"
 #include "laboratory/house/history.h"
 
 /* The kinds of jobs of the worker. */
@@ -18,6 +19,7 @@ typedef enum HouseJob {
     HOUSE_JOB_MIXED,  /* the run of a plan that changes */
     HOUSE_JOB_RIVAL,  /* the run of another driving model, for comparison */
     HOUSE_JOB_ROUTES, /* only the planned routes, as a scene */
+    HOUSE_JOB_CREW,   /* many drivers, as scenes */
     HOUSE_JOBS,
 } HouseJob;
 
@@ -53,6 +55,7 @@ typedef struct HouseRun {
     House *earlier; /* (wish.epoch_count - 1) the houses of the earlier epochs */
     Observation observation;
     Scene routes;
+    Crew crews[CREW_STEPS]; /* (crew_count) */
     Fault fault;
 
     unsigned roles; /* the run's roles in the session: see runs.h */
@@ -61,9 +64,10 @@ typedef struct HouseRun {
     Stop stop;
     pthread_mutex_t mutex; /* guards all members that follow */
     HouseStage stage;
-    double begun;  /* s, of a steady clock, when the worker began */
-    Trace fresh;   /* rows that are recorded and not taken yet */
-    double *reach; /* (group_count) s, end of each group's record; infinite: the group is complete */
+    int crew_count; /* steps that are complete */
+    double begun;   /* s, of a steady clock, when the worker began */
+    Trace fresh;    /* rows that are recorded and not taken yet */
+    double *reach;  /* (group_count) s, end of each group's record; infinite: the group is complete */
     size_t group_count;
     PersonObservation *people; /* (house.person_count) the present state */
     double *door_opened;       /* (doors of the plan) */
@@ -92,6 +96,9 @@ const House *house_run_house(const HouseRun *run, size_t epoch);
 void house_run_make(HouseRun *run);
 
 HouseStage house_run_stage(HouseRun *run);
+
+/* Returns the drivers of the last complete step, or NULL. */
+const Crew *house_run_crew(HouseRun *run);
 
 /* Returns the time since the worker began the run, s. */
 double house_run_age(HouseRun *run);

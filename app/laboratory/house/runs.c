@@ -19,6 +19,11 @@ static bool wants_routes(const HouseSession *session) {
            session->runs[RUN_SHOWN]->house.person_count <= PEOPLE_SCENE_INDIVIDUALS;
 }
 
+static bool wants_crew(const HouseSession *session) {
+    return session->layers & 1u << LAYER_DRIVERS && !draft_is_open(session->draft) &&
+           session->runs[RUN_SHOWN]->house.person_count <= PEOPLE_SCENE_INDIVIDUALS;
+}
+
 typedef struct RoleRow {
     HouseJob job;
     unsigned dropped;                               /* the events that end the role */
@@ -35,11 +40,16 @@ static const RoleRow roles[RUN_ROLES] = {
     [RUN_BEFORE] = {HOUSE_JOB_RUN, RUNS_CLOSE, NULL},
     [RUN_RIVAL] = {HOUSE_JOB_RIVAL, RUNS_CLOSE | RUNS_DISPLAY, wants_rival},
     [RUN_ROUTES] = {HOUSE_JOB_ROUTES, RUNS_CLOSE | RUNS_DISPLAY, wants_routes},
+    [RUN_CREW] = {HOUSE_JOB_CREW, RUNS_CLOSE | RUNS_DISPLAY | RUNS_EDIT, wants_crew},
 };
 
 void house_runs_retain(HouseRun *run) {
     if (run)
         run->roles++;
+}
+
+static HouseWorker *worker_of(const HouseSession *session, const HouseRun *run) {
+    return run->wish.job == HOUSE_JOB_CREW ? session->crew_worker : session->worker;
 }
 
 void house_runs_release(HouseSession *session, HouseRun *run) {
@@ -48,7 +58,7 @@ void house_runs_release(HouseSession *session, HouseRun *run) {
             house_runs_set(session, RUN_EARLY, NULL);
         return;
     }
-    house_worker_abandon(session->worker, run);
+    house_worker_abandon(worker_of(session, run), run);
 }
 
 void house_runs_set(HouseSession *session, HouseRunRole role, HouseRun *run) {
@@ -57,6 +67,11 @@ void house_runs_set(HouseSession *session, HouseRunRole role, HouseRun *run) {
         return;
     house_runs_retain(run);
     session->runs[role] = run;
+    if (role == RUN_CREW && session->crew) {
+        session->crew = NULL;
+        house_picture_void_film(session);
+        session->changed |= LABORATORY_TEXTS;
+    }
     if (role == RUN_EARLY)
         house_picture_void_film(session);
     house_runs_release(session, last);
@@ -79,7 +94,7 @@ void house_runs_ask(HouseSession *session, HouseRunRole role, bool brief) {
     wish.driving = role == RUN_RIVAL ? house_runs_other_driving(session) : session->wish.driving;
     wish.brief = brief;
     house_runs_set(session, role, house_run_create(&wish));
-    house_worker_ask(session->worker, session->runs[role]);
+    house_worker_ask(worker_of(session, session->runs[role]), session->runs[role]);
     session->changed |= LABORATORY_TEXTS;
 }
 

@@ -21,6 +21,7 @@
 /* Requests the latest run, in brief or with the reasons why a person cannot leave. */
 static void ask_for_run(HouseSession *session, bool brief) {
     HouseRun *latest = session->runs[RUN_LATEST];
+    house_runs_set(session, RUN_CREW, NULL);
     if (latest && house_run_stage(latest) != HOUSE_WAITS)
         house_runs_set(session, RUN_OLDER, latest);
     house_runs_set(session, RUN_LATEST, NULL);
@@ -336,6 +337,20 @@ static bool update_companion(HouseSession *session, HouseRunRole role) {
     return session->runs[role]->noticed;
 }
 
+/* Shows the drivers of the last complete step. */
+static void update_crew(HouseSession *session) {
+    bool wanted = house_runs_wants(session, RUN_CREW);
+    if (!wanted && session->runs[RUN_CREW] && !house_runs_is_over(session, RUN_CREW))
+        house_runs_set(session, RUN_CREW, NULL);
+    update_companion(session, RUN_CREW);
+    const Crew *crew = wanted && session->runs[RUN_CREW] ? house_run_crew(session->runs[RUN_CREW]) : NULL;
+    if (crew == session->crew)
+        return;
+    session->crew = crew;
+    house_picture_void_film(session);
+    session->changed |= LABORATORY_TEXTS;
+}
+
 static void update_companions(HouseSession *session) {
     if (!session->whole || session->runs[RUN_LATEST] || session->runs[RUN_MIXED])
         return;
@@ -344,6 +359,7 @@ static void update_companions(HouseSession *session) {
         session->changed |= LABORATORY_TEXTS | LABORATORY_PLOTS;
     }
     update_companion(session, RUN_ROUTES);
+    update_crew(session);
 }
 
 /* Draws walls and furniture before the answer if the answer takes long: as soon as the house is read, if it has the
@@ -416,6 +432,7 @@ void house_schedule_update(HouseSession *session, double time) {
 void house_schedule_end(HouseSession *session) {
     house_runs_drop(session, RUNS_CLOSE);
     house_worker_destroy(session->worker);
+    house_worker_destroy(session->crew_worker);
     trail_clear(&session->trails);
     observation_free(&session->growing);
 }

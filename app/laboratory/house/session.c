@@ -111,7 +111,12 @@ static Draft *open_draft(const char *path, const LaboratoryOptions *options, Fau
 
 static void *open_house(const char *path, const LaboratoryOptions *options, Fault *fault) {
     Draft *draft = open_draft(path, options, fault);
-    HouseWorker *worker = draft ? house_worker_create() : NULL;
+    HouseWorker *worker = draft ? house_worker_create(false) : NULL;
+    HouseWorker *crew_worker = worker ? house_worker_create(true) : NULL;
+    if (worker && !crew_worker) {
+        house_worker_destroy(worker);
+        worker = NULL;
+    }
     if (draft && !worker)
         fault_add(fault, "the house cannot be run: the system has no more threads; close other programs");
     if (!worker) {
@@ -129,6 +134,7 @@ static void *open_house(const char *path, const LaboratoryOptions *options, Faul
                                                             .driving = session->wish.driving,
                                                             .jobs = session->wish.jobs});
     session->worker = worker;
+    session->crew_worker = crew_worker;
     session->edited = NAN;
     house_history_begin(&session->history, draft_text(draft), draft_revision(draft));
     house_schedule_request(session);
@@ -407,9 +413,9 @@ static void stop(void *context) {
 }
 
 static const char *const layer_names[LAYERS] = {
-    [LAYER_RINGS] = "rings",   [LAYER_LOCI] = "paths",    [LAYER_GHOST] = "before",
-    [LAYER_DANGER] = "danger", [LAYER_WIDTHS] = "widths", [LAYER_GRID] = "grid",
-    [LAYER_NAMES] = "names",   [LAYER_FORCES] = "forces", [LAYER_CIRCLES] = "circles",
+    [LAYER_RINGS] = "rings",     [LAYER_LOCI] = "paths",      [LAYER_GHOST] = "before", [LAYER_DANGER] = "danger",
+    [LAYER_WIDTHS] = "widths",   [LAYER_GRID] = "grid",       [LAYER_NAMES] = "names",  [LAYER_FORCES] = "forces",
+    [LAYER_CIRCLES] = "circles", [LAYER_DRIVERS] = "drivers",
 };
 
 static const char *const layer_meanings[LAYERS] = {
@@ -425,6 +431,10 @@ static const char *const layer_meanings[LAYERS] = {
     [LAYER_NAMES] = "Names of rooms and furniture, where they have room.",
     [LAYER_FORCES] = "Stars of contacts, with their forces.",
     [LAYER_CIRCLES] = "Discs that cover the chairs, as simpler methods have them.",
+    [LAYER_DRIVERS] =
+        "100 drivers of different bodies, strengths and skills: the band of their paths (half of them, and 9 "
+        "of 10), and discs where they touch something: by area the share of them, by shade the speed, by "
+        "letter the part of the chair.",
 };
 
 const Laboratory house_laboratory = {
@@ -434,7 +444,7 @@ const Laboratory house_laboratory = {
     .layers = layer_names,
     .meanings = layer_meanings,
     .layer_count = LAYERS,
-    .layers_at_first = (1u << LAYERS) - 1 - (1u << LAYER_WIDTHS) - (1u << LAYER_CIRCLES),
+    .layers_at_first = (1u << LAYERS) - 1 - (1u << LAYER_WIDTHS) - (1u << LAYER_CIRCLES) - (1u << LAYER_DRIVERS),
     .raised = true,
     .open = open_house,
     .close = close_house,

@@ -15,7 +15,7 @@
 
 typedef enum HouseGhost { GHOST_NONE, GHOST_BEFORE, GHOST_RIVAL } HouseGhost;
 
-/* The layers, in the order of the keys 1 to 9. */
+/* The layers, in the order of the keys 1 to 9; the last one has the key of ACTION_DRIVERS. */
 typedef enum HouseLayer {
     LAYER_RINGS,
     LAYER_LOCI,
@@ -26,9 +26,10 @@ typedef enum HouseLayer {
     LAYER_NAMES,
     LAYER_FORCES,
     LAYER_CIRCLES,
+    LAYER_DRIVERS,
     LAYERS,
 } HouseLayer;
-_Static_assert((int)LAYERS <= (int)LABORATORY_LAYERS_MOST, "a key for each layer");
+_Static_assert((int)LAYERS <= (int)LABORATORY_LAYERS_MOST, "a bit for each layer");
 
 enum { HOUSE_CHOICES = 4, HOUSE_CHOICE_OPTIONS = 32 /* a choice has at most this many */ };
 
@@ -66,6 +67,7 @@ typedef enum HouseRunRole {
     RUN_BEFORE,
     RUN_RIVAL,
     RUN_ROUTES,
+    RUN_CREW,
     RUN_ROLES,
 } HouseRunRole;
 
@@ -78,7 +80,8 @@ typedef struct HouseSession {
     HouseHistory history;    /* the history that must be displayed */
     double time;             /* s, the displayed time */
 
-    HouseWorker *worker;
+    HouseWorker *worker, *crew_worker;
+    const Crew *crew;          /* the drivers that the picture shows; NULL: none */
     HouseRun *runs[RUN_ROLES]; /* see runs.h; NULL: none */
     bool stored_by_itself;     /* the saved run was saved automatically by a change */
     bool changes_on_the_way;   /* an edit applies from the displayed time on; otherwise from the beginning */

@@ -152,6 +152,41 @@ static void compare(HouseSession *session) {
     result_clear(&now);
 }
 
+/* Many drivers --------------------------------------------------------------------------------------------------- */
+
+/* Returns the person whose drivers the answer tells: the selected one, or the last one out; person_count: none. */
+static size_t crew_person(const HouseSession *session) {
+    const Crew *crew = session->crew;
+    const Item selected = session->selected;
+    if (selected.kind == HOUSE_PERSON && selected.index < crew->person_count && crew->said[selected.index])
+        return selected.index;
+    size_t last = crew->person_count;
+    for (size_t i = 0; i < crew->person_count; i++)
+        if (crew->said[i] && (last == crew->person_count ||
+                              session->observation->people[i].time > session->observation->people[last].time))
+            last = i;
+    return last;
+}
+
+/* Adds a row for each person, and those of the picture's signs. */
+static void add_crew(HouseSession *session) {
+    const Crew *crew = session->crew;
+    Scene *scene = &session->texts.moment;
+    const House *house = &session->runs[RUN_SHOWN]->house;
+    if (!crew)
+        return;
+    add_row(session, ROW_HEADING, scene_text(scene, "%zu drivers", crew->count));
+    for (size_t i = 0; i < crew->person_count; i++)
+        if (crew->said[i])
+            add_row(session, ROW_PLAIN,
+                    scene_text(scene, "%s: %s", names_person(house, i, &scene->arena), crew->said[i]))
+                ->item = (Item){HOUSE_PERSON, i};
+    if (crew_person(session) == crew->person_count)
+        add_row(session, ROW_PLAIN, "nobody here has the wheelchair of the population");
+    for (size_t r = 0; r < crew->scene.row_count; r++)
+        add_row(session, ROW_PLAIN, NULL)->row = crew->scene.rows[r];
+}
+
 /* A crowd now ------------------------------------------------------------------------------------------------------ */
 
 /* Returns how many people are out at a time, by one exit or by any (SIZE_MAX). */
@@ -346,6 +381,10 @@ static void make_answer(HouseSession *session) {
     texts->detail = !*than         ? run->detail
                     : *run->detail ? scene_text(&texts->moment, "%s; %s", than, run->detail)
                                    : than;
+    size_t person = session->crew ? crew_person(session) : 0;
+    if (session->crew && person < session->crew->person_count)
+        texts->detail = scene_text(&texts->moment, "%s: %s", names_person(&shown->house, person, &texts->moment.arena),
+                                   session->crew->said[person]);
 }
 
 /* Makes the texts about the run as a whole. */
@@ -372,6 +411,7 @@ void house_text_make(HouseSession *session, double time) {
     add_selected(session, time);
     compare(session);
     add_now(session, time);
+    add_crew(session);
     add_listed(session);
 }
 
@@ -418,6 +458,11 @@ static const char *describe_progress(HouseSession *session) {
     }
     if (!run && session->runs[RUN_ROUTES] && !house_runs_is_over(session, RUN_ROUTES))
         run = session->runs[RUN_ROUTES];
+    if (!run && session->runs[RUN_CREW] && !house_runs_is_over(session, RUN_CREW)) {
+        const Crew *crew = house_run_crew(session->runs[RUN_CREW]);
+        snprintf(texts->doing, sizeof texts->doing, "running %zu drivers", crew_size(crew ? CREW_STEPS - 1 : 0));
+        return texts->doing;
+    }
     return run && house_run_describe(run, model, texts->doing, sizeof texts->doing) ? texts->doing : NULL;
 }
 

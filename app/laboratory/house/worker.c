@@ -1,6 +1,11 @@
 #include "laboratory/house/worker.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include "base/stop.h"
+
+enum { LOW = 10 /* nice value */ };
 
 struct HouseWorker {
     pthread_t thread;
@@ -9,6 +14,7 @@ struct HouseWorker {
     HouseRun *waiting[HOUSE_JOBS];
     HouseRun *current; /* the run in progress */
     bool forsaken;     /* the run in progress is abandoned */
+    bool low;          /* the thread has a low priority */
     bool ends;
 };
 
@@ -34,6 +40,8 @@ static HouseRun *wait_for_run(HouseWorker *worker) {
 
 static void *work(void *context) {
     HouseWorker *worker = context;
+    if (worker->low) /* of this thread, and of those that it starts */
+        setpriority(PRIO_PROCESS, (id_t)gettid(), LOW);
     pthread_mutex_lock(&worker->mutex);
     while ((worker->current = wait_for_run(worker))) {
         HouseRun *run = worker->current;
@@ -55,8 +63,9 @@ static void release(HouseWorker *worker) {
     memory_free(worker);
 }
 
-HouseWorker *house_worker_create(void) {
+HouseWorker *house_worker_create(bool low) {
     HouseWorker *worker = memory_zeroed(1, sizeof *worker);
+    worker->low = low;
     pthread_mutex_init(&worker->mutex, NULL);
     pthread_cond_init(&worker->asked, NULL);
     if (pthread_create(&worker->thread, NULL, work, worker) == 0)

@@ -5,9 +5,10 @@
 
 typedef struct HouseWorker HouseWorker;
 
-/* Starts a worker; NULL: the system has no more threads. house_worker_destroy stops the run in progress and waits
+/* Starts a worker; `low`: its runs give way to all other work of the machine. NULL: the system has no more threads.
+ * house_worker_destroy stops the run in progress and waits
  * for its end; all runs must have been abandoned. */
-HouseWorker *house_worker_create(void);
+HouseWorker *house_worker_create(bool low);
 void house_worker_destroy(HouseWorker *worker);
 
 /* Queues a run for the thread; runs are computed in the order of their jobs. Each job has at most one run that has

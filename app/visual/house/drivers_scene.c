@@ -9,6 +9,8 @@
 
 /* m: touches nearer to each other than this are one place; the radius of a disc for all drivers, and the least one. */
 static const double NEAR = 0.4, LARGEST = 0.5, SMALLEST = 0.08;
+/* m: a smaller disc has no letter in the picture, which would stand beside it; the list has all. */
+static const double LETTERED = 0.1;
 /* m/s, assumed: from here on a touch is a knock, and a blow. */
 static const double KNOCK = 0.1, BLOW = 0.3;
 /* design points */
@@ -108,8 +110,8 @@ void drivers_scene_add(Scene *scene, const House *house, const Drivers *drivers)
         double radius = fmax(LARGEST * sqrt(fmin(share, 1)), SMALLEST);
         const char *letter = letters[places[p].part];
         scene_add_discs(scene, role_of(places[p].fastest), radius, &places[p].at, 1);
-        Primitive *label = scene_add_label(scene, ROLE_TEXT, LETTERS, places[p].at, letter);
-        label->bold = true;
+        if (radius >= LETTERED)
+            scene_add_label(scene, ROLE_TEXT, LETTERS, places[p].at, letter)->bold = true;
         row_count = list_place(scene, house, &places[p], rows, row_count);
     }
     qsort(rows, row_count, sizeof *rows, rows_by_touches);

@@ -136,6 +136,8 @@ static void make_still(Film *film) {
         people_scene_ahead(scene, house, film->trails);
     route_scene_add(scene, house, film->observation, film->options.shown & FILM_ROUTES,
                     film->options.shown & FILM_WIDTHS, NULL);
+    if (film->options.drivers)
+        scene_add_all(scene, film->options.drivers);
     if (film->options.routes)
         scene_add_all(scene, film->options.routes);
     if (!film->crowd)
