@@ -89,7 +89,7 @@ static bool write_results(const House houses[2], const Observation observations[
     return report_files_write_comparison(houses, observations, options) &&
            (!frames_wanted(options) ||
             frames_write(&houses[1], &observations[1], (Before){.house = &houses[0], .observation = &observations[0]},
-                         options));
+                         NULL, options));
 }
 
 /* Runs the same drivers through both houses and adds or prints their differences. Returns false if interrupted. */

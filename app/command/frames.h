@@ -4,6 +4,7 @@
 #include "options/options.h"
 #include "visual/house/house_scene.h"
 #include "report/report_motion.h"
+#include "draw/scene.h"
 
 /* True if the options ask for any of these pictures. */
 bool frames_wanted(const Options *options);
@@ -13,8 +14,10 @@ bool frames_wanted(const Options *options);
 int frames_check(const Options *options);
 
 /* Writes --out's frames/frame-00001.png and so on, the film, and with --view raised the last picture as raised.png,
- * with progress. Ctrl-C keeps complete files. False: an error was printed. */
-bool frames_write(const House *house, const Observation *observation, Before before, const Options *options);
+ * with progress; `drivers` (may be NULL) is shown in each picture. Ctrl-C keeps complete files. False: an error was
+ * printed. */
+bool frames_write(const House *house, const Observation *observation, Before before, const Scene *drivers,
+                  const Options *options);
 
 /* Draws the end of the run in the raised view, without plots, in the theme paper; memory_free(picture->pixels). False:
  * an error was printed. */

@@ -68,22 +68,36 @@ static bool write_data(const House *house, const Observation *observation, Repor
     return !error;
 }
 
+/* Adds the band, the touches and the grades to a scene. */
+static void add_fleets(Scene *scene, const House *house, const Observation *observation, ReportedDrivers fleets) {
+    if (fleets.drivers->count)
+        drivers_band_add(scene, fleets.drivers, &observation->trace);
+    drivers_scene_add(scene, house, fleets.drivers);
+    if (fleets.grades)
+        grades_scene_add(scene, house, fleets.grades);
+}
+
+static bool write_frames(const House *house, const Observation *observation, ReportedDrivers fleets,
+                         const Options *options) {
+    Scene drivers = {0};
+    add_fleets(&drivers, house, observation, fleets);
+    bool written = frames_write(house, observation, (Before){.house = NULL}, &drivers, options);
+    scene_clear(&drivers);
+    return written;
+}
+
 static bool write_results(const House *house, const Observation *observation, const ObservedLoci *observed,
                           ReportedDrivers fleets, const Options *options, size_t route) {
     if (options->out) {
         Scene scene = {0};
         house_scene_make(&scene, house, observation);
-        if (fleets.drivers->count)
-            drivers_band_add(&scene, fleets.drivers, &observation->trace);
-        drivers_scene_add(&scene, house, fleets.drivers);
-        if (fleets.grades)
-            grades_scene_add(&scene, house, fleets.grades);
+        add_fleets(&scene, house, observation, fleets);
         bool written = write_data(house, observation, fleets, options) && output_stills(&scene, options);
         scene_clear(&scene);
         if (!written || !report_files_write_run(house, observation, observed, &fleets, options, route))
             return false;
     }
-    return !frames_wanted(options) || frames_write(house, observation, (Before){.house = NULL}, options);
+    return !frames_wanted(options) || write_frames(house, observation, fleets, options);
 }
 
 static size_t find_route(const House *house, const Options *options) {

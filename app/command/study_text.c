@@ -76,12 +76,26 @@ static const Phrases all_phrases[] = {
      .runs_undecided = "out in %zu of %zu runs, undecided in %zu",
      .values = "out at %zu of %zu values",
      .share = "out in %zu of %zu runs: %.1f %%, with 95 %% confidence from %.1f to %.1f %%"},
+    {.kind = "drivers",
+     .ranges = {NOT_RUN,
+                {"all out throughout", "all out up to %s", "all out from %s on", "all out at %s",
+                 "all out from %s to %s"},
+                {"none out throughout", "none out up to %s", "none out from %s on", "none out at %s",
+                 "none out from %s to %s"},
+                {"some out throughout", "some out up to %s", "some out from %s on", "some out at %s",
+                 "some out from %s to %s"},
+                UNDECIDED},
+     .runs = "%zu of %zu drivers out",
+     .runs_undecided = "%zu of %zu drivers out, %zu undecided",
+     .values = "drivers out at %zu of %zu values",
+     .share = "%zu of %zu drivers out: %.1f %%, with 95 %% confidence from %.1f to %.1f %%"},
 };
 enum { KINDS = sizeof all_phrases / sizeof *all_phrases };
 
 static const Phrases *find_phrases(const Study *study) {
+    const char *kind = study->experiment->chance ? study->experiment->chance : study->experiment->kind;
     for (size_t k = 0; k < KINDS; k++)
-        if (strcmp(all_phrases[k].kind, study->experiment->kind) == 0)
+        if (strcmp(all_phrases[k].kind, kind) == 0)
             return &all_phrases[k];
     return &all_phrases[0];
 }
@@ -104,7 +118,10 @@ static void add_question(Text *text, const Study *study, const char *file) {
     text_format(text, "%s: ", file);
     for (size_t a = 0; a < study->axis_count; a++)
         add_axis(text, study, a);
-    if (!study->axis_count)
+    const char *chance = study->experiment->chance;
+    if (chance)
+        text_format(text, study->axis_count ? "%zu %s at each point\n" : "%zu %s\n", study->runs, chance);
+    else if (!study->axis_count)
         text_format(text, "%zu runs, seeds %" PRIu64 " to %" PRIu64 "\n", study->runs, study->seed, last);
     else if (study->runs > 1)
         text_format(text, "%zu runs of each, seeds %" PRIu64 " to %" PRIu64 "\n", study->runs, study->seed, last);

@@ -250,6 +250,7 @@ void house_experiment_drive(Experiment *experiment, Population *population) {
         digest = digest_mix(digest_mix(digest_mix(digest, row->law), row->low), row->high);
     }
     experiment->identity = digest;
+    experiment->chance = "drivers";
     given->population = *population;
     *population = (Population){0};
 }

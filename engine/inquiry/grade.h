@@ -39,7 +39,7 @@ typedef struct GradePlace {
     Vec2 at;     /* m */
     char what[96];    /* "door d2" */
     bool changes;     /* True if a change buys the next grade here */
-    double by;        /* m, size of that change: of a door's widening, of a piece's move */
+    double by;        /* m, size of that change: of a door's widening, of a piece's move; 0: it is taken away */
     char change[160]; /* "widen door d2 by 3 cm to 0.78 m", "move sofa (f4) 0.05 m to the left on the plan" */
 } GradePlace;
 

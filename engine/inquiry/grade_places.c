@@ -14,7 +14,7 @@
  * such as the door beside a corner. */
 static const double SAME_PLACE = 0.5, NEARBY = 1.2;
 /* m: steps of changes, the widest door, the farthest move. */
-static const double STEP = 0.01, WIDEST = 1.5, FARTHEST = 0.6;
+static const double STEP = 0.01, WIDEST = 1.5, FARTHEST = 0.6, LITTLE = 0.05;
 
 enum { CANDIDATES_MOST = 3 };
 
@@ -213,15 +213,18 @@ static double find_missing(const Listing *listing, const GradeLevel *level, size
     return level->growth - low;
 }
 
-/* Returns the direction in which a piece makes most room: along one of its sides, away from the place. */
-static double direction_of(const Furniture *piece, Vec2 at) {
+/* Returns the direction in which a piece makes most room: along one of its sides, away from the place, and where it can
+ * be moved at all. */
+static double direction_of(const Plan *plan, size_t index, Vec2 at) {
+    const Furniture *piece = &plan->furniture[index];
     Vec2 away = vec2_sub(piece->centre, at);
     double best = 0, most = -HUGE_VAL;
     for (int q = 0; q < 4; q++) {
         double direction = radians(piece->angle) + q * M_PI_2;
         double size = q % 2 ? piece->size.y : piece->size.x;
         double ahead = vec2_dot(away, vec2_heading(direction)) - size / 2;
-        if (ahead > most) {
+        Change little = suggest_change_move(index, LITTLE, direction);
+        if (ahead > most && suggest_change_stands_free(plan, &little)) {
             most = ahead;
             best = direction;
         }
@@ -231,8 +234,7 @@ static double direction_of(const Furniture *piece, Vec2 at) {
 
 static Change change_of(const Plan *plan, const Candidate *candidate, Vec2 at, int steps) {
     if (!candidate->is_door)
-        return suggest_change_move(candidate->index, steps * STEP,
-                                   direction_of(&plan->furniture[candidate->index], at));
+        return suggest_change_move(candidate->index, steps * STEP, direction_of(plan, candidate->index, at));
     double first = STEP * floor(plan->doors[candidate->index].width / STEP + 1e-6);
     return suggest_change_widen(plan, candidate->index, first + steps * STEP);
 }
@@ -262,7 +264,7 @@ static void find_change(const Listing *listing, const GradeLevel *level, size_t 
             low = steps;
     }
     if (high == longest && (longest <= 0 || !suffices(listing, level, p, longest)))
-        return;
+        high = 0; /* no move in that direction is enough: the piece must go */
     while (high - low > 1 && !stop_requested(listing->stop)) {
         int middle = (low + high) / 2;
         if (suffices(listing, level, p, middle))
@@ -270,7 +272,9 @@ static void find_change(const Listing *listing, const GradeLevel *level, size_t 
         else
             low = middle;
     }
-    Change change = change_of(plan, candidate, place->at, high);
+    if (!high && candidate->is_door)
+        return;
+    Change change = high ? change_of(plan, candidate, place->at, high) : easing(plan, candidate);
     Arena arena = {0};
     place->changes = true;
     place->by = suggest_change_size(plan, &change);

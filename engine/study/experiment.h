@@ -49,11 +49,12 @@ typedef struct Experiment {
     size_t verdict_count;        /* 0: there is no such observable */
     size_t verdict_quick;        /* the first of the words of quick runs */
 
-    bool slow;        /* True if a trial may take seconds */
-    uint64_t special; /* seed of a start of its own, which is always among those of a type; 0: none */
-    bool carries;     /* a run can continue from the end of the previous one: sweeps up and down */
-    size_t batch;     /* number of runs that are best simulated together */
-    void *given;      /* owned by the experiment; read by any number of threads at once */
+    const char *chance; /* what differs between runs of one point: "drivers"; NULL: only their seeds */
+    bool slow;          /* True if a trial may take seconds */
+    uint64_t special;   /* seed of a start of its own, which is always among those of a type; 0: none */
+    bool carries;       /* a run can continue from the end of the previous one: sweeps up and down */
+    size_t batch;       /* number of runs that are best simulated together */
+    void *given;        /* owned by the experiment; read by any number of threads at once */
 
     /* digest of the origin of `given` besides the file and the settings; 0: nothing else */
     uint64_t identity;

@@ -107,6 +107,13 @@ static void add_blockages(Film *film) {
         }
 }
 
+/* Adds the band and the touches of many drivers, and the rows that explain them. */
+static void add_drivers(Scene *scene, const Scene *drivers) {
+    scene_add_all(scene, drivers);
+    for (size_t r = 0; r < drivers->row_count; r++)
+        *scene_add_row(scene, ROW_PLAIN, "") = drivers->rows[r];
+}
+
 static void make_still(Film *film) {
     const House *house = film->house;
     Scene *scene = &film->still;
@@ -137,7 +144,7 @@ static void make_still(Film *film) {
     route_scene_add(scene, house, film->observation, film->options.shown & FILM_ROUTES,
                     film->options.shown & FILM_WIDTHS, NULL);
     if (film->options.drivers)
-        scene_add_all(scene, film->options.drivers);
+        add_drivers(scene, film->options.drivers);
     if (film->options.routes)
         scene_add_all(scene, film->options.routes);
     if (!film->crowd)

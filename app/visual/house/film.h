@@ -47,7 +47,8 @@ typedef struct FilmOptions {
                               NULL: the same house */
     const Trail *trails;   /* (person_count) of the observation, if the caller has them already; otherwise NULL */
     const Scene *routes;   /* the result of route_scene_add, shown with the plan; or NULL */
-    const Scene *drivers;  /* the band and the touches of many drivers, shown with the plan; or NULL */
+    const Scene *drivers;  /* the band and the touches of many drivers, shown with the plan; or NULL.
+                              Must outlive the film */
     const FurnitureFall
         *falling; /* (falling_count) falling furniture, by id; drawn in its present state in each frame */
     size_t falling_count;

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "result/names.h"
+
 /* Design points. */
 static const double LETTERS = 13;
 /* m: labels of different people nearer to each other than this are one. */
@@ -42,8 +44,9 @@ void grades_scene_add(Scene *scene, const House *house, const Grade *grades) {
         if (!any)
             scene_add_row(scene, ROW_HEADING, "How tight, to the next grade");
         any = true;
-        SceneRow *row = scene_add_row(scene, ROW_DISC,
-                                      scene_text(scene, "%s  %s", house->people[i].id, grade_words(grade->letter)));
+        SceneRow *row = scene_add_row(
+            scene, ROW_DISC,
+            scene_text(scene, "%s  %s", names_person(house, i, &scene->arena), grade_words(grade->letter)));
         row->role = role_of(grade->letter);
         row->mark = grade_letter(grade->letter);
         row->cells[2] = missing_of(scene, grade->letter, grade->to_next);

@@ -69,6 +69,10 @@ def check_maps_and_runs(folder):
     words = expect(0, "study", flat, *spread).stdout
     check("12 runs, seeds 1 to 12\nprofile.manual-chair.free_speed with a standard deviation of 10 %\n" in words, words)
     check("out in 12 of 12 runs: 100.0 %, with 95 % confidence from 75.8 to 100.0 %" in words, "confidence", words)
+    words = expect(0, "study", flat, "--drivers", "2").stdout
+    check(": 2 drivers\n2 of 2 drivers out: 100.0 %" in words and "seeds" not in words, "drivers of a study", words)
+    missing = expect(2, "run", flat, "--drivers", "2", "--population", "nobody").stderr
+    check('there is no population "nobody"; there are manual-jp, whm, or' in missing, "known populations", missing)
     answer = json.loads(expect(0, "study", flat, *spread, "--json").stdout)
     time_of = answer["distribution"]["observables"]["time"]
     check(time_of["count"] == 12 and time_of["q05"] < time_of["q50"] < time_of["q95"], f"distribution {time_of}")
