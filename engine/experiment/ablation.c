@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "base/text.h"
+#include "house/run.h"
 
 const AblationRow ablation_rows[ABLATIONS] = {
     [ABLATION_WHOLE] = {"whole law", "the driver as described", {NULL, NULL}, -1},
@@ -61,10 +62,15 @@ bool ablation_run(Ablation *ablation, const char *path, const HouseOptions *opti
         }
         drivers_run(&ablation->drivers[v], &house, population, count, SIZE_MAX, jobs, stop);
         ablation->interrupted |= ablation->drivers[v].interrupted;
-        if (v == ABLATION_WHOLE)
-            ablation->house = house;
-        else
+        if (v > ABLATION_WHOLE) {
             house_free(&house);
+            continue;
+        }
+        run_house(&ablation->nominal, &house,
+                  &(RunOptions){.route = SIZE_MAX, .jobs = jobs, .stop = stop, .brief = true});
+        ablation->interrupted |= ablation->nominal.interrupted;
+        ablation->house = house;
+        ablation->house.space.outline = &ablation->house.outline;
     }
     return true;
 }
@@ -72,6 +78,7 @@ bool ablation_run(Ablation *ablation, const char *path, const HouseOptions *opti
 void ablation_free(Ablation *ablation) {
     for (int v = 0; v < ABLATIONS; v++)
         drivers_free(&ablation->drivers[v]);
+    observation_free(&ablation->nominal);
     house_free(&ablation->house);
     *ablation = (Ablation){0};
 }

@@ -9,6 +9,7 @@
 #include "base/stop.h"
 #include "experiment/drivers.h"
 #include "house/house.h"
+#include "house/observation.h"
 
 typedef enum AblationVariant {
     ABLATION_WHOLE,
@@ -38,6 +39,7 @@ extern const AblationRow ablation_rows[];
 typedef struct Ablation {
     House house;                /* of the whole law */
     Drivers drivers[ABLATIONS]; /* runs of the same people and drivers */
+    Observation nominal;        /* of the nominal driver by the whole law */
     bool interrupted;           /* True: some of the variants are missing */
 } Ablation;
 
