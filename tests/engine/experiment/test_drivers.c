@@ -33,6 +33,12 @@ static Drivers drive(double from, bool vary, size_t count, int jobs, const char 
 
 TEST(the_first_drivers_are_the_same_however_many_and_on_any_number_of_threads) {
     Drivers few = drive(14, true, 3, 1, NULL), many = drive(14, true, 6, 2, NULL);
+    Drivers four = drive(14, true, 6, 4, NULL);
+    for (size_t k = 0; k < many.count; k++) {
+        CHECK_NEAR(four.runs[k].time, many.runs[k].time, 0);
+        CHECK_NEAR(four.runs[k].energy, many.runs[k].energy, 0);
+    }
+    drivers_free(&four);
     for (size_t k = 0; k < few.count; k++) {
         CHECK(few.runs[k].varies && few.runs[k].completed);
         CHECK_NEAR(many.runs[k].time, few.runs[k].time, 0);

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "check.h"
+#include "study/montecarlo.h"
 
 /* Values of the usual tables, to the last of their digits. */
 TEST(student_s_quantiles_are_those_of_the_tables) {
@@ -35,4 +36,19 @@ TEST(too_few_runs_say_nothing) {
     CHECK(welch_compare(&many, &none, 0.1).verdict == WELCH_TOO_FEW);
     CHECK(welch_compare(&same, &same, 0.1).verdict == WELCH_TOO_FEW);
     CHECK(isfinite(welch_compare(&same, &many, 0.1).t)); /* no deviation (b), but one (d) */
+}
+
+/* The examples of Newcombe, Two-sided confidence intervals for the single proportion, 1998, to their four digits. */
+TEST(shares_have_the_limits_of_wilson) {
+    static const struct {
+        size_t good, all;
+        double low, high;
+    } known[] = {
+        {81, 263, 0.2553, 0.3662}, {15, 148, 0.0624, 0.1605}, {0, 20, 0.0000, 0.1611}, {1, 29, 0.0061, 0.1718}};
+    for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
+        Share share = montecarlo_share(known[k].good, known[k].all);
+        CHECK_NEAR(share.low, known[k].low, 5.1e-5);
+        CHECK_NEAR(share.high, known[k].high, 5.1e-5);
+    }
+    CHECK(isnan(montecarlo_share(0, 0).low) && isnan(montecarlo_share(0, 0).value));
 }
