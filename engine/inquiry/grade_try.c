@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "house/journey.h"
 
 /* 1: a body that is grown by 1 all round reaches sqrt(2) at its corners. */
 #define CORNER M_SQRT1_2

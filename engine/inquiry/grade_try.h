@@ -3,7 +3,7 @@
 
 #include "base/stop.h"
 #include "house/house.h"
-#include "route/route.h"
+#include "house/journey.h"
 
 typedef struct GradeTry {
     bool found, fits;
