@@ -215,6 +215,17 @@ def check_wrong_use(out):
     expect(0, "run", corridor, "--view", "raised", CLEARANCE_GL="nonsense")  # without output nothing is drawn
 
 
+def check_drivers(out):
+    """The band of many drivers is in every picture, and again with the same bytes."""
+    shot = ("--frames", "1", "--from", "5", "--to", "5", "--size", "640x400", "--out", str(out))
+    pictures = []
+    for drivers in ((), ("--drivers", "12"), ("--drivers", "12", "--jobs", "1")):
+        expect(0, "run", house("straight-corridor"), *drivers, *shot)
+        pictures.append(frames_of(out)[0].read_bytes())
+    check(pictures[0] != pictures[1], "drivers are in the frames")
+    check(pictures[1] == pictures[2], "drivers are the same on one thread")
+
+
 def check_interrupt(out):
     for name in (house("straight-corridor"), beam("ibs")):
         interrupt(name, out / pathlib.Path(name).stem)
@@ -234,6 +245,6 @@ def interrupt(name, out):
 
 
 with tempfile.TemporaryDirectory() as directory:
-    for part in (check_frames, check_beam, check_memory, check_contexts, check_plots, check_beam_plots, check_films, check_comparison, check_wrong_use, check_interrupt):
+    for part in (check_frames, check_beam, check_memory, check_contexts, check_plots, check_beam_plots, check_films, check_comparison, check_drivers, check_wrong_use, check_interrupt):
         part(pathlib.Path(directory) / part.__name__)
 end()
