@@ -158,7 +158,8 @@ static size_t list_candidates(const Listing *listing, const Blockage *blockage, 
     size_t count = 0;
     for (int kind = 0; kind < 2; kind++) {
         bool is_door = kind == 0;
-        for (size_t i = 0; i < (is_door ? plan->door_count : plan->furniture_count); i++) {
+        size_t things = is_door ? plan->door_count : plan->wall_count ? plan->furniture_count : 0;
+        for (size_t i = 0; i < things; i++) {
             double away = away_of(plan, is_door, i, blockage);
             bool fixed = is_door &&
                          (plan->doors[i].state == DOOR_LOCKED || widest_of(plan, i) <= plan->doors[i].width + STEP / 2);
