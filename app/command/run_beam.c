@@ -334,6 +334,9 @@ static void print_curves(const Follower *follower) {
                curve->period, follower->name, curve->value[first], second, curve->other[first], curve->value[last],
                curve->other[last], curve->count);
     }
+    if (follower->follow.left_out)
+        printf("%zu more points were located, whose curves are not followed; a shorter range of --follow has fewer\n",
+               follower->follow.left_out);
 }
 
 static json_t *make_curves(const BeamFollow *follow) {
@@ -362,6 +365,7 @@ static json_t *make_follow(const Follower *follower) {
     if (follower->options->study.axis_count) {
         json_object_set_new(answer, "over", json_string(follower->options->study.axes[0].name));
         json_object_set_new(answer, "curves", make_curves(&follower->follow));
+        json_object_set_new(answer, "left_out", json_integer((json_int_t)follower->follow.left_out));
     }
     return answer;
 }
@@ -407,12 +411,13 @@ static int write_plot(const Follower *follower, char path[PLOT_WRITE_PATH]) {
     }
     run_dots(follower, &study, &experiment);
     size_t count = 0;
+    bool whole = !stop_requested(&progress_stop);
     for (size_t t = 0; t < study.trial_count; t++)
         count += study.trials[t].series_count;
     double *value = arena_allocate(&arena, (count + 1) * sizeof *value),
            *peak = arena_allocate(&arena, (count + 1) * sizeof *peak);
     FollowDots dots = {value, peak, 0};
-    for (size_t t = 0; t < study.trial_count; t++)
+    for (size_t t = 0; t < study.trial_count && whole; t++)
         for (size_t s = 0; s < study.trials[t].series_count; s++) {
             value[dots.count] = study.trials[t].at[0];
             peak[dots.count++] = study.trials[t].series[s];
@@ -460,18 +465,21 @@ static int write_curves(const Follower *follower, char path[PLOT_WRITE_PATH]) {
     return error;
 }
 
+/* Writes the plots first, whose dots may be interrupted, which the answer says. */
 static bool write_files(const Follower *follower, json_t *answer) {
     char path[PLOT_WRITE_PATH];
-    snprintf(path, sizeof path, "%s/follow.csv", follower->options->out);
-    int error = write_table(follower, path);
+    int error = write_plot(follower, path);
+    if (!error)
+        error = write_curves(follower, path);
     if (!error) {
+        snprintf(path, sizeof path, "%s/follow.csv", follower->options->out);
+        error = write_table(follower, path);
+    }
+    if (!error) {
+        answer_mark_interrupted(answer, stop_requested(&progress_stop));
         snprintf(path, sizeof path, "%s/summary.json", follower->options->out);
         error = answer_write(answer, path);
     }
-    if (!error)
-        error = write_plot(follower, path);
-    if (!error)
-        error = write_curves(follower, path);
     if (error)
         output_failed(path, error);
     return !error;
@@ -481,10 +489,12 @@ static bool write_files(const Follower *follower, json_t *answer) {
  */
 
 static int tell_branches(const Follower *follower) {
-    bool interrupted = stop_requested(&progress_stop);
     json_t *answer = make_follow(follower);
-    answer_mark_interrupted(answer, interrupted);
     bool written = !follower->options->out || write_files(follower, answer);
+    bool interrupted = stop_requested(&progress_stop);
+    if (interrupted)
+        fprintf(stderr, "clearance: interrupted; the answer ends where it had come to\n");
+    answer_mark_interrupted(answer, interrupted);
     if (follower->options->json)
         answer_print(json_incref(answer));
     for (size_t b = 0; b < follower->follow.count && !follower->options->json; b++)
@@ -493,6 +503,13 @@ static int tell_branches(const Follower *follower) {
         print_curves(follower);
     json_decref(answer);
     return !written ? EXIT_WRONG_INPUT : interrupted ? EXIT_ANSWER_NO : EXIT_ANSWERED;
+}
+
+/* Says that the search was interrupted before there was an orbit to follow. */
+static void tell_nothing(const Options *options) {
+    fprintf(stderr, "clearance: interrupted; nothing is written\n");
+    if (options->json)
+        answer_print(json_pack("{s:s, s:b}", "kind", "follow", "interrupted", 1));
 }
 
 /* Finds the orbit of the file as `run` does, and follows it. */
@@ -506,12 +523,16 @@ static int follow_orbit(Follower *follower) {
     }
     beam_cycle_respond(&response, &follower->family.rig, &follower->beam, NULL, &progress_stop);
     int code = EXIT_ANSWER_NO;
-    if (!response.orbit.period)
+    bool told = response.verdict != RESPONSE_INTERRUPTED;
+    if (told && !response.orbit.period)
         fprintf(stderr, "clearance: the motion is %s, with no stable orbit to follow; set %s to where there is one\n",
                 response_name(&response), follower->name);
-    else if (!beam_follow_run(&follower->follow, &follower->family, response.orbit.point, response.orbit.period,
-                              &progress_stop))
-        fprintf(stderr, "clearance: the orbit cannot be followed\n");
+    else if (!told || !beam_follow_run(&follower->follow, &follower->family, response.orbit.point,
+                                       response.orbit.period, &progress_stop))
+        if (stop_requested(&progress_stop))
+            tell_nothing(follower->options);
+        else
+            fprintf(stderr, "clearance: the orbit cannot be followed\n");
     else {
         const StudyAxis *axis = &follower->options->study.axes[0];
         if (follower->options->study.axis_count)

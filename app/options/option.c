@@ -200,8 +200,7 @@ const Option option_rows[] = {
     {"--follow", OPTION_NAME, NO_FIELD, NO_RANGE, "NAME=FROM:TO",
      "beams only: follow the orbit of the file, stable or not, as one of its numbers changes, locate where it folds, "
      "flips, loses its symmetry, becomes a torus or begins to touch, and follow the orbits that begin there; with "
-     "--vary "
-     "of another number, follow the folds and flips over both",
+     "--vary of another number, follow these points over both",
      GROUP_STUDY, FOR_STUDY, NULL, read_follow},
     {"--thorough", OPTION_FLAG, FIELD(thorough), NO_RANGE, NULL,
      "beams and cranks: full analysis of every run (Lyapunov exponents, 0-1 test, and whether it lasts, by --lanes); "

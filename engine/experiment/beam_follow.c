@@ -127,7 +127,7 @@ static void add_free_end(BeamFollow *follow, const BeamFamily *family, const Bea
 }
 
 static bool is_curve(FollowKind kind) {
-    return kind == FOLLOW_FOLD || kind == FOLLOW_FLIP;
+    return kind != FOLLOW_STEP && kind != FOLLOW_TOUCH;
 }
 
 void beam_follow_curves(BeamFollow *follow, const BeamFamily *family, const BeamPlane *plane, int jobs,
@@ -136,11 +136,16 @@ void beam_follow_curves(BeamFollow *follow, const BeamFamily *family, const Beam
     size_t begun = 0;
     bool known = strcmp(family->row->name, "drive.frequency") == 0 && strcmp(plane->name, "joint.clearance") == 0;
     for (size_t b = 0; b < follow->count; b++)
-        for (size_t i = 0; i < follow->branches[b].count && begun + known < BEAM_FOLLOW_CURVES; i++)
-            if (is_curve(follow->branches[b].points[i].kind)) {
-                task.branch[begun] = b;
-                task.at[begun++] = i;
+        for (size_t i = 0; i < follow->branches[b].count; i++) {
+            if (!is_curve(follow->branches[b].points[i].kind))
+                continue;
+            if (begun + known == BEAM_FOLLOW_CURVES) {
+                follow->left_out++;
+                continue;
             }
+            task.branch[begun] = b;
+            task.at[begun++] = i;
+        }
     parallel_for(jobs, begun, make_curve, &task);
     for (size_t i = 0; i < begun; i++) { /* keeps those that lead on */
         FollowCurve made = follow->curves[i];

@@ -1,12 +1,12 @@
-/* An orbit of a beam with the orbits that begin at its flips and pitchforks (follow.h), and the curves of folds and
- * flips over a second number (follow_curve.h). */
+/* An orbit of a beam with the orbits that begin at its flips and pitchforks (follow.h), and the curves of folds,
+ * flips, pitchforks and Neimark-Sacker points over a second number (follow_curve.h). */
 #pragma once
 
 #include "cycle/follow_curve.h"
 #include "cycle/response.h"
 #include "experiment/beam_family.h"
 
-enum { BEAM_FOLLOW_BRANCHES = 4, BEAM_FOLLOW_CURVES = 12 };
+enum { BEAM_FOLLOW_BRANCHES = 4, BEAM_FOLLOW_CURVES = 24 };
 
 /* Largest step along a curve, as a share of its range. */
 #define BEAM_FOLLOW_STEP 0.02
@@ -16,6 +16,7 @@ typedef struct BeamFollow {
     size_t count;
     FollowCurve curves[BEAM_FOLLOW_CURVES]; /* (curve_count) */
     size_t curve_count;
+    size_t left_out; /* located points whose curves there is no room for */
     bool interrupted;
 } BeamFollow;
 
@@ -33,7 +34,7 @@ typedef struct BeamPlane {
 /* Adds an error unless the beam of the family can have both ends of the second number, which is another one. */
 bool beam_follow_check(const BeamFamily *family, const BeamPlane *plane, const char *place, Fault *fault);
 
-/* Adds the curves of the folds and flips of all branches over the plane of the family's number and another one, and
+/* Adds the curves of the folds, flips, pitchforks and Neimark-Sacker points of all branches over the plane of the family's number and another one, and
  * over frequency and clearance the end of the motion without contact, which is known in closed form (kind touching, of
  * period 1). The result does not depend on the number of jobs. */
 void beam_follow_curves(BeamFollow *follow, const BeamFamily *family, const BeamPlane *plane, int jobs,

@@ -7,6 +7,8 @@
 
 typedef struct Peer Peer;
 
+enum { PEER_STATES_MOST = 128 };
+
 /* Starts at a state (omega q, q') at phase 0, outside the walls; Adams' method, relative `tolerance`. peer_destroy
  * releases the result. */
 Peer *peer_create(const Rig *rig, const double *state, double tolerance);
@@ -17,6 +19,12 @@ void peer_cycle(Peer *peer);
 
 /* (2 n) sqrt(J) */
 const double *peer_state(const Peer *peer);
+
+/* N, the largest force of the last cycle, located where its rate is 0; 0: no contact */
+double peer_peak(const Peer *peer);
+
+/* Goes on from any state (omega q, q') at the end of so many cycles. */
+void peer_move(Peer *peer, const double *state, size_t cycle);
 
 /* Returns the number of switches since the start. */
 size_t peer_switches(const Peer *peer);

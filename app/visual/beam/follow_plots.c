@@ -110,6 +110,8 @@ void follow_plots_add_curves(Plot *plot, const FollowCurve *curves, size_t count
         Role role;
     } looks[KINDS] = {[FOLLOW_FOLD] = {"fold", LINE_SOLID, ROLE_TEXT},
                       [FOLLOW_FLIP] = {"flip", LINE_DASHED, ROLE_TEXT},
+                      [FOLLOW_PITCHFORK] = {"pitchfork", LINE_DASH_DOT, ROLE_LOCUS},
+                      [FOLLOW_NEIMARK] = {"Neimark-Sacker", LINE_SOLID, ROLE_IMPACT},
                       [FOLLOW_TOUCH] = {"end of the motion without contact", LINE_DOTTED, ROLE_TEXT}};
     bool named[KINDS] = {false};
     for (size_t c = 0; c < count && c < FOLLOW_PLOTS_CURVES; c++) {
@@ -133,7 +135,7 @@ void follow_plots_add_curves(Plot *plot, const FollowCurve *curves, size_t count
 
 FollowPlot follow_plots_make_curves(const FollowCurve *curves, size_t count, PlotAxis x, double x_factor, PlotAxis y,
                                     double y_factor) {
-    FollowPlot made = {.plot = {.title = "Where the orbit folds and flips", .x = x, .y = y}};
+    FollowPlot made = {.plot = {.title = "Where the orbit changes its stability", .x = x, .y = y}};
     made.plot.series = arena_allocate(&made.arena, FOLLOW_PLOTS_CURVES * sizeof *made.plot.series);
     follow_plots_add_curves(&made.plot, curves, count, x_factor, y_factor, &made.arena);
     return made;

@@ -1,6 +1,9 @@
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
+#include "base/memory.h"
+#include "base/parallel.h"
 #include "beam/beam_cycle.h"
 #include "check.h"
 #include "oscillator.h"
@@ -101,4 +104,128 @@ LONG_TEST(cvode_agrees_at_twelve_untuned_frequencies_of_both_sets) {
             beam_free(&beam);
         }
     CHECK(seen[RESPONSE_PERIODIC] > 0 && seen[RESPONSE_CHAOTIC] > 0);
+}
+
+/* A second driver: what a beam is, told without the program's stepping, orbits, tangents and verdicts. CVODE goes from
+ * rest through the transient; a motion is periodic when it repeats; otherwise a second one, started a millionth away,
+ * tells by how much they part in each cycle. */
+enum { SETTLING = 300, WATCHED = 160, LONGEST = 64 /* cycles, of a period */, BATCHES = 16 };
+
+typedef struct Told {
+    size_t period;          /* 0: it did not repeat */
+    double peak;            /* N, largest force in the cycles watched, or on the orbit */
+    double mean;            /* N, of the largest forces of the cycles */
+    double error;           /* N, standard error of it */
+    double exponent, blur;  /* per cycle, and standard error; of a motion that did not repeat */
+    double forces[WATCHED]; /* N, largest of each cycle */
+} Told;
+
+static double distance(const double *a, const double *b, size_t states) {
+    double sum = 0;
+    for (size_t i = 0; i < states; i++)
+        sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return sqrt(sum);
+}
+
+/* Returns the mean of values and sets its standard error, from the means of batches. */
+static double mean_of(const double *values, size_t count, double *error) {
+    double sum = 0, square = 0;
+    size_t size = count / BATCHES;
+    for (size_t b = 0; b < BATCHES; b++) {
+        double mean = 0;
+        for (size_t i = 0; i < size; i++)
+            mean += values[b * size + i] / (double)size;
+        sum += mean;
+        square += mean * mean;
+    }
+    double mean = sum / BATCHES;
+    *error = sqrt(fmax(0, square / BATCHES - mean * mean) / (BATCHES - 1));
+    return mean;
+}
+
+/* Returns the period after which the last states (count x states) repeat, or 0. */
+static size_t find_period(const double *states, size_t count, size_t size) {
+    static const double zero[PEER_STATES_MOST];
+    const double *last = states + (count - 1) * size;
+    for (size_t p = 1; p <= LONGEST; p++) {
+        double apart = 0;
+        for (size_t k = 0; k < LONGEST; k++)
+            apart = fmax(apart, distance(last - k * size, last - (k + p) * size, size));
+        if (apart < 1e-3 * distance(last, zero, size))
+            return p;
+    }
+    return 0;
+}
+
+static Told drive(const Rig *rig) {
+    Told told = {0};
+    size_t size = rig->free.states;
+    double start[PEER_STATES_MOST] = {0}, beside[PEER_STATES_MOST], growth[WATCHED];
+    double *states = memory_zeroed(WATCHED * size, sizeof *states);
+    Peer *peer = peer_create(rig, start, 1e-8), *other = peer_create(rig, start, 1e-8);
+    for (int i = 0; i < SETTLING; i++)
+        peer_cycle(peer);
+    for (size_t i = 0; i < WATCHED; i++) {
+        const double *at = peer_state(peer);
+        double length = distance(at, start, size), apart = i ? distance(at, peer_state(other), size) : 1;
+        for (size_t k = 0; k < size; k++) /* at first all modes are moved */
+            beside[k] = at[k] + 1e-6 * length * (i ? (peer_state(other)[k] - at[k]) / apart : 1 / sqrt((double)size));
+        peer_move(other, beside, SETTLING + i);
+        peer_cycle(peer);
+        peer_cycle(other);
+        growth[i] = log(distance(peer_state(peer), peer_state(other), size) / (1e-6 * length));
+        told.forces[i] = peer_peak(peer);
+        memcpy(states + i * size, peer_state(peer), size * sizeof *states);
+    }
+    told.period = find_period(states, WATCHED, size);
+    for (size_t i = told.period ? WATCHED - told.period : 0; i < WATCHED; i++)
+        told.peak = fmax(told.peak, told.forces[i]);
+    told.mean = mean_of(told.forces, WATCHED, &told.error);
+    told.exponent = mean_of(growth, WATCHED, &told.blur);
+    peer_destroy(peer);
+    peer_destroy(other);
+    memory_free(states);
+    return told;
+}
+
+typedef struct Driven {
+    const char *set;
+    double frequency;
+    Told told;
+    Response response;
+} Driven;
+
+static void drive_both(void *context, size_t i) {
+    Driven *one = (Driven *)context + i;
+    Beam beam = oscillator_beam(one->set, NULL);
+    Fault fault = {0};
+    Rig rig;
+    beam.frequency = one->frequency;
+    if (rig_build(&rig, &beam, beam.name, &fault)) {
+        beam_cycle_respond(&one->response, &rig, &beam, NULL, NULL);
+        one->told = drive(&rig);
+        rig_clear(&rig);
+    }
+    fault_clear(&fault);
+    beam_free(&beam);
+}
+
+LONG_TEST(a_second_driver_tells_the_same_at_twelve_untuned_frequencies_of_both_sets) {
+    static const char *const sets[] = {"ibs", "ibs-r"};
+    Driven *all = memory_zeroed(2 * UNTUNED, sizeof *all);
+    for (size_t i = 0; i < 2 * UNTUNED; i++) {
+        all[i].set = sets[i / UNTUNED];
+        all[i].frequency = untuned[i % UNTUNED];
+    }
+    parallel_for(2, 2 * UNTUNED, drive_both, all);
+    for (size_t i = 0; i < 2 * UNTUNED; i++) {
+        const Response *response = &all[i].response;
+        const Told *told = &all[i].told;
+        printf("     %-5s %5g Hz: %-14s period %2zu %8.2f N %+.4f | CVODE period %2zu %8.2f N %+.3f \u00b1 %.3f\n", all[i].set,
+               all[i].frequency, response_name(response), response->orbit.period,
+               response->orbit.period ? response->orbit_peak : response->peaks.max, response->exponent.value,
+               told->period, told->peak, told->exponent, told->blur);
+        response_clear(&all[i].response);
+    }
+    memory_free(all);
 }

@@ -13,11 +13,12 @@
 typedef struct Numbered {
     PlanarMap map;
     double numbers[2];
+    double bend; /* the map's number is the parameter less so many times the square of the second one */
 } Numbered;
 
 static Cycle map_at(void *context, double value) {
     Numbered *numbered = context;
-    numbered->numbers[0] = value;
+    numbered->numbers[0] = value - numbered->bend * numbered->numbers[1] * numbered->numbers[1];
     numbered->map.numbers = numbered->numbers;
     return planar_map_cycle(&numbered->map);
 }
@@ -109,6 +110,33 @@ TEST(a_torus_begins_where_a_pair_of_multipliers_leaves_the_circle) {
     const FollowPoint *torus = find_point(&branch, FOLLOW_NEIMARK, 0);
     CHECK(torus && fabs(atan2(fabs(torus->im), torus->re) / (2 * M_PI) - 1.0 / 6) < 1e-6);
     follow_clear(&branch);
+}
+
+/* A torus begins where the map's number is 2 (delayed logistic map), the symmetry is lost where it is 1 (cubic map). */
+TEST(curves_of_tori_and_pitchforks_are_the_closed_form) {
+    static const struct {
+        void (*move)(const void *numbers, double *point, double *derivative);
+        FollowKind kind;
+        double from, start, point, number;
+    } cases[] = {{planar_map_delayed, FOLLOW_NEIMARK, 1.5, 1.7, 1 - 1 / 1.7, 2},
+                 {planar_map_cubic, FOLLOW_PITCHFORK, 0.5, 0.8, 1, 1}};
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        Numbered numbered = {.map = {cases[c].move, NULL, 0}, .numbers = {0, 0}, .bend = 0.5};
+        FollowFamily family = {.at = map_at, .context = &numbered, .from = cases[c].from, .to = cases[c].from + 1};
+        FollowPlane plane = {&family, set_second, &numbered, 0, -0.4, 0.4, 17};
+        FollowBranch branch;
+        FollowCurve curve;
+        CHECK(follow_run(&branch, &family, cases[c].start, (double[]){cases[c].point, cases[c].point}, 1, 0.02, NULL));
+        const FollowPoint *point = find_point(&branch, cases[c].kind, 0);
+        CHECK(point && follow_curve_run(&curve, &plane, &branch, (size_t)(point - branch.points), NULL));
+        CHECK(curve.kind == cases[c].kind && curve.whole[0] && curve.whole[1] && curve.count >= 17);
+        for (size_t i = 0; i < curve.count; i++) {
+            CHECK_NEAR(curve.value[i], cases[c].number + 0.5 * curve.other[i] * curve.other[i], 1e-6);
+            CHECK(curve.off[i] < 1e-6);
+        }
+        follow_curve_clear(&curve);
+        follow_clear(&branch);
+    }
 }
 
 /* Beams --------------------------------------------------------------------------------------------------------------
