@@ -2,6 +2,7 @@
 
 #include <stdio.h>
 
+#include "base/stopwatch.h"
 #include "command/answer.h"
 #include "command/house_file.h"
 #include "command/output.h"
@@ -15,9 +16,26 @@
 #include "result/paper.h"
 #include "result/text.h"
 
+static const double LINES_APART = 10; /* s, at least, where progress is not shown in place */
+
+/* Progress as lines, for standard error that is not a terminal. */
+typedef struct Lines {
+    double last; /* s, by the clock */
+} Lines;
+
 static void show_progress(void *context, const char *what) {
     (void)context;
     terminal_progress("%s", what);
+}
+
+/* Writes a line now and then. */
+static void write_progress(void *context, const char *what) {
+    Lines *lines = context;
+    double now = stopwatch_now();
+    if (now - lines->last < LINES_APART)
+        return;
+    lines->last = now;
+    fprintf(stderr, "clearance: %s\n", what);
 }
 
 static json_t *make_answer(const Paper *paper, const PaperClaim *claims) {
@@ -90,7 +108,7 @@ static int answer_crank(const Options *options, const PaperOptions *asked) {
     Fault fault = {0};
     CrankPaper paper;
     PaperAnswer made = crank_paper_make(&paper, asked, &fault);
-    if (asked->progress)
+    if (progress_is_shown(options))
         terminal_clear_progress();
     if (made == PAPER_FAULTY)
         return house_file_report(&fault);
@@ -119,12 +137,16 @@ int paper_answer(const Options *options) {
     Fault fault = {0};
     Paper paper;
     bool show = progress_is_shown(options), crank = crank_is_file(options->files[0]);
+    Lines lines = {stopwatch_now()};
     const PaperOptions asked = {.path = options->files[0],
                                 .settings = options->settings,
                                 .setting_count = options->setting_count,
                                 .jobs = options->jobs,
                                 .stop = &progress_stop,
-                                .progress = show ? show_progress : NULL};
+                                .progress = show             ? show_progress
+                                            : options->quiet ? NULL
+                                                             : write_progress,
+                                .context = &lines};
     if (crank)
         return answer_crank(options, &asked);
     if (!beam_is_file(options->files[0])) {

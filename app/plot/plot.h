@@ -35,6 +35,7 @@ typedef struct PlotSeries {
     double width;  /* design points, of the line from point to point; 0: none */
     Symbol symbol; /* at each point */
     double size;   /* design points, across a symbol */
+    double veil;   /* opacity of one filled symbol, where many lie upon each other; 0: opaque */
     bool open;     /* symbols are outlines */
     bool stems;    /* lines from the foot of the plot up to each point instead of from point to point */
 } PlotSeries;

@@ -1,6 +1,9 @@
 #include "plot/plot_pen.h"
 
 #include <cairo.h>
+#include <limits.h>
+#include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 #include "paint/paint_cairo.h"
@@ -13,6 +16,8 @@
 /* Design points. */
 #define OPEN_WIDTH 2.0 /* of a symbol's outline */
 #define MARK_LEAST 6.0 /* across a symbol that stands alone */
+
+enum { VEILS = 8 /* shades of symbols that shine through */ };
 
 enum { PIECE = 512 /* points per path: cairo is slow on strokes of many points that cross each other */ };
 
@@ -191,17 +196,25 @@ static void path_symbol(cairo_t *cairo, Symbol symbol, Vec2 at, double half) {
     }
 }
 
-/* Reserves a place for a symbol; false if the place is taken or outside the frame. */
-static bool claim_place(PlotPen *pen, const Layout *sheet, Vec2 at, double size) {
+/* Returns the place of a symbol among the grains of the frame, or SIZE_MAX outside it. `*places`: their number. */
+static size_t find_place(const PlotPen *pen, const Layout *sheet, Vec2 at, double size, size_t *places) {
     Box frame = box_expand(sheet->frame, size);
     Vec2 extent = vec2_sub(frame.high, frame.low);
-    if (!(at.x > frame.low.x && at.x < frame.high.x && at.y > frame.low.y && at.y < frame.high.y))
-        return false;
     size_t columns = (size_t)(extent.x / pen->grain) + 1, rows = (size_t)(extent.y / pen->grain) + 1;
-    if (!pen->taken)
-        pen->taken = memory_zeroed(columns * rows / 8 + 1, 1);
+    *places = columns * rows;
+    if (!(at.x > frame.low.x && at.x < frame.high.x && at.y > frame.low.y && at.y < frame.high.y))
+        return SIZE_MAX;
     size_t column = (size_t)((at.x - frame.low.x) / pen->grain), row = (size_t)((at.y - frame.low.y) / pen->grain);
-    size_t place = row * columns + column;
+    return row * columns + column;
+}
+
+/* Reserves a place for a symbol; false if the place is taken or outside the frame. */
+static bool claim_place(PlotPen *pen, const Layout *sheet, Vec2 at, double size) {
+    size_t places, place = find_place(pen, sheet, at, size, &places);
+    if (place == SIZE_MAX)
+        return false;
+    if (!pen->taken)
+        pen->taken = memory_zeroed(places / 8 + 1, 1);
     unsigned char bit = (unsigned char)(1 << place % 8);
     bool free = !(pen->taken[place / 8] & bit);
     pen->taken[place / 8] |= bit;
@@ -231,6 +244,44 @@ static void draw_symbols(Piece *piece, const PlotLayout *layout, size_t count) {
         piece->box = box_include(piece->box, at);
     }
     finish_symbols(piece->cairo, piece->series);
+}
+
+/* Returns which of the VEILS shades, 0 the faintest, so many symbols upon each other have. */
+static int find_veil(double veil, unsigned count) {
+    double opacity = 1 - pow(1 - veil, count);
+    int shade = (int)(opacity * VEILS);
+    return shade < VEILS ? shade : VEILS - 1;
+}
+
+/* Draws symbols that shine through, each place once, as opaque as its symbols upon each other. Symbols beside each
+ * other of one shade do not add up. */
+static void draw_veiled(Piece *piece, const PlotLayout *layout, size_t count, Colour colour) {
+    const PlotSeries *series = piece->series;
+    size_t first = piece->pen->next, places = 0;
+    find_place(piece->pen, &layout->sheet, vec2(0, 0), series->size, &places);
+    unsigned short *upon = memory_zeroed(places + 1, sizeof *upon);
+    cairo_set_fill_rule(piece->cairo, CAIRO_FILL_RULE_WINDING);
+    for (int shade = -1; shade < VEILS; shade++) { /* counts them first */
+        for (size_t i = first; i < count; i++) {
+            Vec2 value = plot_value(series, i);
+            if (!plot_frame_shows(layout, value))
+                continue;
+            Vec2 at = plot_frame_point(layout, value);
+            size_t place = find_place(piece->pen, &layout->sheet, at, series->size, &places);
+            if (place == SIZE_MAX)
+                continue;
+            if (shade < 0) {
+                upon[place] = (unsigned short)(upon[place] + (upon[place] < USHRT_MAX));
+            } else if (upon[place] && find_veil(series->veil, upon[place]) == shade) {
+                upon[place] = 0;
+                path_symbol(piece->cairo, series->symbol, at, series->size / 2);
+                piece->box = box_include(piece->box, at);
+            }
+        }
+        cairo_set_source_rgba(piece->cairo, colour.red, colour.green, colour.blue, (shade + 1.0) / VEILS);
+        cairo_fill(piece->cairo);
+    }
+    memory_free(upon);
 }
 
 static void draw_stems(Piece *piece, const PlotLayout *layout, size_t count) {
@@ -269,7 +320,9 @@ Box plot_pen_draw(PlotPen *pen, cairo_t *cairo, const PlotLayout *layout, const 
         draw_stems(&piece, layout, count);
     else if (series->width > 0)
         draw_line(&piece, layout, count);
-    if (series->symbol != SYMBOL_NONE)
+    if (series->symbol != SYMBOL_NONE && series->veil > 0)
+        draw_veiled(&piece, layout, count, colour);
+    else if (series->symbol != SYMBOL_NONE)
         draw_symbols(&piece, layout, count);
     cairo_restore(cairo);
     pen->next = count > pen->next ? count : pen->next;

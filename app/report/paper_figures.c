@@ -25,7 +25,7 @@ typedef struct Source {
 /* The paper's text does not say which of the figures 3 to 6 shows which response, nor the axes of 7 and 9; these
  * follow the quantities that the text discusses. */
 static const Source sources[PAPER_FIGURES] = {
-    {"figure-2-phase", "Figure 2", "The tip at 190 Hz, in its phase plane; dashed: the clearance's edges.", true,
+    {"figure-2-phase", "Figure 2", "The tip at 190 Hz, in its phase plane; grey: the stops beyond the clearance.", true,
      PAPER_PERIODIC, "phase"},
     {"figure-2-force", "Figure 2", "The force of the joint on the tip at 190 Hz.", true, PAPER_PERIODIC, "force"},
     {"figure-3-phase", "Figures 3 to 6", "The tip at 300 Hz, in its phase plane.", true, PAPER_CHAOTIC, "phase"},
@@ -44,7 +44,7 @@ static const Source sources[PAPER_FIGURES] = {
     {"figure-9-map", "Figure 9",
      "Responses over frequency and clearance, from rest; on the right the clearance over the static deflection of the "
      "tip under the drive's amplitude, without the joint. Marks: the type within 1 % of each place by quick runs, from "
-     "16 starts. Lines: where the orbit of 190 Hz folds or flips.",
+     "16 starts. Lines: where the orbit of 190 Hz folds, flips, loses its symmetry or becomes a torus.",
      false, PAPER_MAP, "map-period"},
     {"figure-10-length", "Figure 10",
      "Largest force of each of 100 cycles at 290 Hz against the length of the beam; along the foot its types.", false,

@@ -189,7 +189,10 @@ static const char *answers_of(Advice *advice, const TypesPoint *point) {
     for (size_t a = 0; a < point->answer_count; a++) {
         const TypesAnswer *answer = &point->answers[a];
         const char *measure = measure_of(advice, answer->measure);
-        const char *item = answer->starts < TYPES_STARTS
+        const char *item = !answer->starts
+                               ? text_in_arena(&advice->arena, "%s (period %g) only carried on from a neighbouring value",
+                                               measure, answer->outcome)
+                           : answer->starts < TYPES_STARTS
                                ? text_in_arena(&advice->arena, advice->sentences->answer_of_some, measure,
                                                answer->starts, TYPES_STARTS, answer->outcome)
                                : text_in_arena(&advice->arena, advice->sentences->answer_of_all, measure, TYPES_STARTS,
@@ -211,11 +214,16 @@ static void add_answers(Advice *advice, const char *here, const char *at) {
         text_format(advice->text, here, answers);
 }
 
-/* Adds the sentence about so many starts at the deciding point. */
-static void add_starts(Advice *advice, const StartSentences *sentences, size_t starts) {
+/* Adds the sentence about so many starts at the deciding point; about none: about a motion carried on. `carried`: what
+ * that is. */
+static void add_starts(Advice *advice, const StartSentences *sentences, size_t starts, const char *carried) {
     const char *point = worst_point(advice);
     bool some = starts < TYPES_STARTS;
-    if (point && some)
+    if (!starts && point)
+        text_format(advice->text, "Carried on from a neighbouring value, the motion at %s is %s.", point, carried);
+    else if (!starts)
+        text_format(advice->text, "Carried on from a neighbouring value, the motion right here is %s.", carried);
+    else if (point && some)
         text_format(advice->text, sentences->some_at, point, starts, TYPES_STARTS);
     else if (point)
         text_format(advice->text, sentences->all_at, point, TYPES_STARTS);
@@ -265,7 +273,7 @@ static void add_reason(Advice *advice) {
             add_answers(advice, sentences->changes, sentences->changes_at);
         break;
     case TYPES_NOT_REGULAR:
-        add_starts(advice, &sentences->irregular, worst->irregular);
+        add_starts(advice, &sentences->irregular, worst->irregular, "not periodic");
         if (worst->verdict)
             text_format(advice->text, " The motion that was analysed fully there is %s.", worst->verdict);
         break;
@@ -274,7 +282,7 @@ static void add_reason(Advice *advice) {
                     "Its period doubles within 1 %% of here; at %s it has %s.");
         break;
     case TYPES_UNDECIDED:
-        add_starts(advice, &sentences->undecided, worst->undecided);
+        add_starts(advice, &sentences->undecided, worst->undecided, "undecided");
         text_format(advice->text, " %s", sentences->remedy);
         break;
     case TYPES_INTERRUPTED:
@@ -371,6 +379,9 @@ static void add_basis(Advice *advice, int cycles) {
                     TYPES_STARTS);
     if (types->thorough)
         text_format(advice->text, " Repeated with the full analysis: %zu of them.", types->thorough);
+    if (types->carried_runs)
+        text_format(advice->text, " Carried on from neighbouring values, upwards and downwards: %zu runs.",
+                    types->carried_runs);
     if (types->neighbour_runs)
         text_format(advice->text, " Runs beyond that, from %d starts: %zu.", NEIGHBOURS_STARTS, types->neighbour_runs);
     if (types->stopped)

@@ -159,6 +159,7 @@ ResultTable result_types_answers(const TypesPoint *point, const Experiment *expe
         result_add(
             &table,
             (ResultRow){.key = "starts", .label = "starts", .kind = RESULT_COUNT, .number = (double)answer->starts});
+        result_add(&table, (ResultRow){.key = "carried", .kind = RESULT_COUNT, .number = (double)answer->carried});
         result_end(&table);
     }
     return table;
@@ -184,6 +185,10 @@ ResultTable result_types_basis(const Types *types, const Experiment *experiment,
                                    .label = "repeated with the full analysis",
                                    .kind = RESULT_COUNT,
                                    .number = (double)types->thorough});
+    result_add(&table, (ResultRow){.key = "carried_runs",
+                                   .kind = RESULT_COUNT,
+                                   .number = (double)types->carried_runs,
+                                   .omitted = types->carried_runs == 0});
     result_add(&table, (ResultRow){.key = "neighbour_runs",
                                    .label = "runs outside the window",
                                    .kind = RESULT_COUNT,

@@ -174,7 +174,7 @@ static void gather_answers(const Work *work, size_t at) {
             point->verdict = trial_verdict(trial, experiment);
         if (regular == 1)
             found[count++] =
-                (TypesAnswer){trial->observed[experiment->outcome], trial->observed[experiment->measure], 1};
+                (TypesAnswer){trial->observed[experiment->outcome], trial->observed[experiment->measure], 1, 0};
     }
     qsort(found, count, sizeof *found, compare_answers);
     for (size_t i = 0; i < count; i++)
@@ -182,6 +182,125 @@ static void gather_answers(const Work *work, size_t at) {
             point->answers[point->answer_count - 1].starts++;
         else
             point->answers[point->answer_count++] = found[i];
+}
+
+/* Carried motions --------------------------------------------------------------------------------------------------
+ */
+
+enum { CHAIN = 3 /* points: an end of the window, its centre, the other end */ };
+
+/* Chains of trials, each continuing from the one before: two for each parameter, upwards and downwards. */
+typedef struct Chains {
+    Work *work;
+    const Experiment *experiment;
+    size_t low[TYPES_PARAMETERS_MOST]; /* (count / 2) index of the lower end of each parameter, before the upper one */
+    size_t count;
+    Batch batch; /* (count x CHAIN) */
+} Chains;
+
+static size_t chain_point(const Chains *chains, size_t trial) {
+    size_t chain = trial / CHAIN, low = chains->low[chain / 2], along = trial % CHAIN;
+    bool up = chain % 2 == 0;
+    return along == 1 ? 0 : (along == 0) == up ? low : low + 1;
+}
+
+static void run_chain(void *context, size_t chain) {
+    const Chains *chains = context;
+    const TypesTask *task = chains->work->task;
+    chains->experiment->run(chains->experiment->given, task->names, task->name_count,
+                            chains->batch.trials + CHAIN * chain, CHAIN, true, task->stop);
+    if (chains->experiment == task->experiment)
+        tell_done(chains->work, CHAIN);
+}
+
+static Batch lay_out_chains(const Chains *chains, const Experiment *experiment) {
+    const Work *work = chains->work;
+    Batch batch = batch_create(experiment, work->task->names, work->task->name_count, CHAIN * chains->count);
+    for (size_t i = 0; i < batch.count; i++) {
+        const TypesPoint *point = &work->types->points[chain_point(chains, i)];
+        if (point->parameter < work->types->parameter_count)
+            batch_set(&batch, i, point->parameter, point->value);
+    }
+    return batch;
+}
+
+/* Adds the answer of a carried trial to those of its point. */
+static void add_carried(const Work *work, TypesPoint *point, const Trial *trial) {
+    const Experiment *experiment = work->task->experiment;
+    double regular = trial->observed[experiment->regular];
+    if (!trial->done || trial->fault)
+        return;
+    point->carried_irregular += regular == 0;
+    point->carried_undecided += isnan(regular) ? 1 : 0;
+    if (regular != 1)
+        return;
+    const TypesAnswer made = {
+        .outcome = trial->observed[experiment->outcome], .measure = trial->observed[experiment->measure], .carried = 1};
+    for (size_t a = 0; a < point->answer_count; a++)
+        if (is_same(&point->answers[a], &made)) {
+            point->answers[a].carried++;
+            return;
+        }
+    if (point->answer_count < TYPES_ANSWERS_MOST)
+        point->answers[point->answer_count++] = made;
+}
+
+static bool all_regular(const Chains *chains, size_t chain) {
+    for (size_t i = CHAIN * chain; i < CHAIN * (chain + 1); i++) {
+        const Trial *trial = &chains->batch.trials[i];
+        if (trial->done && !trial->fault && trial->observed[chains->work->task->experiment->regular] != 1)
+            return false;
+    }
+    return true;
+}
+
+/* Repeats each chain that is not regular throughout with the full analysis, one after the other until one is certainly
+ * irregular. Adds the answers. */
+static void take_chains(Chains *quick, Chains *thorough) {
+    Work *work = quick->work;
+    bool sure = false;
+    for (size_t c = 0; c < quick->count && !is_stopped(work->task); c++) {
+        bool regular = all_regular(quick, c);
+        Chains *from = regular || !thorough ? quick : thorough;
+        if (sure && !regular)
+            continue; /* the type is known */
+        if (from == thorough) {
+            run_chain(thorough, c);
+            work->types->thorough += CHAIN;
+        }
+        for (size_t i = CHAIN * c + 1; i < CHAIN * (c + 1); i++) {
+            TypesPoint *point = &work->types->points[chain_point(quick, i)];
+            add_carried(work, point, &from->batch.trials[i]);
+            sure |= point->carried_irregular > 0;
+        }
+    }
+}
+
+/* Carries motions through the window, unless it is known to be irregular somewhere. */
+static void carry_through(Work *work) {
+    const TypesTask *task = work->task;
+    Types *types = work->types;
+    Chains quick = {.work = work, .experiment = task->experiment}, thorough = {.experiment = task->thorough};
+    for (size_t i = 0; i < types->point_count; i++)
+        if (types->points[i].irregular)
+            return;
+    for (size_t i = 1; i + 1 < types->point_count; i += 2) {
+        quick.low[quick.count / 2] = i;
+        quick.count += 2;
+    }
+    quick.batch = lay_out_chains(&quick, task->experiment);
+    parallel_for(task->jobs, quick.count, run_chain, &quick);
+    for (size_t i = 0; i < quick.batch.count; i++)
+        types->carried_runs += quick.batch.trials[i].done && !quick.batch.trials[i].fault && i % CHAIN;
+    if (task->thorough) {
+        thorough = quick;
+        thorough.experiment = task->thorough;
+        thorough.batch = lay_out_chains(&quick, task->thorough);
+    }
+    take_chains(&quick, task->thorough ? &thorough : NULL);
+    batch_clear(&quick.batch);
+    if (task->thorough)
+        batch_clear(&thorough.batch);
 }
 
 /* Returns the response of a point with the same outcome and the nearest measure, or NULL. */
@@ -246,7 +365,7 @@ static bool decide(Types *types, TypesKind kind, TypesReason reason, size_t wors
 
 static bool decide_irregular(Types *types) {
     for (size_t i = 0; i < types->point_count; i++)
-        if (types->points[i].irregular)
+        if (types->points[i].irregular || types->points[i].carried_irregular)
             return decide(types, TYPES_III, TYPES_NOT_REGULAR, i);
     return false;
 }
@@ -261,7 +380,8 @@ static bool decide_flips(Types *types) {
 
 static bool decide_untold(Types *types) {
     for (size_t i = 0; i < types->point_count; i++)
-        if ((types->points[i].possible || i == 0) && types->points[i].undecided)
+        if ((types->points[i].possible || i == 0) &&
+            (types->points[i].undecided || types->points[i].carried_undecided))
             return decide(types, TYPES_UNRESOLVED, TYPES_UNDECIDED, i);
     return false;
 }
@@ -363,8 +483,6 @@ static void take_names(Types *types, const TypesTask *task) {
 /* Decides, once all runs of the window are made. */
 static void decide_all(Work *work) {
     Types *types = work->types;
-    for (size_t i = 0; i < types->point_count; i++)
-        gather_answers(work, i);
     find_sensitivities(types);
     decide_kind(types, work->task->experiment->periods);
     if (!work->task->window_only)
@@ -391,10 +509,15 @@ bool types_classify(Types *types, const TypesTask *task, Fault *fault) {
     take_names(types, task);
     lay_out_points(types);
     Work work = {.task = task, .types = types};
-    work.all = types->point_count * TYPES_STARTS + 2 * types->parameter_count * NEIGHBOURS_STEPS * NEIGHBOURS_STARTS;
+    work.all = types->point_count * TYPES_STARTS +
+               (task->experiment->carries ? 2 * CHAIN * types->parameter_count : 0) + 2 * types->parameter_count * NEIGHBOURS_STEPS * NEIGHBOURS_STARTS;
     pthread_mutex_init(&work.mutex, NULL);
     run_window(&work);
     confirm(&work);
+    for (size_t i = 0; i < types->point_count && !is_stopped(task); i++)
+        gather_answers(&work, i);
+    if (task->experiment->carries && !is_stopped(task))
+        carry_through(&work);
     types->stopped = is_stopped(task);
     if (types->stopped)
         interrupt(types);

@@ -11,6 +11,9 @@
  *     unresolved  something could not be told, and nothing of what was told makes it III
  *     interrupted the search was stopped before the window was complete
  *
+ * Where runs can be carried on, the ends of the window are starts of the centre, too, and the centre of either end: along
+ * each parameter a motion is carried upwards and another one downwards. Such a start may reach an answer that the 16 miss.
+ *
  * P is what the experiment measures (a beam: the largest peak force; a house: the time to complete). Answers are one
  * when their outcomes are and their measures agree; a motion and its mirror image are one, for theirs do. Beyond the
  * window, each parameter is followed outwards alone to where things change: neighbours.h. */
@@ -49,7 +52,8 @@ typedef enum TypesReason {
 /* A response at a point. */
 typedef struct TypesAnswer {
     double outcome, measure;
-    size_t starts; /* initial states that lead to it */
+    size_t starts;  /* initial states that lead to it */
+    size_t carried; /* motions carried on from a neighbouring point that lead to it */
 } TypesAnswer;
 
 /* A point of the window. */
@@ -59,7 +63,8 @@ typedef struct TypesPoint {
     bool possible;    /* false: the value is out of range and is ignored */
     TypesAnswer answers[TYPES_ANSWERS_MOST];
     size_t answer_count;
-    size_t irregular, undecided; /* starts */
+    size_t irregular, undecided;                 /* starts */
+    size_t carried_irregular, carried_undecided; /* motions carried on from a neighbouring point */
     const char *verdict;         /* of an irregular start, as the full analysis told it; NULL: it was not made */
 } TypesPoint;
 
@@ -83,6 +88,7 @@ typedef struct Types {
     size_t answers;          /* largest number at a point */
     size_t worst;            /* index into points of the deciding point, where that is not the centre */
     size_t runs, thorough;   /* trials of the window, and thorough repetitions among them */
+    size_t carried_runs;     /* trials carried on from another point of the window */
     size_t neighbour_runs;   /* trials outside the window */
     NeighboursSought sought; /* the change that the neighbours were searched for */
     bool stopped;            /* interrupted, in the window or beyond it */

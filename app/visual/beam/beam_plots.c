@@ -9,7 +9,7 @@
 /* Design points. */
 #define LINE_WIDTH 2.0
 #define TANGLE_WIDTH 0.8 /* of a line that crosses itself often */
-#define DOT 2.0          /* of many */
+#define DOT 3.0          /* of many: 0.5 mm on a page */
 #define SIGN 7.0         /* of few */
 
 #define MILLI 1000.0 /* mm per m, ms per s */

@@ -7,7 +7,8 @@
 #define LINE 2.0
 #define SIGN 8.0
 #define SMALL 5.0
-#define DOT 1.4
+#define DOT 3.0 /* 0.5 mm on a page */
+#define VEIL 0.2
 
 enum { KINDS = FOLLOW_TOUCH + 1, SERIES = 1 + 2 * FOLLOW_PLOTS_BRANCHES + KINDS };
 
@@ -84,7 +85,8 @@ static void add_dots(FollowPlot *to, const FollowDots *dots, double factor) {
                                                                 .count = dots->count,
                                                                 .role = ROLE_DIM_TEXT,
                                                                 .symbol = SYMBOL_DISC,
-                                                                .size = DOT};
+                                                                .size = DOT,
+                                                                .veil = VEIL};
 }
 
 FollowPlot follow_plots_make(const FollowBranch *branches, size_t count, PlotAxis axis, double factor,

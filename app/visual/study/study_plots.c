@@ -36,11 +36,12 @@ static const struct {
              [STUDY_UP] = {"upwards", ROLE_LOCUS, SYMBOL_TRIANGLE},
              [STUDY_DOWN] = {"downwards", ROLE_GHOST, SYMBOL_BOX}};
 
-/* Dots across, of many and of few: 3 design points are 0.5 mm on a page. Later passes have smaller dots, so that equal
- * ones all stay visible. */
-static const double DOT_LEAST = 1.6, DOT_MOST = 3.4, DOT_GROWTH = 0.8;
-/* Part of the area of a plot, in square design points, that the dots of a pass may cover. */
-static const double DOTS_COVER = 0.15 * 900 * 380;
+/* Dots across: 3 design points are 0.5 mm on a page. Later passes have smaller dots, so that equal ones all stay
+ * visible. */
+static const double DOT = 3.0, DOT_GROWTH = 0.8;
+/* Part of the area of a plot, in square design points, that the dots of a pass may cover: more of them shine through,
+ * down to the faintest. */
+static const double DOTS_COVER = 0.15 * 900 * 380, FAINTEST = 0.15;
 
 /* The plot over one parameter that is being made. */
 typedef struct Sweep {
@@ -108,8 +109,7 @@ static void add_dots(Sweep *sweep, size_t pass) {
             *next++ = trial->series[s];
         }
     }
-    double size = DOT_GROWTH * (double)(passes - 1 - pass) +
-                  real_clamp(sqrt(DOTS_COVER / (double)(count + 1)), DOT_LEAST, DOT_MOST);
+    double size = DOT + DOT_GROWTH * (double)(passes - 1 - pass), cover = DOTS_COVER / ((double)(count + 1) * size * size);
     sweep->plot->series[sweep->plot->series_count++] = (PlotSeries){.name = looks[study->passes[pass]].name,
                                                                     .x = values,
                                                                     .y = values + 1,
@@ -117,7 +117,8 @@ static void add_dots(Sweep *sweep, size_t pass) {
                                                                     .stride = 2,
                                                                     .role = looks[study->passes[pass]].role,
                                                                     .symbol = looks[study->passes[pass]].symbol,
-                                                                    .size = size};
+                                                                    .size = size,
+                                                                    .veil = cover < 1 ? fmax(cover, FAINTEST) : 0};
 }
 
 /* Adds measured points of the listed values, and of observables derived from them: "peak_max" of "peak". */

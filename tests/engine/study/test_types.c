@@ -13,7 +13,8 @@ typedef struct Told {
 
 typedef struct Made {
     Told (*tell)(double a, double b, uint64_t seed);
-    double farthest; /* a larger a is invalid */
+    double farthest;                                    /* a larger a is invalid */
+    Told (*carry)(double a, double b, const Told *from); /* of a trial carried on; NULL: none is */
 } Made;
 
 static const Parameter rows[] = {{.name = "a", .unit = "1", .low = 0, .high = 10},
@@ -38,12 +39,13 @@ static double nominal(const void *given, const char *name) {
 static void run(const void *given, const char *const *names, size_t name_count, Trial *trials, size_t count, bool carry,
                 const Stop *stop) {
     const Made *made = given;
-    CHECK(!carry);
+    CHECK(!carry || made->carry);
+    Told told = {0};
     for (size_t i = 0; i < count && !stop_requested(stop); i++) {
         double values[3] = {nominals[0], nominals[1], nominals[2]};
         for (size_t n = 0; n < name_count; n++)
             values[find_row(given, names[n]) - rows] = trials[i].at[n];
-        Told told = made->tell(values[0], values[1], trials[i].seed);
+        told = carry && i ? made->carry(values[0], values[1], &told) : made->tell(values[0], values[1], trials[i].seed);
         trials[i].done = true;
         if (values[0] > made->farthest) {
             trials[i].fault = memory_zeroed(2, 1);
@@ -70,9 +72,21 @@ static Experiment make(Made *made) {
 
 static const char *const names[] = {"a", "b"};
 
+static Types tell_carried(Told (*made)(double, double, uint64_t), Told (*carry)(double, double, const Told *), int jobs) {
+    Made given = {made, 10, carry};
+    Experiment experiment = make(&given);
+    experiment.carries = true;
+    TypesTask task = {.experiment = &experiment, .names = names, .name_count = 2, .jobs = jobs};
+    Types types;
+    Fault fault = {0};
+    memset(&types, 0x55, sizeof types);
+    CHECK(types_classify(&types, &task, &fault));
+    return types;
+}
+
 static Types tell_with(Told (*quick)(double, double, uint64_t), Told (*thorough)(double, double, uint64_t),
                        double farthest, int jobs) {
-    Made first = {quick, farthest}, second = {thorough, farthest};
+    Made first = {quick, farthest, NULL}, second = {thorough, farthest, NULL};
     Experiment experiment = make(&first), again = make(&second);
     TypesTask task = {
         .experiment = &experiment, .thorough = thorough ? &again : NULL, .names = names, .name_count = 2, .jobs = jobs};
@@ -150,6 +164,35 @@ TEST(an_answer_that_is_another_at_the_windows_edge_is_type_two) {
     Types types = tell(another_there);
     CHECK(types.kind == TYPES_II && types.reason == TYPES_SEVERAL && types.answers == 1);
     CHECK(types.points[types.worst].parameter == 0 && types.points[types.worst].value > 2);
+}
+
+/* Every start leads to one answer wherever it is regular; at the upper end of a there is only another one, which lasts
+ * below it, too. */
+static Told lasts(double a, double b, const Told *from) {
+    return from->outcome == 3 ? *from : another_there(a, b, 0);
+}
+
+TEST(an_answer_that_only_motions_carried_on_reach_is_found) {
+    Types types = tell_carried(another_there, lasts, 2);
+    CHECK(types.kind == TYPES_II && types.reason == TYPES_SEVERAL && types.worst == 0);
+    const TypesPoint *centre = &types.points[0];
+    CHECK(centre->answer_count == 2 && centre->answers[0].starts == TYPES_STARTS && centre->answers[0].carried == 3);
+    CHECK(centre->answers[1].starts == 0 && centre->answers[1].carried == 1 && centre->answers[1].outcome == 3);
+    CHECK(types.points[1].answer_count == 2 && types.points[1].answers[1].outcome == 3);
+    CHECK(types.carried_runs == 8 && types.runs == 5 * TYPES_STARTS);
+    Types alone = tell_carried(another_there, lasts, 1);
+    CHECK(memcmp(&alone, &types, sizeof types) == 0);
+}
+
+static Told becomes_wild(double a, double b, const Told *from) {
+    (void)from;
+    return (Told){b > 3.01, 1, a};
+}
+
+TEST(a_motion_carried_on_that_is_not_regular_is_type_three) {
+    Types types = tell_carried(power, becomes_wild, 2);
+    CHECK(types.kind == TYPES_III && types.reason == TYPES_NOT_REGULAR && types.points[types.worst].irregular == 0);
+    CHECK(types.points[types.worst].carried_irregular > 0);
 }
 
 static Told flip(double a, double b, uint64_t seed) {
@@ -281,7 +324,7 @@ TEST(a_measure_that_begins_inside_the_window_is_steep_and_one_that_is_nothing_is
 }
 
 TEST(a_parameter_that_is_nothing_has_no_window) {
-    Made made = {power, 10};
+    Made made = {power, 10, NULL};
     Experiment experiment = make(&made);
     const char *nothing[] = {"nothing"};
     TypesTask task = {.experiment = &experiment, .names = nothing, .name_count = 1, .jobs = 1};
@@ -300,7 +343,7 @@ static Told steeper_beyond(double a, double b, uint64_t seed) {
 TEST(each_run_of_a_typed_experiment_has_the_type_of_its_place) {
     static const char *const varied[] = {"b", "a"};
     const double at[][2] = {{2, 2}, {6, 2}, {2, 9.5}};
-    Made made = {steeper_beyond, 10};
+    Made made = {steeper_beyond, 10, NULL};
     Experiment of = make(&made), experiment;
     TypeMap map = {.of = &of, .names = names, .name_count = 1};
     Fault fault = {0};
@@ -334,7 +377,7 @@ TEST(the_same_is_told_with_any_number_of_jobs) {
 }
 
 TEST(names_that_are_no_parameters_are_a_fault) {
-    Made made = {power, 10};
+    Made made = {power, 10, NULL};
     Experiment experiment = make(&made);
     const char *wrong[] = {"a", "c"};
     TypesTask task = {.experiment = &experiment, .names = wrong, .name_count = 2, .jobs = 1};
@@ -353,7 +396,7 @@ TEST(names_that_are_no_parameters_are_a_fault) {
 }
 
 TEST(stopped_it_says_nothing) {
-    Made made = {power, 10};
+    Made made = {power, 10, NULL};
     Experiment experiment = make(&made);
     Stop stop = {1};
     TypesTask task = {.experiment = &experiment, .names = names, .name_count = 2, .jobs = 2, .stop = &stop};
