@@ -77,6 +77,8 @@ case = written("case.json", json.dumps({
 oscillator = str(source / "assets/beams/ibs.json")
 short = ["--set", "run.transient_cycles=20", "--set", "run.cycles=20", "--set", "beam.modes=2"]
 
+quiet = [*short, "--set", "drive.frequency=250", "--set", "drive.force=30"]  # a motion without contact
+peaks = written("peaks.csv", "drive.frequency [Hz],peak_max [N]\n190,570\n230,700\n290,1030\n")
 unconfirmed = [*short, "--lanes", "0"]  # whether chaos lasts takes thousands of cycles to see
 
 # name: the words of a command line; OUT is a new folder, PIC a new file in it; "images": pictures, so few points
@@ -107,6 +109,14 @@ verbs = {
     "study of a house, files": ["study", wide, "--runs", "3", "--json", "--out", "OUT"],
     "study of a beam": ["study", oscillator, *short, "--vary", "drive.frequency=290:300:3", "--json"],
     "study of a beam, swept": ["study", oscillator, *short, "--vary", "drive.frequency=290:300:3", "--sweep", "up,down"],
+    "study of a beam, thorough": ["study", oscillator, *short, "--vary", "drive.frequency=190:290:2", "--thorough", "--lanes",
+                                  "0", "--json"],
+    "study of a beam, basins": ["study", oscillator, *short, "--vary", "drive.frequency=290:300:2", "--runs", "3", "--json"],
+    "follow": ["study", oscillator, *quiet, "--follow", "drive.force=20:40"],
+    "follow, json": ["study", oscillator, *quiet, "--follow", "drive.force=20:40", "--json"],
+    "follow, curves": ["study", oscillator, *short, "--set", "drive.frequency=280", "--follow", "drive.frequency=275:285",
+                       "--vary", "joint.clearance=0.000126:0.000128:2", "--json"],
+    "fit of a beam": ["fit", oscillator, *short, "--measured", peaks, "--fit", "shaker.moving_mass", "--json"],
     "types of a house": ["study", walker, "--types", "door.d1.width", "--json"],
     "types of a beam": ["study", oscillator, *short, "--types", "drive.frequency", "--json"],
     "shakes": ["study", shelf, "--shake", "3"],
@@ -223,7 +233,8 @@ def told(part, whole, path=""):
 def false_in_json(part, whole):
     """The false values of an interrupted answer of any kind."""
     kind = part.get("kind")
-    partial = {"house": {"hazards", "crowds", "routes"}, "beam": {"peaks", "switches", "contact_share", "grazes"},
+    partial = {"house": {"hazards", "crowds", "routes"}, "follow": {"points", "begun", "curves", "above", "below", "left_out"},
+               "beam": {"peaks", "switches", "contact_share", "grazes"},
                "study": {"regular", "not_regular", "cannot_be_told", "verdicts", "ranges", "best", "worst", "distribution",
                          "first_fault"},
                "shake": {"everybody_out", "time", "people", "furniture", "worst", "blocked_elsewhere", "caught"}}
