@@ -3,6 +3,7 @@
 #include "beam/beam.h"
 #include "beam/modes.h"
 #include "check.h"
+#include "oscillator.h"
 #include "scratch.h"
 
 /* A beam of length, bending stiffness and mass per length 1: omega = (beta L)^2. */
@@ -201,6 +202,30 @@ TEST(modes_and_elements_converge) {
 }
 
 /* The shaker is as near to the tip as allowed: its short element costs the others little precision. */
+static Modes shipped_modes(const char *name, const char *setting) {
+    Beam beam = oscillator_beam(name, setting);
+    Modes modes;
+    CHECK(modes_of_beam(&modes, &beam));
+    beam_free(&beam);
+    return modes;
+}
+
+/* The shipped beams say so of their 20 elements. */
+TEST(nine_modes_of_the_shipped_beams_are_exact_to_a_thousandth_and_twelve_to_four_thousandths) {
+    static const char *const names[] = {"ibs", "ibs-r"};
+    for (int n = 0; n < 2; n++) {
+        Modes shipped = shipped_modes(names[n], NULL), fine = shipped_modes(names[n], "beam.elements=120");
+        CHECK(shipped.count == 12 && fine.count == 12);
+        for (size_t i = 0; i < 12; i++) {
+            double off = shipped.frequency[i] / fine.frequency[i] - 1;
+            CHECK(off > -1e-9 && off < (i < 9 ? 1e-3 : 4.1e-3));
+            CHECK(i < 9 || off > 1.8e-3);
+        }
+        modes_clear(&shipped);
+        modes_clear(&fine);
+    }
+}
+
 TEST(a_shaker_close_to_the_tip_leaves_the_modes_what_they_are) {
     Beam beam = shipped(20, 12), fine_beam = shipped(200, 12);
     beam.shaker_position = fine_beam.shaker_position = beam.length * (1 - 1.01e-3);
