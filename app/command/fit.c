@@ -344,6 +344,13 @@ static json_t *correlations(const Fit *fit) {
 static json_t *answer_of(const Job *job) {
     Arena arena = {0};
     size_t count;
+    if (job->fit.interrupted) { /* no number is known */
+        json_t *nothing = json_pack("{s:s, s:s, s:s}", "kind", "fit", "of", job->options->files[0], "headline",
+                                    result_fit_sentence(&job->fit, &arena));
+        answer_mark_interrupted(nothing, true);
+        arena_clear(&arena);
+        return nothing;
+    }
     const char **remarks = result_fit_remarks(&job->fit, &count, &arena);
     json_t *lines = json_array();
     for (size_t i = 0; i < count; i++)
@@ -354,7 +361,6 @@ static json_t *answer_of(const Job *job) {
                   result_json_take_list(result_fit_unknowns(&job->fit, &job->experiments[0])), "correlation",
                   correlations(&job->fit), "rows", result_json_take_list(result_fit_rows(&job->fit)), "remarks", lines);
     result_json_take_record(answer, result_fit_whole(&job->fit));
-    answer_mark_interrupted(answer, job->fit.interrupted);
     arena_clear(&arena);
     return answer;
 }

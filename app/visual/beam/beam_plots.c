@@ -1,6 +1,7 @@
 #include "visual/beam/beam_plots.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "beam/beam_cycle.h"
 #include "visual/study/measured_marks.h"
@@ -18,6 +19,7 @@ enum {
     CYCLES_SHOWN = 8,  /* against time */
     ORBITS_SHOWN = 60, /* cycles in the phase plane: more would be a blot */
     FEW = 16,          /* points of the section that are shown as symbols */
+    PATH_STEPS = 400,  /* of a cycle in the phase plane, at least */
     MULTIPLES = 10,    /* of the drive's frequency, in a spectrum */
 };
 
@@ -102,6 +104,63 @@ static void lay_measured(Plot *plot, const Given *given, size_t x, size_t y) {
         plot->series[0].name = "simulated";
 }
 
+/* The tip's way through the phase plane: a point at each step and switch of the motion. */
+typedef struct Path {
+    double *x, *y; /* (count) mm, m/s */
+    size_t count, x_capacity, y_capacity;
+} Path;
+
+static void add_to_path(Path *path, const Motion *motion) {
+    path->x = memory_reserve(path->x, &path->x_capacity, path->count + 1, sizeof *path->x);
+    path->y = memory_reserve(path->y, &path->y_capacity, path->count + 1, sizeof *path->y);
+    path->x[path->count] = MILLI * motion_deflection(motion);
+    path->y[path->count++] = motion_velocity(motion);
+}
+
+/* Repeats the recorded cycles from `first` to `last`, each from its recorded state. Returns false if the beam cannot be
+ * built. */
+static bool find_path(Path *path, const Given *given, size_t first, size_t last) {
+    const Section *section = &given->response->section;
+    Rig rig;
+    Fault fault = {0};
+    if (!rig_build(&rig, given->beam, given->beam->name, &fault)) {
+        fault_clear(&fault);
+        return false;
+    }
+    Motion motion = motion_create(&rig, 0);
+    bool same = section->states == rig.free.states;
+    for (size_t cycle = first; same && cycle < last; cycle++) {
+        motion_set_state(&motion, cycle ? section->state + (cycle - 1) * section->states : given->response->start);
+        if (cycle == first)
+            add_to_path(path, &motion);
+        while (motion.status == CYCLE_GOOD && motion.phase < rig.period) {
+            motion_step(&motion, fmin(rig.period - motion.phase, rig.period / PATH_STEPS));
+            add_to_path(path, &motion);
+        }
+    }
+    motion_destroy(&motion);
+    rig_clear(&rig);
+    return same;
+}
+
+/* Adds the line of the last cycles; where it cannot be computed, from sample to sample. */
+static void add_path(Plot *plot, const Given *given, size_t from, size_t count, const double *x, const double *y,
+                     double width) {
+    Path path = {0};
+    size_t first = from / BEAM_SAMPLES, last = (from + count) / BEAM_SAMPLES;
+    bool found = last <= given->response->section.count && find_path(&path, given, first, last) && path.count;
+    double *own = arena_allocate(given->arena, (2 * path.count + 1) * sizeof *own);
+    if (found) {
+        memcpy(own, path.x, path.count * sizeof *own);
+        memcpy(own + path.count, path.y, path.count * sizeof *own);
+        add_line(plot, own, own + path.count, path.count)->width = width;
+    } else {
+        add_line(plot, x, y, count)->width = width;
+    }
+    memory_free(path.x);
+    memory_free(path.y);
+}
+
 static void make_phase(Plot *plot, const Given *given) {
     const Trace *trace = &given->response->trace;
     size_t count, from = last_rows(trace, ORBITS_SHOWN, &count);
@@ -114,7 +173,7 @@ static void make_phase(Plot *plot, const Given *given) {
     add_clearance(plot, given, true);
     plot->guides[0].name = "contact";
     add_nought(plot, false);
-    add_line(plot, x, y, count)->width = tangle ? TANGLE_WIDTH : LINE_WIDTH;
+    add_path(plot, given, from, count, x, y, tangle ? TANGLE_WIDTH : LINE_WIDTH);
     add_line(plot, x, y, count ? (count - 1) / BEAM_SAMPLES + 1 : 0);
     PlotSeries *section = &plot->series[plot->series_count - 1];
     section->stride = BEAM_SAMPLES;

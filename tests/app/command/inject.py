@@ -234,7 +234,7 @@ def false_in_json(part, whole):
     """The false values of an interrupted answer of any kind."""
     kind = part.get("kind")
     partial = {"house": {"hazards", "crowds", "routes"}, "follow": {"points", "begun", "curves", "above", "below", "left_out"},
-               "beam": {"peaks", "switches", "contact_share", "grazes"},
+               "fit": {"headline"}, "beam": {"peaks", "switches", "contact_share", "grazes"},
                "study": {"regular", "not_regular", "cannot_be_told", "verdicts", "ranges", "best", "worst", "distribution",
                          "first_fault"},
                "shake": {"everybody_out", "time", "people", "furniture", "worst", "blocked_elsewhere", "caught"}}
