@@ -189,14 +189,13 @@ static const char *answers_of(Advice *advice, const TypesPoint *point) {
     for (size_t a = 0; a < point->answer_count; a++) {
         const TypesAnswer *answer = &point->answers[a];
         const char *measure = measure_of(advice, answer->measure);
-        const char *item = !answer->starts
-                               ? text_in_arena(&advice->arena, "%s (period %g) only carried on from a neighbouring value",
-                                               measure, answer->outcome)
-                           : answer->starts < TYPES_STARTS
-                               ? text_in_arena(&advice->arena, advice->sentences->answer_of_some, measure,
-                                               answer->starts, TYPES_STARTS, answer->outcome)
-                               : text_in_arena(&advice->arena, advice->sentences->answer_of_all, measure, TYPES_STARTS,
-                                               answer->outcome);
+        const char *item =
+            !answer->starts ? text_in_arena(&advice->arena, "%s (period %g) only carried on from a neighbouring value",
+                                            measure, answer->outcome)
+            : answer->starts < TYPES_STARTS ? text_in_arena(&advice->arena, advice->sentences->answer_of_some, measure,
+                                                            answer->starts, TYPES_STARTS, answer->outcome)
+                                            : text_in_arena(&advice->arena, advice->sentences->answer_of_all, measure,
+                                                            TYPES_STARTS, answer->outcome);
         list = list_with(advice, list, item, a, point->answer_count);
     }
     return list;

@@ -34,9 +34,9 @@ typedef struct BeamPlane {
 /* Adds an error unless the beam of the family can have both ends of the second number, which is another one. */
 bool beam_follow_check(const BeamFamily *family, const BeamPlane *plane, const char *place, Fault *fault);
 
-/* Adds the curves of the folds, flips, pitchforks and Neimark-Sacker points of all branches over the plane of the family's number and another one, and
- * over frequency and clearance the end of the motion without contact, which is known in closed form (kind touching, of
- * period 1). The result does not depend on the number of jobs. */
+/* Adds the curves of the folds, flips, pitchforks and Neimark-Sacker points of all branches over the plane of the
+ * family's number and another one, and over frequency and clearance the end of the motion without contact, which is
+ * known in closed form (kind touching, of period 1). The result does not depend on the number of jobs. */
 void beam_follow_curves(BeamFollow *follow, const BeamFamily *family, const BeamPlane *plane, int jobs,
                         const Stop *stop);
 

@@ -380,8 +380,7 @@ static bool decide_flips(Types *types) {
 
 static bool decide_untold(Types *types) {
     for (size_t i = 0; i < types->point_count; i++)
-        if ((types->points[i].possible || i == 0) &&
-            (types->points[i].undecided || types->points[i].carried_undecided))
+        if ((types->points[i].possible || i == 0) && (types->points[i].undecided || types->points[i].carried_undecided))
             return decide(types, TYPES_UNRESOLVED, TYPES_UNDECIDED, i);
     return false;
 }
@@ -510,7 +509,8 @@ bool types_classify(Types *types, const TypesTask *task, Fault *fault) {
     lay_out_points(types);
     Work work = {.task = task, .types = types};
     work.all = types->point_count * TYPES_STARTS +
-               (task->experiment->carries ? 2 * CHAIN * types->parameter_count : 0) + 2 * types->parameter_count * NEIGHBOURS_STEPS * NEIGHBOURS_STARTS;
+               (task->experiment->carries ? 2 * CHAIN * types->parameter_count : 0) +
+               2 * types->parameter_count * NEIGHBOURS_STEPS * NEIGHBOURS_STARTS;
     pthread_mutex_init(&work.mutex, NULL);
     run_window(&work);
     confirm(&work);

@@ -11,8 +11,9 @@
  *     unresolved  something could not be told, and nothing of what was told makes it III
  *     interrupted the search was stopped before the window was complete
  *
- * Where runs can be carried on, the ends of the window are starts of the centre, too, and the centre of either end: along
- * each parameter a motion is carried upwards and another one downwards. Such a start may reach an answer that the 16 miss.
+ * Where runs can be carried on, the ends of the window are starts of the centre, too, and the centre of either end:
+ * along each parameter a motion is carried upwards and another one downwards. Such a start may reach an answer that the
+ * 16 miss.
  *
  * P is what the experiment measures (a beam: the largest peak force; a house: the time to complete). Answers are one
  * when their outcomes are and their measures agree; a motion and its mirror image are one, for theirs do. Beyond the
@@ -65,7 +66,7 @@ typedef struct TypesPoint {
     size_t answer_count;
     size_t irregular, undecided;                 /* starts */
     size_t carried_irregular, carried_undecided; /* motions carried on from a neighbouring point */
-    const char *verdict;         /* of an irregular start, as the full analysis told it; NULL: it was not made */
+    const char *verdict; /* of an irregular start, as the full analysis told it; NULL: it was not made */
 } TypesPoint;
 
 typedef struct TypesParameter {

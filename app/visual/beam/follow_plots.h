@@ -24,7 +24,8 @@ FollowPlot follow_plots_make(const FollowBranch *branches, size_t count, PlotAxi
                              const FollowDots *dots);
 
 /* Adds curves over two numbers to a plot, which must have room for FOLLOW_PLOTS_CURVES more series: full lines are
- * folds, and in another colour Neimark-Sacker points; dashed ones flips, dash-dotted ones pitchforks, dotted ones where the motion without contact ends. */
+ * folds, and in another colour Neimark-Sacker points; dashed ones flips, dash-dotted ones pitchforks, dotted ones where
+ * the motion without contact ends. */
 enum { FOLLOW_PLOTS_CURVES = 24 };
 void follow_plots_add_curves(Plot *plot, const FollowCurve *curves, size_t count, double x_factor, double y_factor,
                              Arena *arena);

@@ -109,7 +109,8 @@ static void add_dots(Sweep *sweep, size_t pass) {
             *next++ = trial->series[s];
         }
     }
-    double size = DOT + DOT_GROWTH * (double)(passes - 1 - pass), cover = DOTS_COVER / ((double)(count + 1) * size * size);
+    double size = DOT + DOT_GROWTH * (double)(passes - 1 - pass),
+           cover = DOTS_COVER / ((double)(count + 1) * size * size);
     sweep->plot->series[sweep->plot->series_count++] = (PlotSeries){.name = looks[study->passes[pass]].name,
                                                                     .x = values,
                                                                     .y = values + 1,

@@ -221,8 +221,8 @@ LONG_TEST(a_second_driver_tells_the_same_at_twelve_untuned_frequencies_of_both_s
     for (size_t i = 0; i < 2 * UNTUNED; i++) {
         const Response *response = &all[i].response;
         const Told *told = &all[i].told;
-        printf("     %-5s %5g Hz: %-14s period %2zu %8.2f N %+.4f | CVODE period %2zu %8.2f N %+.3f \u00b1 %.3f\n", all[i].set,
-               all[i].frequency, response_name(response), response->orbit.period,
+        printf("     %-5s %5g Hz: %-14s period %2zu %8.2f N %+.4f | CVODE period %2zu %8.2f N %+.3f \u00b1 %.3f\n",
+               all[i].set, all[i].frequency, response_name(response), response->orbit.period,
                response->orbit.period ? response->orbit_peak : response->peaks.max, response->exponent.value,
                told->period, told->peak, told->exponent, told->blur);
         response_clear(&all[i].response);

@@ -45,7 +45,7 @@ TEST(peaks_a_third_higher_are_compared_as_a_ratio) {
         double nominal, most;
         PaperMet met;
     } cases[] = {{RESPONSE_CHAOTIC, 758.78, 940, PAPER_MET},
-                 {RESPONSE_CHAOTIC, 1032, 910, PAPER_NOT_MET},   /* 12 % lower */
+                 {RESPONSE_CHAOTIC, 1032, 910, PAPER_NOT_MET},    /* 12 % lower */
                  {RESPONSE_CHAOTIC, 758.78, 1100, PAPER_NOT_MET}, /* too high */
                  {RESPONSE_PERIODIC, 758.78, 940, PAPER_NOT_MET}};
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {

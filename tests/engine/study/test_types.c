@@ -13,7 +13,7 @@ typedef struct Told {
 
 typedef struct Made {
     Told (*tell)(double a, double b, uint64_t seed);
-    double farthest;                                    /* a larger a is invalid */
+    double farthest;                                     /* a larger a is invalid */
     Told (*carry)(double a, double b, const Told *from); /* of a trial carried on; NULL: none is */
 } Made;
 
@@ -72,7 +72,8 @@ static Experiment make(Made *made) {
 
 static const char *const names[] = {"a", "b"};
 
-static Types tell_carried(Told (*made)(double, double, uint64_t), Told (*carry)(double, double, const Told *), int jobs) {
+static Types tell_carried(Told (*made)(double, double, uint64_t), Told (*carry)(double, double, const Told *),
+                          int jobs) {
     Made given = {made, 10, carry};
     Experiment experiment = make(&given);
     experiment.carries = true;
