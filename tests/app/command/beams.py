@@ -69,6 +69,8 @@ def check_follow():
     check(curves["over"] == "joint.clearance" and len(curves["curves"]) > 1, f"curves over two numbers: {curves['curves']}")
     near = [p for c in curves["curves"] if c["point"] == "fold" for p in c["points"] if p[1] == 0.000127]
     check(any(abs(p[0] - 276.658) < 0.01 for p in near), f"the curve of a fold goes through it: {near}")
+    forks = [p for c in curves["curves"] if c["point"] == "pitchfork" for p in c["points"] if p[1] == 0.000127]
+    check(any(abs(p[0] - 211.1358) < 0.01 for p in forks), f"the curve of a pitchfork goes through it: {forks}")
     for curve in curves["curves"]:
         seconds = [p[1] for p in curve["points"]]
         check(seconds == sorted(seconds) and seconds[-1] <= 0.00015, f"a curve by rising second number: {seconds}")
