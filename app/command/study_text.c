@@ -121,6 +121,9 @@ static void add_question(Text *text, const Study *study, const char *file) {
     const char *chance = study->experiment->chance;
     if (chance)
         text_format(text, study->axis_count ? "%zu %s at each point\n" : "%zu %s\n", study->runs, chance);
+    else if (study->experiment->carries && study->seed && study->runs > 1) /* of a motion each seed is a start */
+        text_format(text, "%zu random starts%s, seeds %" PRIu64 " to %" PRIu64 "\n", study->runs,
+                    study->axis_count ? " at each value" : "", study->seed, last);
     else if (!study->axis_count)
         text_format(text, "%zu runs, seeds %" PRIu64 " to %" PRIu64 "\n", study->runs, study->seed, last);
     else if (study->runs > 1)

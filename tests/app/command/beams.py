@@ -78,6 +78,8 @@ def check_follow():
           "curves do not depend on the number of jobs")
     expect(2, *plane[:-1], "joint.clearance=1:2:3", says="outside the range 1 to 2")
     expect(2, *plane[:-1], "drive.frequency=100:200:3", says="is not another number")
+    starts = expect(0, "study", beam, "--set", "beam.modes=2", "--vary", "drive.frequency=200:220:2", "--runs", "3").stdout
+    check("\n3 random starts at each value, seeds 1 to 3\n" in starts, f"the runs of a beam are starts: {starts}")
     expect(1, "study", beam, "--follow", "drive.frequency=180:320", says="the motion is chaotic")
     expect(2, "study", beam, "--follow", "beam.modes=1:2", says="beam.modes is not a number that changes")
     expect(2, "study", beam, "--follow", "beam.length=2:1", says="--follow takes NAME=FROM:TO")
