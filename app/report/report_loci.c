@@ -115,12 +115,10 @@ static Scene paths_scene(const Reported *run) {
             blockage_scene_add(&scene, house, run->observation, i, &trails[i]);
     }
     plan_scene_tags(&scene, house, NULL);
-    for (size_t i = 0; i < house->person_count; i++) {
+    for (size_t i = 0; i < house->person_count; i++)
         if (people[i].took_part)
             add_name(&scene, house, i, house->people[i].at);
-        if (blockage_scene_has(&people[i]))
-            blockage_scene_label(&scene, house, &people[i].blockage);
-    }
+    blockage_scene_labels(&scene, house, run->observation);
     trail_free_list(trails);
     return scene;
 }

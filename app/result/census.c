@@ -207,14 +207,38 @@ static void format_hold(const House *house, const Hold *hold, bool with_widths, 
         snprintf(text, size, other_reason(hold->reason), who);
 }
 
+/* True if two holds read alike once their widths are left out. */
+static bool read_alike(const House *house, const Hold *a, const Hold *b) {
+    return a->reason == REASON_CANNOT_PASS && b->reason == REASON_CANNOT_PASS && !house->people[a->first].under &&
+           !house->people[b->first].under && strcmp(a->blockage.what, b->blockage.what) == 0;
+}
+
+/* Returns whether an earlier hold already tells of this one, and adds to it the people of the later ones that it tells
+ * of, too. */
+static bool is_told(const House *house, const Census *census, size_t h, Hold *hold) {
+    *hold = census->holds[h];
+    for (size_t other = 0; other < census->hold_count; other++) {
+        if (other == h || !read_alike(house, hold, &census->holds[other]))
+            continue;
+        if (other < h)
+            return true;
+        hold->people += census->holds[other].people;
+    }
+    return false;
+}
+
 void census_reasons(const House *house, const Census *census, bool with_widths, char *text, size_t size) {
-    size_t used = 0, listed = 0;
+    size_t used = 0, listed = 0, lines = 0;
     *text = 0;
-    for (size_t h = 0; h < census->hold_count && h < REASONS_SHOWN && used < size; h++) {
-        char hold[256];
-        format_hold(house, &census->holds[h], with_widths, hold, sizeof hold);
-        used += (size_t)snprintf(text + used, size - used, "%s%s", h ? ", " : "", hold);
-        listed += census->holds[h].people;
+    for (size_t h = 0; h < census->hold_count && lines < REASONS_SHOWN && used < size; h++) {
+        char line[256];
+        Hold hold = census->holds[h];
+        if (!with_widths && is_told(house, census, h, &hold))
+            continue;
+        format_hold(house, &hold, with_widths, line, sizeof line);
+        used += (size_t)snprintf(text + used, size - used, "%s%s", lines ? ", " : "", line);
+        lines++;
+        listed += hold.people;
     }
     size_t rest = census->people - census->out - listed;
     if (rest && used < size)

@@ -153,12 +153,22 @@ static const char *reasons(const House *house, const Census *census, bool with_w
                                         text, census->last);
 }
 
+/* True if all people find their way barred: nobody leaves however long it takes. */
+static bool nobody_can_leave(const Census *census) {
+    for (size_t h = 0; h < census->hold_count; h++)
+        if (census->holds[h].reason != REASON_CANNOT_PASS && census->holds[h].reason != REASON_BLOCKED)
+            return false;
+    return !census->out;
+}
+
 /* The line next to a title has no room for the widths of several places. */
 static Headline several_stuck(const House *house, const Census *census, Arena *arena) {
     size_t stuck = census->people - census->out;
     Headline headline = {.role = ROLE_ERROR};
-    headline.title =
-        text_in_arena(arena, stuck == 1 ? "%zu of %zu is not out" : "%zu of %zu are not out", stuck, census->people);
+    headline.title = nobody_can_leave(census)
+                         ? "Nobody gets out"
+                         : text_in_arena(arena, stuck == 1 ? "%zu of %zu is not out" : "%zu of %zu are not out", stuck,
+                                         census->people);
     headline.detail = reasons(house, census, census->hold_count == 1, arena);
     headline.sentence = text_in_arena(arena, "%s: %s", headline.title, reasons(house, census, true, arena));
     for (size_t h = 0; h < census->hold_count; h++)

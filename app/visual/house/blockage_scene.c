@@ -19,6 +19,7 @@
 
 #define CROSS_HALF 0.12 /* m */
 #define AHEAD 0.10      /* m, from the body to the dimension in front of it */
+#define SAME_PLACE 0.5  /* m: people who are stopped nearer to each other share a label */
 
 bool blockage_scene_has(const PersonObservation *observed) {
     return observed->took_part && !observed->completed && *observed->blockage.what &&
@@ -95,11 +96,31 @@ void blockage_scene_add(Scene *scene, const House *house, const Observation *obs
         add_width(scene, &house->plan, door, inhabitant->profile, pose.heading);
 }
 
-void blockage_scene_label(Scene *scene, const House *house, const Blockage *blockage) {
+static void add_label(Scene *scene, const House *house, const Blockage *blockage) {
     const char *widths = blockage_scene_widths(scene, blockage);
     Primitive *tag = scene_add_label(scene, ROLE_TEXT, TEXT_SIZE, blockage->at,
                                      *widths ? widths : names_text(house, blockage->what, &scene->arena));
     tag->fill = ROLE_ERROR;
     tag->shape = LABEL_TAG;
     tag->bold = tag->leader = true;
+}
+
+/* True if another person is stopped at the same place, by a larger body or an equal one that comes first. */
+static bool is_told_by_another(const Observation *observation, size_t person) {
+    const Blockage *mine = &observation->people[person].blockage;
+    for (size_t i = 0; i < observation->person_count; i++) {
+        const Blockage *other = &observation->people[i].blockage;
+        if (i == person || !blockage_scene_has(&observation->people[i]) || strcmp(other->what, mine->what) != 0 ||
+            vec2_distance(other->at, mine->at) > SAME_PLACE)
+            continue;
+        if (other->needs > mine->needs || (other->needs == mine->needs && i < person))
+            return true;
+    }
+    return false;
+}
+
+void blockage_scene_labels(Scene *scene, const House *house, const Observation *observation) {
+    for (size_t i = 0; i < observation->person_count; i++)
+        if (blockage_scene_has(&observation->people[i]) && !is_told_by_another(observation, i))
+            add_label(scene, house, &observation->people[i].blockage);
 }

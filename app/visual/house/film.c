@@ -101,10 +101,10 @@ static House without_falling(Film *film) {
 static void add_blockages(Film *film) {
     const Observation *observation = film->observation;
     for (size_t i = 0; i < film->house->person_count && !film->crowd; i++)
-        if (blockage_scene_has(&observation->people[i])) {
+        if (blockage_scene_has(&observation->people[i]))
             blockage_scene_add(&film->still, film->house, observation, i, &film->trails[i]);
-            blockage_scene_label(&film->still, film->house, &observation->people[i].blockage);
-        }
+    if (!film->crowd)
+        blockage_scene_labels(&film->still, film->house, observation);
 }
 
 /* Adds the band and the touches of many drivers, and the rows that explain them. */

@@ -357,9 +357,7 @@ static void add_tick_numbers(Scene *scene, const Trail *trail, Role role) {
 
 void people_scene_labels(Scene *scene, const House *house, const Observation *observation) {
     Trail *trails = trail_list(observation);
-    for (size_t i = 0; i < house->person_count; i++)
-        if (blockage_scene_has(&observation->people[i]))
-            blockage_scene_label(scene, house, &observation->people[i].blockage);
+    blockage_scene_labels(scene, house, observation);
     add_narrowest_label(scene, house, observation);
     for (size_t i = 0; i < house->person_count; i++)
         if (observation->people[i].took_part)

@@ -478,6 +478,38 @@ static const Primitive *find_label(const Scene *scene, const char *text) {
     return NULL;
 }
 
+TEST(a_place_that_stops_several_is_told_once_with_the_widest_need) {
+    static TraceColumn columns[TRACE_COLUMNS];
+    enum { PEOPLE = 3 };
+    static const double needs[PEOPLE] = {0.94, 0.95, 0.94};
+    Inhabitant people[PEOPLE];
+    PersonObservation observed[PEOPLE];
+    House house = {.plan = {.name = "a house", .note = ""}, .people = people, .person_count = PEOPLE};
+    house.outline = (Outline){.box = {{0, 0}, {6, 4}}, .broadphase = broadphase_create()};
+    static char names[PEOPLE][4];
+    for (int i = 0; i < PEOPLE; i++) {
+        snprintf(names[i], sizeof names[i], "p%d", i + 1);
+        people[i] = (Inhabitant){.id = names[i], .profile = &chair, .at = {1 + i, 1}};
+        observed[i] = (PersonObservation){.took_part = true,
+                                          .reason = REASON_CANNOT_PASS,
+                                          .blockage = {.at = {3 + 0.01 * i, 2}, .what = "door d2", .has = 0.87}};
+        observed[i].blockage.needs = needs[i];
+    }
+    Observation observation = {.people = observed, .person_count = PEOPLE};
+    trace_init(&observation.trace, columns, TRACE_COLUMNS);
+    Scene scene;
+    house_scene_make(&scene, &house, &observation);
+    CHECK_TEXT(scene.title, "Nobody gets out");
+    CHECK_TEXT(scene.detail, "3 cannot pass door d2");
+    size_t labels = 0;
+    for (size_t i = 0; i < scene.count; i++)
+        labels += scene.primitives[i].kind == PRIMITIVE_LABEL && strncmp(scene.primitives[i].text, "needs", 5) == 0;
+    CHECK(labels == 1 && find_label(&scene, "needs at least 0.95 m, has 0.87 m"));
+    scene_clear(&scene);
+    trace_clear(&observation.trace);
+    outline_free(&house.outline);
+}
+
 TEST(a_census_sums_crowds_and_puts_together_who_is_stopped_at_one_place) {
     Census census;
     Scene scene = crowd_scene(&census, false);

@@ -18,6 +18,7 @@ folder = pathlib.Path(tempfile.mkdtemp(prefix="clearance-window-"))
 atexit.register(shutil.rmtree, folder, ignore_errors=True)
 failed = []
 PATIENCE = 300  # s, longest wait for a state, even on a busy machine
+SCREEN = tuple(int(n) for n in os.environ.get("CLEARANCE_SCREEN", "1280x720").split("x"))  # of windows with real input
 
 
 def house(name):
@@ -117,7 +118,7 @@ class Screen:
     the state reports on the program. The state counts the presses and releases that the program has handled, and
     contains the position of the mouse: each input is followed by a wait for its effect, never for a fixed time."""
 
-    def __init__(self, name, *arguments, width=1280, height=720, minutes=5):
+    def __init__(self, name, *arguments, width=SCREEN[0], height=SCREEN[1], minutes=5):
         self.place = folder / name
         self.place.mkdir(exist_ok=True)
         self.display = self.start_display(width, height)
