@@ -7,7 +7,9 @@
 
 #include "base/memory.h"
 
-enum { SMALLEST_WIDTH = 640, SMALLEST_HEIGHT = 400 /* pixels */ };
+enum { SMALLEST_WIDTH = 640, SMALLEST_HEIGHT = 400, USUAL_WIDTH = 1280, USUAL_HEIGHT = 720 /* pixels */ };
+
+#define MOST_OF_SCREEN 0.8
 
 struct SdlWindow {
     SDL_Window *window;
@@ -32,15 +34,25 @@ static void ask_for_context(void) {
     SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
 }
 
-/* Opens the window step by step; the first step that fails adds a fault. */
-/* Keeps a new window within the screen. */
+/* Returns the length of a window's side on a screen: as asked for, or, for 0, most of the screen, but at least `usual`
+ * where that fits. */
+static int fitting(int asked, int usual, int screen) {
+    int most = (int)(MOST_OF_SCREEN * screen), wanted = asked > 0 ? asked : most > usual ? most : usual;
+    return wanted < screen ? wanted : screen;
+}
+
 static void fit_screen(int *width, int *height) {
     SDL_Rect screen;
-    if (!sdl_window_is_seen(NULL) || SDL_GetDisplayUsableBounds(0, &screen) != 0)
+    if (!sdl_window_is_seen(NULL) || SDL_GetDisplayUsableBounds(0, &screen) != 0) {
+        *width = *width > 0 ? *width : USUAL_WIDTH;
+        *height = *height > 0 ? *height : USUAL_HEIGHT;
         return;
-    *width = *width < screen.w ? *width : screen.w;
-    *height = *height < screen.h ? *height : screen.h;
+    }
+    *width = fitting(*width, USUAL_WIDTH, screen.w);
+    *height = fitting(*height, USUAL_HEIGHT, screen.h);
 }
+
+/* Opens the window step by step; the first step that fails adds a fault. */
 
 static bool open_window(SdlWindow *sdl_window, int width, int height, Fault *fault) {
     SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");

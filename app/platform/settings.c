@@ -33,10 +33,8 @@ static const Parameter preferences_rows[] = {
      .unit = "1",
      .fallback = 1,
      .meaning = "single letters are shortcut keys"},
-    {PREFERENCE(PARAMETER_WHOLE, width), .low = SETTINGS_WIDTH_LEAST, .high = SETTINGS_SIDE_MOST, .fallback = 1280,
-     .meaning = "pixels of the window"},
-    {PREFERENCE(PARAMETER_WHOLE, height), .low = SETTINGS_HEIGHT_LEAST, .high = SETTINGS_SIDE_MOST, .fallback = 720,
-     .meaning = "pixels of the window"},
+    {PREFERENCE(PARAMETER_WHOLE, width), .high = SETTINGS_SIDE_MOST, .meaning = "pixels of the window"},
+    {PREFERENCE(PARAMETER_WHOLE, height), .high = SETTINGS_SIDE_MOST, .meaning = "pixels of the window"},
     {PREFERENCE(PARAMETER_FLAG, full_screen), .meaning = "the window fills the screen"},
 };
 static const ParameterTable preferences_table = {"settings", preferences_rows,

@@ -23,6 +23,10 @@
 #define KEY_PAD 5.0
 #define STOP_AFTER 1.0 /* s */
 
+/* Where the lines stand in a tall answer, of its height from its edges. */
+#define TALL_HEAD 0.36
+#define TALL_FOOT 0.24
+
 enum { RING_POINTS = 24 };
 
 static Vec2 middle_of(Box box) {
@@ -187,6 +191,22 @@ static void show_doing_note(Window *window, const char *doing, double left, doub
         show_text(window, UI_SMALL, ROLE_DIM_TEXT, left, right, below, doing);
 }
 
+/* Returns the first clauses of a detail, whole ones, that fit into a width; "": none does. */
+static const char *whole_clauses(Window *window, UiTextStyle size, const char *detail, double width) {
+    size_t length = strlen(detail);
+    while (length > 0 &&
+           ui_extent(window->ui, size, text_in_arena(&window->arena, "%.*s", (int)length, detail)).x > width) {
+        size_t before = 0;
+        for (size_t i = 1; i < length; i++) /* clauses end at "; ", ", " or " \u00b7 " */
+            if (detail[i] == ' ' && (detail[i - 1] == ';' || detail[i - 1] == ','))
+                before = i - 1;
+            else if (strncmp(detail + i, " \u00b7 ", 4) == 0)
+                before = i;
+        length = before;
+    }
+    return text_in_arena(&window->arena, "%.*s", (int)length, detail);
+}
+
 /* Shows the result's numbers in one line, or small in two. */
 static void show_detail(Window *window, const Result *answer, double left, double right, double y) {
     const char *detail = answer->detail ? answer->detail : "";
@@ -194,6 +214,7 @@ static void show_detail(Window *window, const Result *answer, double left, doubl
     UiTextStyle size = left + ui_extent(window->ui, UI_DETAIL, detail).x > right ? UI_BODY : UI_DETAIL;
     if (size == UI_BODY && show_clauses(window, detail, role, left, right, y))
         return;
+    detail = whole_clauses(window, size, detail, TWO_LINES * (right - left));
     Vec2 extent = ui_extent(window->ui, size, detail);
     y -= NOTE_ROOM;
     if (left + extent.x > right && extent.x < TWO_LINES * (right - left)) {
@@ -206,9 +227,29 @@ static void show_detail(Window *window, const Result *answer, double left, doubl
         show_doing_note(window, answer->doing, left, left + (*detail ? extent.x + GAP : 0), right, y);
 }
 
+/* Shows the numbers in one line below the title. */
+static void show_detail_below(Window *window, const Result *answer, double right, double y) {
+    const char *detail = answer->detail ? answer->detail : "";
+    bool fits = MARGIN + ui_extent(window->ui, UI_DETAIL, detail).x <= right;
+    UiTextStyle size = fits ? UI_DETAIL : UI_BODY;
+    show_text(window, size, ROLE_TEXT, MARGIN, right, y, whole_clauses(window, size, detail, right - MARGIN));
+}
+
+bool bars_answer_is_tall(Window *window) {
+    const Tab *tab = window_tab(window);
+    if (!window->present || !tab->session || lesson_hides_words(window))
+        return false;
+    Result answer = tab->laboratory->answer(tab->session);
+    double room = window->frame.page.x - 2 * MARGIN, width = ui_extent(window->ui, UI_ANSWER, answer.title).x;
+    double detail = answer.detail ? ui_extent(window->ui, UI_BODY, answer.detail).x : 0;
+    return width <= room && detail > TWO_LINES * (room - width - 2 * GAP);
+}
+
 /* Returns the size of the title: large, unless the numbers would then not fit. */
 static UiTextStyle title_size(Window *window, const Result *answer, double right) {
     double width = ui_extent(window->ui, UI_ANSWER, answer->title).x, rest = right - MARGIN - width - 2 * GAP;
+    if (window->answer_tall)
+        return rest < 0 ? UI_CLOCK : UI_ANSWER;
     double wanted = answer->detail ? ui_extent(window->ui, UI_BODY, answer->detail).x : 0;
     return rest < 0 || wanted > TWO_LINES * rest ? UI_CLOCK : UI_ANSWER;
 }
@@ -226,14 +267,22 @@ void bars_show_answer(Window *window) {
         double right = lacks ? show_cure_button(window, tab, bar, &answer) : show_place_button(window, tab, bar, hides);
         double y = middle_of(bar).y;
         UiTextStyle size = title_size(window, &answer, right);
-        double width = ui_extent(window->ui, size, answer.title).x;
+        double width = ui_extent(window->ui, size, answer.title).x, left = MARGIN + width + 2 * GAP, below = y + 2;
+        if (window->answer_tall) {
+            below = bar.high.y - TALL_FOOT * box_height(bar);
+            y = bar.low.y + TALL_HEAD * box_height(bar);
+            left = MARGIN;
+        }
         show_text(window, size, answer.stale ? ROLE_DIM_TEXT : answer.role, MARGIN, fmin(right, MARGIN + width + 2), y,
                   answer.title);
         if (answer.stale) {
-            show_work(window, tab, &answer, MARGIN + width + 2 * GAP, right, y + 2);
+            show_work(window, tab, &answer, left, right, below);
         } else {
             window->work_begun = 0;
-            show_detail(window, &answer, MARGIN + width + 2 * GAP, right, y + 2);
+            if (window->answer_tall)
+                show_detail_below(window, &answer, right, below);
+            else
+                show_detail(window, &answer, left, right, below);
         }
         show_progress(window, bar, &answer);
     }
@@ -344,6 +393,18 @@ static double show_key(Window *window, double left, double y, const KeyRow *row)
     return text + ui_extent(window->ui, UI_SMALL, row->strip).x + GAP;
 }
 
+/* The keys of the strip, few enough to be read: those of what has the focus. */
+static const Action *strip_of(Window *window) {
+    static const Action watching[STRIP_KEYS_MOST] = {ACTION_NEXT_THING, ACTION_RAISED, ACTION_GALLERY, ACTION_HELP};
+    static const Action editing[STRIP_KEYS_MOST] = {ACTION_NEXT_THING, ACTION_TOPPLE, ACTION_UNDO, ACTION_HELP};
+    static const Action machine[STRIP_KEYS_MOST] = {ACTION_PLAY, ACTION_KEEP, ACTION_GALLERY, ACTION_HELP};
+    static const Action plot[STRIP_KEYS_MOST] = {ACTION_BOX, ACTION_BOX_BACK, ACTION_KEEP, ACTION_HELP};
+    return strncmp(ui_focus_pane(window->ui), "plot:", 5) == 0 ? plot
+           : !tab_editor(window_tab(window))                   ? machine
+           : window->editing                                   ? editing
+                                                               : watching;
+}
+
 static double key_width(Window *window, const KeyRow *row) {
     return ui_extent(window->ui, UI_SMALL, row->key).x + 3 * KEY_PAD + ui_extent(window->ui, UI_SMALL, row->strip).x +
            GAP;
@@ -386,10 +447,14 @@ void bars_show_strip(Window *window) {
     ui_draw_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, vec2(right, y), 1, place);
     right -= ui_extent(window->ui, UI_SMALL, place).x + GAP;
     left = show_doing(window, left, right, y);
-    for (size_t i = 0; i < keys_count(); i++) {
-        KeyRow row = keys_at(i);
-        if (row.strip && (row.place != KEY_PLAN || tab_editor(tab)) && left + key_width(window, &row) < right)
-            left = show_key(window, left, y, &row);
+    const Action *actions = strip_of(window);
+    window->strip_count = 0;
+    for (size_t i = 0; i < STRIP_KEYS_MOST; i++) {
+        KeyRow row = keys_row(actions[i]);
+        if (!row.strip || left + key_width(window, &row) >= right)
+            continue;
+        left = show_key(window, left, y, &row);
+        window->strip_keys[window->strip_count++] = row.key;
     }
     ui_pane_end(window->ui);
 }

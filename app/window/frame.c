@@ -6,6 +6,7 @@
 #define MENU_HEIGHT 30.0
 #define ANSWER_HEIGHT 64.0
 #define PRESENT_ANSWER 77.0
+#define PRESENT_TALL 103.0
 #define TIMELINE_HEIGHT 52.0
 #define STRIP_HEIGHT 30.0
 #define PANEL_WIDTH 304.0
@@ -154,7 +155,9 @@ Frame frame_make(Vec2 page, const FrameWish *wish) {
     frame.compact = page.x < COMPACT_WIDTH || page.y < COMPACT_HEIGHT;
     frame.drawer = page.x < DRAWER_WIDTH;
     double menu = wish->present ? 0 : MENU_HEIGHT;
-    double answer = wish->present ? PRESENT_ANSWER : frame.compact ? COMPACT_ANSWER : ANSWER_HEIGHT;
+    double answer = wish->present   ? wish->tall_answer ? PRESENT_TALL : PRESENT_ANSWER
+                    : frame.compact ? COMPACT_ANSWER
+                                    : ANSWER_HEIGHT;
     double timeline = frame.compact ? COMPACT_TIMELINE : TIMELINE_HEIGHT;
     double strip = wish->present || frame.compact ? 0 : STRIP_HEIGHT;
     double width = page.x >= WIDEST_PAGE ? PANEL_WIDEST : frame_is_wide(page) ? PANEL_WIDE : PANEL_WIDTH;

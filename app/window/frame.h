@@ -25,6 +25,7 @@ enum { FRAME_PANES_MOST = 8 };
 
 typedef struct FrameWish {
     bool panel, plots, present;
+    bool tall_answer; /* of a presentation: it has a line more */
     size_t plot_count;
     size_t tool_count; /* in the toolbar; 0: there is none */
     double card;       /* width of a lesson's card; 0: there is none */

@@ -29,7 +29,7 @@ static const KeyRow table[] = {
 
     {ACTION_EDIT_PLAN, KEY_ANYWHERE, "Ctrl+J", MENU_EDIT, "Edit plan",
      "Show the tools that draw walls, doors and rooms, or put them away", NULL},
-    {ACTION_UNDO, KEY_ANYWHERE, "Ctrl+Z", MENU_EDIT, "Undo", "Undo the last edit", NULL},
+    {ACTION_UNDO, KEY_ANYWHERE, "Ctrl+Z", MENU_EDIT, "Undo", "Undo the last edit", "undo"},
     {ACTION_REDO, KEY_ANYWHERE, "Ctrl+Shift+Z", MENU_EDIT, "Redo", "Redo the last undone edit", NULL},
     {ACTION_REDO, KEY_ANYWHERE, "Ctrl+Y", MENU_NONE, NULL, NULL, NULL},
     {ACTION_HISTORY, KEY_ANYWHERE, "Ctrl+Shift+H", MENU_EDIT, "Undo history ...",
@@ -106,8 +106,8 @@ static const KeyRow table[] = {
     {ACTION_ZOOM_OUT, KEY_CANVAS, "-", MENU_VIEW, "Zoom out", "Zoom out", NULL},
     {ACTION_ZOOM_OUT, KEY_CANVAS, "Keypad -", MENU_NONE, NULL, NULL, NULL},
     {ACTION_BOX, KEY_PLOT, "Z", MENU_NONE, "Zoom to a box",
-     "Zoom to a box: move its corner by arrow keys and set it by Return, twice", NULL},
-    {ACTION_BOX_BACK, KEY_PLOT, "Backspace", MENU_NONE, "View before", "Return to the previous axes", NULL},
+     "Zoom to a box: move its corner by arrow keys and set it by Return, twice", "zoom to a box"},
+    {ACTION_BOX_BACK, KEY_PLOT, "Backspace", MENU_NONE, "View before", "Return to the previous axes", "axes before"},
     {ACTION_CURSOR_LEFT, KEY_PLOT, "Left", MENU_NONE, "Cursor left", "Move the cursor (Shift: ten steps)", NULL},
     {ACTION_CURSOR_LEFT, KEY_PLOT, "Shift+Left", MENU_NONE, NULL, NULL, NULL},
     {ACTION_CURSOR_RIGHT, KEY_PLOT, "Right", MENU_NONE, "Cursor right", "Move the cursor (Shift: ten steps)", NULL},
@@ -194,7 +194,7 @@ static const KeyRow table[] = {
     {ACTION_LESSON_LEAVE, KEY_ANYWHERE, "Ctrl+F4", MENU_LEARN, "Leave the lesson",
      "End the lesson; what is open stays open", NULL},
 
-    {ACTION_HELP, KEY_ANYWHERE, "F1", MENU_HELP, "Keys", "Show this card", "keys"},
+    {ACTION_HELP, KEY_ANYWHERE, "F1", MENU_HELP, "Keys", "Show this card", "all keys"},
     {ACTION_EXPLAIN, KEY_ANYWHERE, "Shift+F1", MENU_HELP, "Explain", "Explain the focused control", NULL},
     {ACTION_MESSAGES, KEY_ANYWHERE, "F7", MENU_HELP, "Messages", "Show all messages and errors", NULL},
     {ACTION_TRY, KEY_ANYWHERE, "Ctrl+F1", MENU_HELP, "Try this", "Show three first things to try", NULL},

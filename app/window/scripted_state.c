@@ -334,6 +334,10 @@ json_t *scripted_state_of(Window *window) {
     json_object_set_new(state, "sound", json_boolean(window->sound != NULL));
     json_object_set_new(state, "tried", json_integer(window->settings.state.tried));
     json_object_set_new(state, "field", json_string(window->field));
+    json_t *strip = json_array();
+    for (size_t i = 0; i < window->strip_count; i++)
+        json_array_append_new(strip, json_string(window->strip_keys[i]));
+    json_object_set_new(state, "strip_keys", strip);
     json_t *listed = json_array();
     for (size_t i = 0; window->dialog == DIALOG_OPEN && i < window->folder.count; i++)
         json_array_append_new(listed, json_string(window->folder.entries[i].name));

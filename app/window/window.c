@@ -27,7 +27,6 @@
 #include "window/tries.h"
 #include "window/window_state.h"
 
-enum { WIDTH = 1280, HEIGHT = 720 /* pixels of a new window */ };
 
 #define PRESENT_TEXT 1.45 /* times the size of the text, in presentation mode */
 #define PRESENT_LEAST 0.7
@@ -252,7 +251,9 @@ static void make_frame(Window *window) {
     bool teaches = lesson_is_shown(window), machine = tab->laboratory->numbers_first;
     bool panel = window->panel && lesson_has_panel(window) && (!window->present || window->drawer);
     plots = plots && !lesson_hides(window);
+    window->answer_tall = bars_answer_is_tall(window);
     FrameWish wish = {.panel = panel,
+                      .tall_answer = window->answer_tall,
                       .card = lesson_width(window, page),
                       .plots = plots && (!window->present || window->plots == PLOTS_OPEN || (teaches && machine)),
                       .present = window->present,
@@ -481,8 +482,9 @@ static void store_preferences(Window *window) {
 static bool create_sdl_window(Window *window, Fault *fault) {
     const WindowOptions *options = window->options;
     const SettingsPreferences *preferences = &window->settings.preferences;
-    int width = options->width > 0 ? options->width : preferences->width > 0 ? preferences->width : WIDTH;
-    int height = options->height > 0 ? options->height : preferences->height > 0 ? preferences->height : HEIGHT;
+    bool known = preferences->width >= SETTINGS_WIDTH_LEAST && preferences->height >= SETTINGS_HEIGHT_LEAST;
+    int width = options->width > 0 ? options->width : known ? preferences->width : 0;
+    int height = options->height > 0 ? options->height : known ? preferences->height : 0;
     window->sdl_window = sdl_window_create(width, height, fault);
     if (!window->sdl_window)
         return false;

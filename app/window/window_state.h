@@ -40,7 +40,7 @@ typedef enum Dialog {
     DIALOGS,
 } Dialog;
 
-enum { FOLDS_MOST = 64, WINDOW_PATH = 4096, WINDOW_TITLE = 256, GALLERY_MOST = 64 };
+enum { FOLDS_MOST = 64, WINDOW_PATH = 4096, WINDOW_TITLE = 256, GALLERY_MOST = 64, STRIP_KEYS_MOST = 4 };
 
 /* The state of mouse and keys over the plan. */
 typedef struct PlanInput {
@@ -140,6 +140,9 @@ typedef struct Window {
     bool lessons_only;    /* the gallery shows lessons alone */
     bool reduced;         /* nothing moves but what is simulated */
 
+    bool answer_tall;                        /* the detail stands below the title */
+    const char *strip_keys[STRIP_KEYS_MOST]; /* (strip_count) keys that the strip names */
+    size_t strip_count;
     int width, height; /* pixels */
     double unit;       /* pixels a design point */
     Frame frame;

@@ -12,11 +12,12 @@
 #define FLOOR -0.175      /* of pivot and shaker */
 #define ROW 0.031         /* from one row of text to the next */
 #define BEFORE 0.11       /* of the picture, in front of the beam */
-#define BEHIND 0.53       /* behind the beam */
+#define BEHIND 0.66       /* the tip, with the loupe */
 #define BEHIND_ALONE 0.15 /* behind the beam without a loupe */
 #define HIGH 0.195        /* of the picture, above the beam */
 #define LOW -0.195        /* below the beam */
 #define MAGNIFIED_AT 0.2  /* of the note about the magnification */
+#define NAME_BELOW 0.9    /* of ROW, of the names below the drawing and its frame */
 #define REST_BEFORE 0.04  /* from the beginning of the rest line to the beam */
 #define PIVOT_GROUND 0.030
 #define PIVOT_SPRING 0.016
@@ -43,8 +44,8 @@
 #define STOP_ROOM 0.031  /* behind the tip at its deepest: the stop, and its compressed spring */
 #define LOUPE_RIM 0.003  /* above and below the tip */
 #define LOUPE_LEFT 0.135 /* behind the tip */
-#define LOUPE_RIGHT 0.515
-#define LOUPE_TIP 0.265
+#define LOUPE_RIGHT 0.65
+#define LOUPE_TIP 0.305
 #define LOUPE_BALL 0.034
 #define LOUPE_GROUND 0.170
 #define LOUPE_STOP 0.036
@@ -107,7 +108,7 @@ static size_t joint_count(const BeamScale *scale) {
 
 Box beam_scene_box(const BeamScale *scale, bool alone) {
     double behind = scale->parts & BEAM_SCENE_LOUPE ? BEHIND : BEHIND_ALONE, length = scale->length;
-    double text = alone ? (scale->parts & BEAM_SCENE_SOURCES ? 2 : 1) * ROW : 0;
+    double text = alone ? (scale->parts & BEAM_SCENE_SOURCES ? 2.4 : 1.4) * ROW : 0;
     return (Box){{-BEFORE * length, (LOW - text) * length}, {(1 + behind) * length, HIGH * length}};
 }
 
@@ -195,7 +196,7 @@ static void still_joint(Scene *scene, const Beam *beam, const BeamScale *scale) 
     for (size_t i = 0; i < joint_count(scale) && scale->stops; i++)
         beam_joint_still(scene, beam, scale, &scale->joint[i]);
     if (scale->parts & BEAM_SCENE_LOUPE)
-        add_rows(scene, scale, vec2((1 + LOUPE_LEFT) * length, (LOW - 0.4 * ROW) * length), 1, rows, 2);
+        add_rows(scene, scale, vec2((1 + LOUPE_LEFT) * length, (LOW - NAME_BELOW * ROW) * length), 1, rows, 2);
 }
 
 static Primitive *add_frame(Scene *scene, Box box) {
@@ -245,7 +246,7 @@ static void add_magnified(Scene *scene, Vec2 at, const char *text) {
 
 void beam_scene_magnified(Scene *scene, const BeamScale *scale) {
     double length = scale->length;
-    add_magnified(scene, vec2(MAGNIFIED_AT * length, (LOW - 0.4 * ROW) * length),
+    add_magnified(scene, vec2(MAGNIFIED_AT * length, (LOW - NAME_BELOW * ROW) * length),
                   scene_text(scene, "deflection magnified %.9g times", scale->joint[0].factor));
     if (scale->parts & BEAM_SCENE_LOUPE)
         add_magnified(scene, vec2((1 + LOUPE_LEFT + LOUPE_RIM) * length, (HIGH - ROW) * length),

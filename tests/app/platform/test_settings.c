@@ -29,7 +29,7 @@ TEST(at_first_all_is_as_the_program_has_it_and_nothing_is_written) {
     Settings settings;
     open_quietly(&settings);
     CHECK(!settings.preferences.sound && settings.preferences.single_keys && !settings.preferences.reduced_motion);
-    CHECK(settings.preferences.text == 1 && settings.preferences.width == 1280 && settings.preferences.height == 720);
+    CHECK(settings.preferences.text == 1 && settings.preferences.width == 0 && settings.preferences.height == 0);
     CHECK(settings_laboratory(&settings, "house")->layers == -1);
     CHECK_NEAR(settings_laboratory(&settings, "beam")->speed, 1, 0);
     CHECK_TEXT(settings.state.folder, "");
@@ -49,6 +49,7 @@ TEST(what_is_set_is_there_the_next_time) {
     settings.preferences.text = 3;
     settings.preferences.single_keys = false;
     settings.preferences.width = 1920;
+    settings.preferences.height = 720;
     settings.state.folder = settings_store(&settings, "/some where");
     settings_laboratory(&settings, "beam")->speed = 0.25;
     settings_laboratory(&settings, "beam")->plots = "phase,section";

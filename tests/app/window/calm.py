@@ -230,6 +230,20 @@ for key, least, box in (("F24", 29, [0, 32, 290, 90]), ("F5", 42, [0, 4, 430, 10
     height = stage.magick("convert", str(shot), "-crop", stage.crop(box), "+repage", "-trim", "-format", "%h", "info:").stdout
     check(int(height) >= least, f"6: capitals of the headline are {least} pixels high", height)
 
+# 6, 11: presenting, a long detail takes nothing from the headline; the strip names four keys at most, and the card of all
+state = act("capitals-long", "until answered", "until idle", "pause", "key F5", "wait 5", "picture FOLDER/shot.png", "state STATE",
+            arguments=[stage.house("flat-0.910-module"), "--size", "1280x720"])[0]
+shot = stage.folder / "capitals-long" / "shot.png"
+answer = state["frame"]["answer"]
+head = [answer[0], answer[1] + 2, answer[0] + 60, answer[1] + 0.68 * (answer[3] - answer[1])]
+height = stage.magick("convert", str(shot), "-crop", stage.crop(head), "+repage", "-trim", "-format", "%h", "info:").stdout
+check(int(height) >= 42, "6: presenting, capitals of a long headline are 42 pixels high, too", height)
+for name, keys in (("watching", []), ("editing", ["key Ctrl+J"]), ("beam", ["laboratory beam", "until answered"])):
+    state = act(f"strip-{name}", "until answered", "pause", *keys, "wait 4", "state STATE")[0]
+    check(len(state["strip_keys"]) <= 4 and "F1" in state["strip_keys"], f"{name}: the strip names four keys at most",
+          state["strip_keys"])
+    check(name == "editing" or "F4" in state["strip_keys"], f"{name}: it names the gallery", state["strip_keys"])
+
 # 30: while it runs, no label moves but those of people
 steps = []
 for _ in range(12):

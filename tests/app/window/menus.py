@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Tests the menus, the card of keys, the history of edits and the messages, with a real mouse and real keys."""
 
+import json
+
 import stage
 from drawing import Plan
 from stage import act, check
@@ -43,6 +45,22 @@ plan.keys("Escape", "Escape")
 check(plan.until(lambda s: s["sheet"] == "none")["sheet"] == "none", "Escape closes the card")
 
 plan.end()
+
+# the first window is as large as suits its screen, and one that was larger before stays within the screen
+first = stage.Screen("large-screen", width=1600, height=1000, whole=False)
+state = first.state()
+check(1280 <= state["width"] <= 1600 and state["width"] >= 0.75 * 1600 and 0.75 * 1000 <= state["height"] <= 1000,
+      "8: the first window takes most of a large screen", (state["width"], state["height"]))
+first.end()
+kept = first.place / "home" / ".config" / "clearance" / "settings.json"
+settings = json.loads(kept.read_text())
+kept.write_text(json.dumps({**settings, "width": 3000, "height": 2000}))
+first.log.unlink()
+first = stage.Screen("large-screen", width=1024, height=600, whole=False)
+state = first.state()
+check((state["width"], state["height"]) == (1024, 600), "8: a remembered size stays within a smaller screen",
+      (state["width"], state["height"]))
+first.end()
 
 # each edit has a message with Undo; the history goes back to the house as it was opened
 found = act("history", "until answered", "pause", "click 690 480", "wait 3", "key Delete", "wait 3", "state STATE",

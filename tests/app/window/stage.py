@@ -116,9 +116,10 @@ def is_shifted(letter):
 class Screen:
     """The program on its own display, operated by xdotool through real input events. A script that repeatedly writes
     the state reports on the program. The state counts the presses and releases that the program has handled, and
-    contains the position of the mouse: each input is followed by a wait for its effect, never for a fixed time."""
+    contains the position of the mouse: each input is followed by a wait for its effect, never for a fixed time. The window
+    is as large as the display, or, if it is not `whole`, as the program chooses."""
 
-    def __init__(self, name, *arguments, width=SCREEN[0], height=SCREEN[1], minutes=5):
+    def __init__(self, name, *arguments, width=SCREEN[0], height=SCREEN[1], minutes=5, whole=True):
         self.place = folder / name
         self.place.mkdir(exist_ok=True)
         self.display = self.start_display(width, height)
@@ -128,6 +129,8 @@ class Screen:
         script = self.place / "script"
         script.write_text(f"wait 1\nstate {self.log.name}\n" * int(minutes * 60 * 30) + "quit\n")
         self.env = environment(self.place / "home", DISPLAY=self.display, SDL_MOUSE_DOUBLE_CLICK_TIME="0")
+        if (width, height) != (1280, 720) and whole:
+            arguments = ("--size", f"{width}x{height}", *arguments)
         self.errors = open(self.place / "errors", "w")
         self.program = subprocess.Popen([program, "open", *arguments, "--script", str(script)], cwd=self.place,
                                         env=self.env, stdout=self.errors, stderr=self.errors)
