@@ -130,7 +130,7 @@ static void show_keys(Window *window) {
     int shown = window->frame.page.x < NARROW_CARD ? 1 : KEY_COLUMNS;
     size_t first = *window->field ? 0 : strip_lines(window, strip);
     if (first)
-        ui_line(window->ui, UI_BODY, ROLE_DIM_TEXT,
+        ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT,
                 "Type above to find a key. Tab goes to the next control, F6 to the next pane. Most used here:");
     for (size_t i = 0; i < first; i++) {
         if (i % (size_t)shown == 0)

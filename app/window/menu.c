@@ -16,7 +16,8 @@
 #define ROW 28.0
 #define MARGIN 6.0
 #define WORD_PAD 20.0
-#define GROUP_GAP 9.0 /* with a line, between two groups of rows */
+#define COMPACT_PAD 12.0 /* of a word in an open menu */
+#define GROUP_GAP 9.0    /* with a line, between two groups of rows */
 
 enum { RECENT_SHOWN = 5 };
 
@@ -220,7 +221,7 @@ static double height_of(Window *window) {
         KeyRow row = keys_at(i);
         rows += is_there(&row, window->menu);
     }
-    return (double)rows * ROW + gaps_of(window->menu, recent) + 2 * MARGIN;
+    return (double)rows * ROW + gaps_of(window->menu, recent) + (window->frame.compact ? 3 : 2) * MARGIN;
 }
 
 Box menu_box(Window *window) {
@@ -234,17 +235,21 @@ bool menu_scrolls(Window *window) {
 }
 
 /* In a small window the other menus are words at the top of the open one. */
-static void show_words(Window *window) {
-    ui_row(window->ui, MENUS - MENU_FILE);
-    for (KeyMenu menu = MENU_FILE; menu < MENUS; menu++)
+static void show_words(Window *window, Box box) {
+    double left = box.low.x + MARGIN;
+    for (KeyMenu menu = MENU_FILE; menu < MENUS; menu++) {
+        double right = left + ui_extent(window->ui, UI_BODY, keys_menus[menu]).x + COMPACT_PAD;
+        ui_at(window->ui, (Box){{left, box.low.y + MARGIN}, {right, box.low.y + MARGIN + ROW}});
         if (ui_button(window->ui,
                       &(UiButton){.label = keys_menus[menu], .plain = true, .chosen = menu == window->menu}))
             window->menu = menu;
+        left = right;
+    }
 }
 
 static bool show_rows(Window *window, Box box) {
     const char *paths[SETTINGS_RECENT_MOST];
-    double first = box.low.y + MARGIN + (window->frame.compact ? ROW : 0), top = first;
+    double first = box.low.y + MARGIN + (window->frame.compact ? ROW + MARGIN : 0), top = first;
     size_t recent = recent_files(window, paths);
     for (size_t i = 0; i < keys_count(); i++) {
         KeyRow row = keys_at(i);
@@ -274,7 +279,10 @@ void menu_show(Window *window) {
     bool inside = box_holds(box, pointer_of(window)), on_bar = pointed < MENUS;
     ui_pane_begin(window->ui, &pane);
     if (window->frame.compact)
-        show_words(window);
+        show_words(window, box);
+    if (window->frame.compact && window->menu_seen != window->menu)
+        ui_focus_on(window->ui, pane.name, keys_menus[window->menu]);
+    window->menu_seen = window->menu;
     bool done = show_rows(window, box);
     ui_pane_end(window->ui);
     if (!done && pressed && !inside && !(on_bar && window->menu_press.opened))

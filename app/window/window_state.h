@@ -152,6 +152,7 @@ typedef struct Window {
 
     Dialog dialog;
     KeyMenu menu; /* the open menu */
+    KeyMenu menu_seen; /* in the frame before */
     struct {
         bool down, opened; /* the left button was down in the last frame; that press opened the menu */
     } menu_press;
