@@ -325,15 +325,23 @@ static bool has_tool(Window *window) {
     return editor && editor_tool(editor) != TOOL_SELECT;
 }
 
-/* Returns the box of messages: the strip, or its right half while a tool is in hand; above the timeline if there is no
- * strip. */
+/* Returns the width that a message needs, with its buttons. */
+static double message_width(Window *window) {
+    size_t faults;
+    const Message *shown = notice_shown(window, &faults);
+    double undo = ui_extent(window->ui, UI_BODY, "Undo").x + BUTTON_PAD;
+    return shown ? MARGIN + ui_extent(window->ui, UI_BODY, shown->text).x + 2 * GAP + undo + 40 : HUGE_VAL;
+}
+
+/* Returns the box of messages: the strip, or what the message needs of its right half while a tool is in hand; above
+ * the timeline if there is no strip. */
 static Box message_box(Window *window, bool fault) {
     Box box = window->frame.strip;
     if (box_height(box) <= 0)
         return (Box){{window->frame.view.low.x, window->frame.timeline.low.y - MESSAGE_HEIGHT},
                      {window->frame.page.x, window->frame.timeline.low.y}};
     if (!fault && has_tool(window))
-        box.low.x = middle_of(box).x;
+        box.low.x = fmax(middle_of(box).x, box.high.x - message_width(window));
     return box;
 }
 
@@ -398,9 +406,11 @@ static const Action *strip_of(Window *window) {
     static const Action watching[STRIP_KEYS_MOST] = {ACTION_NEXT_THING, ACTION_RAISED, ACTION_GALLERY, ACTION_HELP};
     static const Action editing[STRIP_KEYS_MOST] = {ACTION_NEXT_THING, ACTION_TOPPLE, ACTION_UNDO, ACTION_HELP};
     static const Action machine[STRIP_KEYS_MOST] = {ACTION_PLAY, ACTION_KEEP, ACTION_GALLERY, ACTION_HELP};
+    static const Action tool[STRIP_KEYS_MOST] = {ACTION_UNDO, ACTION_HELP, ACTION_NONE, ACTION_NONE};
     static const Action plot[STRIP_KEYS_MOST] = {ACTION_BOX, ACTION_BOX_BACK, ACTION_KEEP, ACTION_HELP};
     return strncmp(ui_focus_pane(window->ui), "plot:", 5) == 0 ? plot
            : !tab_editor(window_tab(window))                   ? machine
+           : has_tool(window)                                  ? tool
            : window->editing                                   ? editing
                                                                : watching;
 }

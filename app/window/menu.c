@@ -40,6 +40,7 @@ static Box word_box(Window *window, KeyMenu wanted) {
 
 static void open_menu(Window *window, KeyMenu menu) {
     window->menu = menu;
+    window->menu_seen = MENUS;
     dialog_pane_show(window, DIALOG_MENU);
 }
 

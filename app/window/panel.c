@@ -99,7 +99,7 @@ static void show_rows(Window *window, Tab *tab, size_t from, size_t to) {
     bool open = true, selected = tab->laboratory->selected(tab->session).kind;
     for (size_t i = from; i < count && i < to; i++) {
         if (rows[i].row.kind == ROW_HEADING && selected && !is_usable(&rows[i]) && i == 0) {
-            ui_heading(window->ui, rows[i].row.cells[0]); /* of the selection, whose numbers follow at once */
+            panel_edit_heading(window, rows[i].row.cells[0]); /* of the selection, whose numbers follow at once */
         } else if (rows[i].row.kind == ROW_HEADING) {
             size_t all = list_end(rows, count, i) - i - 1;
             const char *summary = text_in_arena(&window->arena, "%zu", all);
@@ -233,6 +233,16 @@ static void show_parameter(Window *window, const PanelParameter *parameter) {
     }
 }
 
+/* True if other parameters of the group of the index-th one, at which it begins, stand above it. */
+static bool begins_above(const PanelParameter *parameters, size_t count, size_t index) {
+    const PanelParameter *mine = &parameters[index];
+    for (size_t i = 0; i < count; i++)
+        if ((mine->first ? parameters[i].first && i < index : parameters[i].first || i < index) &&
+            strcmp(parameters[i].group, mine->group) == 0)
+            return true;
+    return false;
+}
+
 /* Shows the most used parameters, or all others, in folds; those of the selection stay open. */
 static void show_parameters(Window *window, Tab *tab, bool first) {
     size_t count;
@@ -248,9 +258,12 @@ static void show_parameters(Window *window, Tab *tab, bool first) {
             group = text_in_arena(&window->arena, "%s", parameters[i].group);
             open = true;
             if (heads)
-                ui_heading(window->ui, group);
+                panel_edit_heading(window, group);
             else
-                open = show_fold(window, group, NULL, first && (selected || tab->laboratory->numbers_first));
+                open = show_fold(window,
+                                 begins_above(parameters, count, i) ? text_in_arena(&window->arena, "%s: more", group)
+                                                                    : group,
+                                 NULL, first && (selected || tab->laboratory->numbers_first));
             any = true;
             parameters = tab->laboratory->parameters(tab->session, &count);
         }
@@ -327,6 +340,7 @@ void panel_show(Window *window) {
         return;
     window->dirty |= window->folds_opened != window->folds_opening; /* those above have not known it */
     window->folds_opened = window->folds_opening;
+    window->heading_count = 0;
     window->folds_open = window->folds_opening = 0;
     ui_pane_begin(window->ui,
                   &(UiPane){.name = "panel", .box = window->frame.panel, .ground = ROLE_PANEL, .scrolls = true});

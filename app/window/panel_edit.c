@@ -84,6 +84,18 @@ static void show_items(Window *window, Editor *editor) {
     }
 }
 
+/* Headings ----------------------------------------------------------------------------------------------------------
+ */
+
+void panel_edit_heading(Window *window, const char *text) {
+    for (size_t i = 0; i < window->heading_count; i++)
+        if (strcmp(window->headings[i], text) == 0)
+            return;
+    if (window->heading_count < HEADINGS_MOST)
+        snprintf(window->headings[window->heading_count++], sizeof window->headings[0], "%s", text);
+    ui_heading(window->ui, text);
+}
+
 /* Texts of the selection ------------------------------------------------------------------------------------------- */
 
 /* Shows a text field; true if the text was changed, which may change the list of texts. */
@@ -110,7 +122,7 @@ static void show_texts(Window *window, Editor *editor, bool of_house) {
         if ((strncmp(texts[i].name, house, sizeof house - 1) == 0) != of_house)
             continue;
         if (strcmp(group, texts[i].group) != 0)
-            ui_heading(window->ui, texts[i].group);
+            panel_edit_heading(window, texts[i].group);
         group = texts[i].group;
         if (show_text(window, editor, &texts[i]))
             return;

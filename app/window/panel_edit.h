@@ -6,6 +6,9 @@
 
 void panel_edit_show(Window *window);
 
+/* Shows a heading of the selection; one that stands above already is not repeated. */
+void panel_edit_heading(Window *window, const char *text);
+
 /* Shows why a person cannot leave, and offers the smallest change. */
 void panel_edit_show_way_out(Window *window);
 

@@ -40,7 +40,15 @@ typedef enum Dialog {
     DIALOGS,
 } Dialog;
 
-enum { FOLDS_MOST = 64, WINDOW_PATH = 4096, WINDOW_TITLE = 256, GALLERY_MOST = 64, STRIP_KEYS_MOST = 4 };
+enum {
+    FOLDS_MOST = 64,
+    WINDOW_PATH = 4096,
+    WINDOW_TITLE = 256,
+    GALLERY_MOST = 64,
+    STRIP_KEYS_MOST = 4,
+    HEADINGS_MOST = 8,
+    HEADING = 64
+};
 
 /* The state of mouse and keys over the plan. */
 typedef struct PlanInput {
@@ -140,7 +148,9 @@ typedef struct Window {
     bool lessons_only;    /* the gallery shows lessons alone */
     bool reduced;         /* nothing moves but what is simulated */
 
-    bool answer_tall;                        /* the detail stands below the title */
+    bool answer_tall;                      /* the detail stands below the title */
+    char headings[HEADINGS_MOST][HEADING]; /* (heading_count) of the selection, in the panel */
+    size_t heading_count;
     const char *strip_keys[STRIP_KEYS_MOST]; /* (strip_count) keys that the strip names */
     size_t strip_count;
     int width, height; /* pixels */
@@ -151,7 +161,7 @@ typedef struct Window {
     Vec2 mouse; /* pixels */
 
     Dialog dialog;
-    KeyMenu menu; /* the open menu */
+    KeyMenu menu;      /* the open menu */
     KeyMenu menu_seen; /* in the frame before */
     struct {
         bool down, opened; /* the left button was down in the last frame; that press opened the menu */

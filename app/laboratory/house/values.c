@@ -26,7 +26,7 @@ static const Offer furniture_offers[] = {
 static const Offer wall_offers[] = {{"thickness", "thickness", 0, 0.5}};
 static const Offer exit_offers[] = {{"opens", "opens at", 0, 60}};
 static const Offer person_offers[] = {{"delay", "delay", 0, 30},
-                                      {"speed", "free speed (0: the profile's)", 0, 2},
+                                      {"speed", "free speed (0: usual)", 0, 2},
                                       {"at.x", "start, x", 0, 0},
                                       {"at.y", "start, y", 0, 0},
                                       {"heading", "heading at the start", -180, 180}};
