@@ -270,3 +270,19 @@ const char *names_thing(const House *house, const char *thing, Vec2 at, Arena *a
         return name;
     return text_in_arena(arena, "%s wall of %s", side_of(&house->plan, room, at), room);
 }
+
+const char *names_number(const char *label) {
+    static const char *const words[][2] = {{"changes of direction", "back and forth"},
+                                           {"narrowest clearance", "least room to spare"},
+                                           {"narrowest at", "least room at"},
+                                           {"contacts", "touches"},
+                                           {"hardest contact", "hardest touch"},
+                                           {"personal space entered", "personal space pressed for"},
+                                           {"dangerous points", "tight places"},
+                                           {"lost time", "time lost"},
+                                           {"profile", "who"}};
+    for (size_t i = 0; label && i < sizeof words / sizeof *words; i++)
+        if (strcmp(words[i][0], label) == 0)
+            return words[i][1];
+    return label;
+}

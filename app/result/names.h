@@ -18,6 +18,9 @@ const char *names_person(const House *house, size_t person, Arena *arena);
 /* Returns the word for a profile, "wheelchair" for "manual-chair", or its own name if there is none. */
 const char *names_profile(const char *profile);
 
+/* Returns the window's word for the label of a number, "touches" for "contacts", or the label if there is none. */
+const char *names_number(const char *label);
+
 /* Returns the name of a thing at a place, m, in a few words: "bedroom door", "left wall of shop 3". */
 const char *names_thing(const House *house, const char *thing, Vec2 at, Arena *arena);
 

@@ -50,9 +50,9 @@ static void add_moment(HouseSession *session, size_t person, double time) {
     double reach = session->runs[RUN_SHOWN]->house.people[person].profile->space_reach;
     bool free = row[TRACE_CLEARANCE] >= reach;
     add_pair(session, "speed now", scene_text(scene, "%.2f m/s", row[TRACE_SPEED]));
-    add_pair(session, "clearance now",
+    add_pair(session, "room to spare now",
              free ? scene_text(scene, "over %.2f m", reach) : headline_clearance(row[TRACE_CLEARANCE], &scene->arena));
-    add_pair(session, "contact force now", scene_text(scene, "%.0f N", row[TRACE_BODY_FORCE]));
+    add_pair(session, "force now", scene_text(scene, "%.0f N", row[TRACE_BODY_FORCE]));
 }
 
 /* Adds a row for each fact of a record that has a value, from row `first` on. */
@@ -66,6 +66,7 @@ static void add_record(HouseSession *session, ResultTable *table, size_t first) 
         if (!result_panel_row(&line, row, arena) ||
             (brief && line.cells[0] && strcmp(line.cells[0], "width needed") == 0)) /* not final yet */
             continue;
+        line.cells[0] = names_number(line.cells[0]);
         line.cells[1] = line.cells[1] ? names_text(house, names_profile(line.cells[1]), arena) : NULL;
         add_row(session, line.kind, NULL)->row = line;
     }
@@ -145,8 +146,10 @@ static void compare(HouseSession *session) {
     add_row(session, ROW_HEADING, scene_text(scene, "Compare: %s, now", house_scene_before_name(ghost)));
     for (size_t r = 0; r < now.row_count; r++) {
         SceneRow line;
-        if (result_panel_pair(&line, result_at(&before, 0, r), result_at(&now, 0, r), &scene->arena))
+        if (result_panel_pair(&line, result_at(&before, 0, r), result_at(&now, 0, r), &scene->arena)) {
+            line.cells[0] = names_number(line.cells[0]);
             add_row(session, line.kind, NULL)->row = line;
+        }
     }
     result_clear(&before);
     result_clear(&now);

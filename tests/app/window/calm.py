@@ -244,6 +244,13 @@ for name, keys in (("watching", []), ("editing", ["key Ctrl+J"]), ("beam", ["lab
           state["strip_keys"])
     check(name == "editing" or "F4" in state["strip_keys"], f"{name}: it names the gallery", state["strip_keys"])
 
+# 28: the numbers of a person and of a comparison have the window's words
+state = act("words", "until answered", "key Tab", "wait 4", "state STATE", arguments=[stage.house("corner-0.90-0.90")])[0]
+cells = {row[0] for row in state["rows"]}
+check({"touches", "hardest touch", "least room to spare"} <= cells and not cells & {
+      "contacts", "hardest contact", "narrowest clearance", "dangerous points", "personal space entered"},
+      "28: the panel says touches and room to spare", cells)
+
 # 30: while it runs, no label moves but those of people
 steps = []
 for _ in range(12):

@@ -204,8 +204,8 @@ check(clean["digest"] == after["digest"], "19: R runs it from the beginning, as 
       (now["digest"], clean["digest"], clean["focus"]))
 rows = {row[0]: row[1:] for row in plan.until(lambda s: any("Compare" in row[0] for row in s["rows"]))["rows"]}
 check(rows.get("last out") == [f"{before['time']:.2f} s", f"{after['time']:.2f} s"]
-      and rows.get("contacts") == [str(run["people"][0]["contacts"]) for run in (before, after)]
-      and rows.get("personal space entered") == [f"{run['people'][0]['ring_time']:.1f} s" for run in (before, after)],
+      and rows.get("touches") == [str(run["people"][0]["contacts"]) for run in (before, after)]
+      and rows.get("personal space pressed for") == [f"{run['people'][0]['ring_time']:.1f} s" for run in (before, after)],
       "19: the table of both has the same numbers", (rows, before["people"], after["people"]))
 plan.end()
 
