@@ -336,10 +336,12 @@ const Option option_rows[] = {
      "do what this file says, as a person would; for tests and lessons", GROUP_WINDOW, FOR_OPEN | FOR_LESSON, ".script",
      NULL},
     {"--benchmark-window", OPTION_NUMBER, FIELD(benchmark), 0.1, 1e6, "SECONDS",
-     "play for this time, print the pictures per second, and end", GROUP_WINDOW, FOR_OPEN, NULL, NULL},
-    {"--benchmark-edit", OPTION_NUMBER, FIELD(benchmark_edit), 0.1, 1e6, "SECONDS",
-     "drag a wardrobe for this time, print how long the answer takes after each move, and end", GROUP_WINDOW, FOR_OPEN,
+     "play for this time, print the pictures per second and how busy the machine is, and end", GROUP_WINDOW, FOR_OPEN,
      NULL, NULL},
+    {"--benchmark-edit", OPTION_NUMBER, FIELD(benchmark_edit), 0.1, 1e6, "SECONDS",
+     "drag a wardrobe for this time, print how long the answer takes after each move and how busy the machine is, and "
+     "end",
+     GROUP_WINDOW, FOR_OPEN, NULL, NULL},
 
     {"--jobs", OPTION_WHOLE, FIELD(jobs), 1, 1024, "N",
      "number of threads (default: one per processor); the answer does not depend on it", GROUP_PROGRAM,

@@ -1,5 +1,6 @@
 #include "platform/frame_timer.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -48,6 +49,22 @@ static double process_age(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec - ticks / (double)sysconf(_SC_CLK_TCK);
 }
 
+/* Returns the processor time of all threads of this process so far, s. */
+static double processor_time(void) {
+    struct timespec used;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+    return (double)used.tv_sec + 1e-9 * (double)used.tv_nsec;
+}
+
+FrameMachine frame_timer_machine(const FrameTimer *timer) {
+    FrameMachine machine = {.load = NAN, .processors = sysconf(_SC_NPROCESSORS_ONLN)};
+    double passed = stopwatch_now() - timer->begun;
+    machine.used = passed > 0 ? (processor_time() - timer->processor) / passed : NAN;
+    if (getloadavg(&machine.load, 1) != 1)
+        machine.load = NAN;
+    return machine;
+}
+
 void frame_timer_note_first(FrameTimer *timer) {
     if (timer->first <= 0)
         timer->first = process_age();
@@ -58,17 +75,20 @@ void frame_timer_count(FrameTimer *timer) {
     timer->count = 0;
     timer->worked = 0;
     timer->begun = stopwatch_now();
+    timer->processor = processor_time();
 }
 
 void frame_timer_print(FrameTimer *timer, const char *what, int width, int height) {
     double passed = stopwatch_now() - timer->begun;
     if (!timer->count)
         return;
+    FrameMachine machine = frame_timer_machine(timer);
     qsort(timer->times, timer->count, sizeof *timer->times, order_rising);
     printf("%s, %d x %d: first picture after %.2f s, %.1f frames/s, a frame takes %.1f ms (median), %.1f ms (99 of "
-           "100), simulating is %.1f %%\n",
+           "100), simulating is %.1f %%, used %.2f of %ld processors, load %.1f\n",
            what, width, height, timer->first, (double)timer->count / passed, MILLI * timer->times[timer->count / 2],
-           MILLI * timer->times[timer->count * 99 / 100], 100 * timer->worked / passed);
+           MILLI * timer->times[timer->count * 99 / 100], 100 * timer->worked / passed, machine.used,
+           machine.processors, machine.load);
 }
 
 void frame_timer_clear(FrameTimer *timer) {

@@ -12,6 +12,7 @@ typedef struct FrameTimer {
     size_t count, capacity;
     bool counting;
     double begun, worked; /* s: when counting began; the time spent simulating since */
+    double processor;     /* s: processor time of all threads when counting began */
     double first;         /* s, from the start of the program to the first frame; 0: there has been none */
 } FrameTimer;
 
@@ -26,7 +27,16 @@ void frame_timer_note_first(FrameTimer *timer);
 
 void frame_timer_count(FrameTimer *timer);
 
-/* Prints frames per second, median and 99th percentile of their durations, and the share of simulating; `what` names
- * the laboratory. */
+/* How busy the machine is, without which a measured time says little. */
+typedef struct FrameMachine {
+    double load;     /* programs that want to run, mean of the last minute; NAN: unknown */
+    double used;     /* processors that this process has used since counting began, 1 */
+    long processors; /* of the machine */
+} FrameMachine;
+
+FrameMachine frame_timer_machine(const FrameTimer *timer);
+
+/* Prints frames per second, median and 99th percentile of their durations, and the share of simulating, and how busy
+ * the machine is; `what` names the laboratory. */
 void frame_timer_print(FrameTimer *timer, const char *what, int width, int height);
 void frame_timer_clear(FrameTimer *timer);

@@ -120,7 +120,7 @@ const char *ui_focus_pane(const Ui *ui);
 bool ui_focus_is_pane(const Ui *ui);
 void ui_focus(Ui *ui, const char *pane);
 
-/* Moves the focus to the first number of a pane, as soon as it is made; to the pane if it has none. */
+/* Moves the focus to the first number or text of a pane, as soon as it is made; to the pane if it has none. */
 void ui_focus_number(Ui *ui, const char *pane);
 
 /* Moves the focus to a widget of a pane, by its id, as a key would; false: the last frame had none. And whether that

@@ -95,12 +95,13 @@ void ui_focus_number(Ui *ui, const char *pane) {
     ui->wants_frames = NUMBER_FRAMES;
 }
 
-/* Gives the focus to the first number of the pane that should have it. */
+/* Gives the focus to the first number or text of the pane that should have it. */
 static void find_number(Ui *ui) {
     if (!ui->wants_number)
         return;
     for (size_t i = 0; i < ui->old_stop_count && ui->wants_number; i++)
-        if (ui->old_stops[i].pane == ui->wants_number && ui->old_stops[i].kind == UI_IS_SLIDER) {
+        if (ui->old_stops[i].pane == ui->wants_number &&
+            (ui->old_stops[i].kind == UI_IS_SLIDER || ui->old_stops[i].kind == UI_IS_FIELD)) {
             give(ui, &ui->old_stops[i]);
             ui->wants_number = 0;
         }

@@ -257,6 +257,18 @@ static bool do_window(Window *window, Action action) {
     }
 }
 
+/* True if something is selected whose texts the panel shows, like a room, which the laboratory itself does not know. */
+static bool selects_texts(const Tab *tab) {
+    static const char house[] = "house.";
+    size_t count = 0;
+    Editor *editor = tab_editor(tab);
+    const EditText *texts = editor ? editor_texts(editor, &count) : NULL;
+    for (size_t i = 0; i < count; i++)
+        if (strncmp(texts[i].name, house, sizeof house - 1) != 0)
+            return true;
+    return false;
+}
+
 /* Does an action on the laboratory's files and items; false: it is another action. */
 static bool do_tab(Window *window, Tab *tab, Action action) {
     switch (action) {
@@ -304,7 +316,7 @@ static bool do_tab(Window *window, Tab *tab, Action action) {
         return true;
     case ACTION_EDIT_NUMBERS:
         window->panel = window->drawer = true;
-        if (tab->laboratory->selected(tab->session).kind || lesson_is_shown(window))
+        if (tab->laboratory->selected(tab->session).kind || lesson_is_shown(window) || selects_texts(tab))
             ui_focus_number(window->ui, "panel");
         else
             ui_focus(window->ui, "panel");

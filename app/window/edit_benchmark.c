@@ -104,15 +104,18 @@ static void print(Window *window) {
     double frame = MILLI * part_of(frames->times, frames->count, 0.5);
     double slow = MILLI * part_of(frames->times, frames->count, 0.99);
     double longest = MILLI * part_of(frames->times, frames->count, 1);
+    FrameMachine machine = frame_timer_machine(frames);
     printf("%s, %d x %d, dragged for %.1f s: %zu edits, %zu unanswered; from an edit to its answer on the screen %.1f "
-           "ms (median), %.1f ms (99 of 100); a frame takes %.1f ms (median), %.1f ms (99 of 100), %.1f ms (longest)\n",
+           "ms (median), %.1f ms (99 of 100); a frame takes %.1f ms (median), %.1f ms (99 of 100), %.1f ms (longest); "
+           "used %.2f of %ld processors, load %.1f\n",
            window_tab(window)->laboratory->title(window_tab(window)->session), window->width, window->height,
            stopwatch_now() - benchmark->begun, benchmark->count + benchmark->missed, benchmark->missed, median, late,
-           frame, slow, longest);
+           frame, slow, longest, machine.used, machine.processors, machine.load);
     if (benchmark->count && frames->count)
         printf("{\"edits\":%zu,\"unanswered\":%zu,\"answer_ms\":{\"median\":%.3f,\"p99\":%.3f},\"frame_ms\":"
-               "{\"median\":%.3f,\"p99\":%.3f,\"longest\":%.3f}}\n",
-               benchmark->count + benchmark->missed, benchmark->missed, median, late, frame, slow, longest);
+               "{\"median\":%.3f,\"p99\":%.3f,\"longest\":%.3f},\"used\":%.3f,\"processors\":%ld,\"load\":%.2f}\n",
+               benchmark->count + benchmark->missed, benchmark->missed, median, late, frame, slow, longest,
+               machine.used, machine.processors, machine.load);
 }
 
 /* Records the delay of the last step's result, or that it did not come in time. The first frame after a step still

@@ -2,6 +2,7 @@
 """Tests the keyboard alone: checks 6 (an open field), 20 and 21 of the window's conventions, each key of the card."""
 
 import re
+import subprocess
 
 import stage
 from stage import act, check, differing
@@ -54,6 +55,19 @@ found = act("field", "until complete", "pause", "key Ctrl+O", "wait 3", "type ab
             "state STATE", "key Alt+K", "wait 2", "state STATE", "picture FOLDER/field.png")
 check(found[0]["types"] and found[1]["types"], "a field is open, before and after", found[0])
 check(found[1]["playing"], "Alt+K plays while it is")
+
+# 7. Return on a selection goes to its numbers or texts, not to a button for somebody who is blocked
+found = act("blocked", "until answered", "until idle", "pause", "at 1.79 6.04", "press", "release", "wait 3", "key Return", "wait 5",
+            "state STATE", arguments=[stage.house("flat-0.910-module")])
+check(found[0]["focus"] == "panel" and (found[0]["focus_help"] or "").startswith(("name", "place")),
+      "7: Return on a selection goes to its first number or text", (found[0]["focus"], found[0]["focus_help"]))
+
+# a benchmark tells how busy the machine was
+done = subprocess.run([stage.program, "open", stage.house("corner-0.90-0.90"), "--benchmark-window", "0.2"], text=True,
+                      capture_output=True, timeout=600,
+                      env=stage.environment(stage.folder / "busy", SDL_VIDEODRIVER="offscreen"))
+check(re.search(r"used [0-9.]+ of [0-9]+ processors, load [0-9.]+$", done.stdout.strip()), "a benchmark says how busy the machine was",
+      done.stdout + done.stderr)
 
 # 20. texts that are not numbers
 name = "profile.manual-chair.width"
