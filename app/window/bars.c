@@ -461,6 +461,7 @@ void bars_show_strip(Window *window) {
     window->strip_count = 0;
     for (size_t i = 0; i < STRIP_KEYS_MOST; i++) {
         KeyRow row = keys_row(actions[i]);
+        row.strip = row.strip ? row.strip : row.name;
         if (!row.strip || left + key_width(window, &row) >= right)
             continue;
         left = show_key(window, left, y, &row);

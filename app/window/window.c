@@ -27,7 +27,6 @@
 #include "window/tries.h"
 #include "window/window_state.h"
 
-
 #define PRESENT_TEXT 1.45 /* times the size of the text, in presentation mode */
 #define PRESENT_LEAST 0.7
 #define NOTE_STAY 6.0      /* s, that a note stays visible; the log (F7) keeps it */
@@ -247,16 +246,16 @@ static void make_frame(Window *window) {
     Vec2 page = {window->width / window->unit, window->height / window->unit};
     bool plots =
         window->plots == PLOTS_AUTO ? tab_opens_plots(tab) || frame_is_wide(page) : window->plots == PLOTS_OPEN;
+    window->answer_tall = bars_answer_is_tall(window);
     window->plots_shown = plots;
     bool teaches = lesson_is_shown(window), machine = tab->laboratory->numbers_first;
     bool panel = window->panel && lesson_has_panel(window) && (!window->present || window->drawer);
     plots = plots && !lesson_hides(window);
-    window->answer_tall = bars_answer_is_tall(window);
     FrameWish wish = {.panel = panel,
-                      .tall_answer = window->answer_tall,
                       .card = lesson_width(window, page),
                       .plots = plots && (!window->present || window->plots == PLOTS_OPEN || (teaches && machine)),
                       .present = window->present,
+                      .tall_answer = window->answer_tall,
                       .plot_count = tab->plot_panes_stale && tab->session && !tab->panes.count
                                         ? tab->laboratory->plot_count(tab->session)
                                         : tab->panes.count,
