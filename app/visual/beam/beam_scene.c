@@ -108,7 +108,7 @@ static size_t joint_count(const BeamScale *scale) {
 
 Box beam_scene_box(const BeamScale *scale, bool alone) {
     double behind = scale->parts & BEAM_SCENE_LOUPE ? BEHIND : BEHIND_ALONE, length = scale->length;
-    double text = alone ? (scale->parts & BEAM_SCENE_SOURCES ? 2.4 : 1.4) * ROW : 0;
+    double text = (!alone ? 0.6 : scale->parts & BEAM_SCENE_SOURCES ? 2.4 : 1.4) * ROW;
     return (Box){{-BEFORE * length, (LOW - text) * length}, {(1 + behind) * length, HIGH * length}};
 }
 
