@@ -43,7 +43,8 @@ typedef struct SdlWindowEvent {
     char text[SDL_WINDOW_EVENT_TEXT_MOST];
 } SdlWindowEvent;
 
-/* Opens and shows a window of width x height pixels, at most as large as the screen; 0: most of the screen. NULL: a fault says why not. */
+/* Opens and shows a window of width x height pixels, at most as large as the screen; 0: most of the screen. NULL: a
+ * fault says why not. */
 SdlWindow *sdl_window_create(int width, int height, Fault *fault);
 void sdl_window_destroy(SdlWindow *sdl_window);
 
