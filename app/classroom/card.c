@@ -17,6 +17,8 @@
 #define HATCH 7.0   /* between two lines of a pattern */
 #define MARK 24.0   /* width of a tick or cross */
 #define SPACING 1.1 /* height of a line, times that of its letters */
+#define FOLD 30.0   /* width of the button that folds it */
+#define BESIDE 0.5  /* of an option's width: shorter words leave room for the bars beside them */
 
 enum { LINES_MOST = 24, SIZES = 3, TRIES = 5 };
 
@@ -36,12 +38,12 @@ typedef struct Card {
     const LessonStep *step;
     const PlayStep *shown;
     Arena *arena;
-    Box box;      /* inside the edges */
-    double y;     /* of the next line */
-    int size;     /* of `styles` */
-    bool whole;   /* with remarks, the guesses behind the result, and the conditions that hold */
-    bool draws;   /* otherwise it is only measured */
-    bool working; /* the goal is being judged */
+    Box box;    /* inside the edges */
+    double y;   /* of the next line */
+    int size;   /* of `styles` */
+    bool whole; /* with remarks, the guesses behind the result, and the conditions that hold */
+    bool draws; /* otherwise it is only measured */
+    CardLook look;
     CardPress press;
 } Card;
 
@@ -162,9 +164,21 @@ static void press_option(Card *card, size_t option, Box box) {
         card->press = (CardPress){.pressed = true, .key = PLAY_DIGIT, .digit = (int)option + 1};
 }
 
+/* True if every option is short enough for its bars to stand beside it. */
+static bool has_bars_beside(const Card *card, UiTextStyle style) {
+    double room = BESIDE * (box_width(card->box) - DIGIT - GAP);
+    for (size_t o = 0; o < card->step->options.count; o++) {
+        const char *text = words_fill(&card->play->lesson, card->step->options.at[o], card->arena);
+        if (ui_extent(card->ui, style, text).x > room)
+            return false;
+    }
+    return true;
+}
+
 static void add_option(Card *card, size_t option) {
     UiTextStyle style = styles[card->size][CARD_TEXT];
     int votes = card->step->kind == LESSON_PREDICT ? card->shown->vote + 1 : 0;
+    bool beside = votes && has_bars_beside(card, style);
     const char *text = words_fill(&card->play->lesson, card->step->options.at[option], card->arena);
     const char *mark = option_mark(card, option);
     double left = card->box.low.x + DIGIT + GAP, right = card->box.high.x - GAP - (*mark ? MARK : 0);
@@ -172,7 +186,7 @@ static void add_option(Card *card, size_t option) {
     card->draws = false;
     double lines = add_wrapped(card, style, ROLE_TEXT, left, right, card->y, text);
     card->draws = draws;
-    double height = lines + (votes ? STRIP : 0) + GAP;
+    double height = lines + (votes && !beside ? STRIP : 0) + GAP;
     Box box = {{card->box.low.x, card->y}, {card->box.high.x, card->y + height}};
     if (draws) {
         press_option(card, option, box);
@@ -184,9 +198,10 @@ static void add_option(Card *card, size_t option) {
             ui_draw_text(card->ui, UI_CLOCK, strcmp(mark, "\u2713") == 0 ? ROLE_EXIT_TAG : ROLE_ERROR,
                          vec2(card->box.high.x - GAP, middle), 1, mark);
         for (int vote = 0; vote < votes; vote++) {
-            double top = card->y + lines + GAP / 2, width = (right - left + GAP) / votes;
+            double from = beside ? left + BESIDE * (right - left) + GAP : left, width = (right - from + GAP) / votes;
+            double top = beside ? middle - STRIP / 2 : card->y + lines + GAP / 2;
             draw_vote(card, card->shown, vote, option,
-                      (Box){{left + vote * width, top + 2}, {left + (vote + 1) * width - GAP, top + STRIP - 2}});
+                      (Box){{from + vote * width, top + 2}, {from + (vote + 1) * width - GAP, top + STRIP - 2}});
         }
     }
     card->y += height + GAP / 2;
@@ -251,7 +266,7 @@ static void add_goal(Card *card) {
     PlayGoal goal = card->shown->goal;
     if (!card->step->goal_count)
         return;
-    if (card->working || goal == PLAY_GOAL_OPEN) {
+    if (card->look.working || goal == PLAY_GOAL_OPEN) {
         card->y += add_wrapped(card, styles[card->size][CARD_ASK], ROLE_DIM_TEXT, card->box.low.x, card->box.high.x,
                                card->y, "\u2026 being worked out") +
                    GAP;
@@ -281,13 +296,24 @@ static void add_hints(Card *card) {
 
 /* The card --------------------------------------------------------------------------------------------------------- */
 
+static const char *place_words(const Card *card) {
+    return text_in_arena(card->arena, "%zu of %zu", card->play->step + 1, card->play->lesson.step_count);
+}
+
+static void show_fold(Card *card, Box box, const char *label, const char *help) {
+    ui_at(card->ui, box);
+    if (ui_button(card->ui, &(UiButton){.id = "fold", .label = label, .help = help}))
+        card->press = (CardPress){.folds = true};
+}
+
 static void add_head(Card *card) {
-    double height = line_height(card, UI_HEADING), y = card->y + height / 2;
+    double height = line_height(card, UI_HEADING), y = card->y + height / 2, right = card->box.high.x;
     if (card->draws) {
+        show_fold(card, (Box){{right - FOLD, card->y - GAP / 2}, {right, card->y + height + GAP / 2}}, "\u25be",
+                  "Fold (C): Make the card one line; guesses and hints stay");
         ui_draw_text(card->ui, UI_HEADING, ROLE_CHAIR, vec2(card->box.low.x, y), 0,
                      lesson_kind_title((LessonKind)card->step->kind));
-        ui_draw_text(card->ui, UI_BODY, ROLE_DIM_TEXT, vec2(card->box.high.x, y), 1,
-                     text_in_arena(card->arena, "%zu of %zu", card->play->step + 1, card->play->lesson.step_count));
+        ui_draw_text(card->ui, UI_BODY, ROLE_DIM_TEXT, vec2(right - FOLD - GAP, y), 1, place_words(card));
     }
     card->y += height + GAP;
 }
@@ -299,7 +325,7 @@ static void add_body(Card *card) {
     if (card->play->step == 0)
         add_text(card, CARD_ASK, ROLE_TEXT, card->play->lesson.title);
     add_text(card, CARD_TEXT, ROLE_TEXT, step->text);
-    add_text(card, CARD_ASK, ROLE_TEXT, step->ask);
+    add_text(card, CARD_ASK, ROLE_TEXT, card->look.headline ? "" : step->ask);
     add_options(card);
     add_verdict(card);
     bool seen = step->kind == LESSON_OBSERVE && card->shown->chosen == step->truth;
@@ -370,16 +396,97 @@ static void show_foot(Card *card, Box pane) {
     }
 }
 
-CardPress card_show(Ui *ui, const Play *play, Box box, bool working, Arena *arena) {
+/* A folded card -------------------------------------------------------------------------------------------------- */
+
+/* Returns what the line says of the step: the hands, the verdict, or its question; shorter words come later. */
+static const char *line_words(const Card *card, int shorter) {
+    const PlayStep *shown = card->shown;
+    const LessonStep *step = card->step;
+    const char *words = "";
+    if (step->kind == LESSON_PREDICT) {
+        const char *before = shown->vote ? "second vote, " : "";
+        words = text_in_arena(card->arena, "%shands", before);
+        for (size_t o = 0; o < step->options.count; o++)
+            words =
+                text_in_arena(card->arena, "%s%s %zu: %d", words, o ? "," : "", o + 1, shown->hands[shown->vote][o]);
+    } else if (step->goal_count) {
+        words = card->look.working || shown->goal == PLAY_GOAL_OPEN ? "\u2026 being worked out"
+                : shown->goal == PLAY_GOAL_YES                      ? "\u2713 Goal reached"
+                                                                    : "\u2717 Not yet";
+    }
+    const char *asks = *step->ask ? step->ask : step->text;
+    if (shorter == 0)
+        return text_in_arena(card->arena, "%s%s%s", words_fill(&card->play->lesson, asks, card->arena),
+                             *words ? "   " : "", words);
+    return words;
+}
+
+/* Returns the left edge of the buttons of the line. */
+static double show_line_buttons(Card *card, Box box) {
+    static const char *const labels[] = {"\u25c0", "\u25b4", NULL};
+    static const double widths[] = {44, 44, 150};
+    enum { BUTTONS = 3 };
+    const char *next = text_in_arena(card->arena, "%s \u25b6", next_words(card));
+    double left = box.high.x;
+    for (int b = 0; b < BUTTONS; b++)
+        left -= widths[b] + GAP;
+    double x = left + GAP;
+    for (int b = 0; b < BUTTONS; b++) {
+        Box place = {{x, box.low.y}, {x + widths[b], box.high.y}};
+        x += widths[b] + GAP;
+        if (b == 1) {
+            show_fold(card, place, labels[b], "Unfold (C): Show the whole card");
+            continue;
+        }
+        UiButton button = {.id = text_in_arena(card->arena, "foot %d", b),
+                           .label = labels[b] ? labels[b] : next,
+                           .help = b ? "On (PgDn): The next step" : "Back (PgUp): The step before, as it was left",
+                           .chosen = b > 0,
+                           .disabled = b == 0 && card->play->step == 0};
+        ui_at(card->ui, place);
+        if (ui_button(card->ui, &button))
+            card->press = b ? (CardPress){.pressed = true,
+                                          .leaves = card->play->step + 1 == card->play->lesson.step_count,
+                                          .key = PLAY_NEXT}
+                            : (CardPress){.pressed = true, .key = PLAY_BACK};
+    }
+    return left;
+}
+
+static void show_line(Card *card, Box box) {
+    double y = (box.low.y + box.high.y) / 2, left = box.low.x;
+    double right = show_line_buttons(card, box) - GAP;
+    const char *title = lesson_kind_title((LessonKind)card->step->kind), *place = place_words(card);
+    ui_draw_text(card->ui, UI_HEADING, ROLE_CHAIR, vec2(left, y), 0, title);
+    left += ui_extent(card->ui, UI_HEADING, title).x + 2 * GAP;
+    ui_draw_text(card->ui, UI_BODY, ROLE_DIM_TEXT, vec2(left, y), 0, place);
+    left += ui_extent(card->ui, UI_BODY, place).x + 2 * GAP;
+    static const UiTextStyle fits[] = {UI_DETAIL, UI_BODY};
+    for (int shorter = 0; shorter < 2; shorter++)
+        for (size_t s = 0; s < sizeof fits / sizeof *fits; s++) {
+            const char *words = line_words(card, shorter);
+            if (left + ui_extent(card->ui, fits[s], words).x > right)
+                continue;
+            ui_draw_text(card->ui, fits[s], ROLE_TEXT, vec2(left, y), 0, words);
+            return;
+        }
+}
+
+CardPress card_show(Ui *ui, const Play *play, Box box, const CardLook *look, Arena *arena) {
     Card card = {.ui = ui,
                  .play = play,
                  .step = play_step(play),
                  .shown = &play->steps[play->step],
                  .arena = arena,
                  .box = box_expand(box, -EDGE),
-                 .working = working};
-    card.box.high.y -= FOOT + GAP;
+                 .look = *look};
     ui_pane_begin(ui, &(UiPane){.name = "lesson", .box = box, .ground = ROLE_PANEL});
+    if (look->folded) {
+        show_line(&card, (Box){vec2(box.low.x + EDGE, box.low.y + GAP), vec2(box.high.x - EDGE, box.high.y - GAP)});
+        ui_pane_end(ui);
+        return card.press;
+    }
+    card.box.high.y -= FOOT + GAP;
     for (int t = 0; t < TRIES; t++) {
         card.size = tries[t].size;
         card.whole = tries[t].whole;

@@ -7,11 +7,17 @@
 
 /* A press on the card: a key of play.h, or a request to leave the lesson. */
 typedef struct CardPress {
-    bool pressed, leaves;
+    bool pressed, leaves, folds;
     PlayKey key;
     int digit; /* of an option, from 1 */
 } CardPress;
 
-/* Shows the card in a pane of its own, "lesson". `working`: the goal is being judged. Letters shrink before anything is
- * left out. */
-CardPress card_show(Ui *ui, const Play *play, Box box, bool working, Arena *arena);
+/* How the card is shown. */
+typedef struct CardLook {
+    bool working;  /* the goal is being judged */
+    bool folded;   /* one line: the step, what came of it so far, and the buttons */
+    bool headline; /* the question stands above, in the place of the answer */
+} CardLook;
+
+/* Shows the card in a pane of its own, "lesson". Letters shrink before anything is left out. */
+CardPress card_show(Ui *ui, const Play *play, Box box, const CardLook *look, Arena *arena);

@@ -118,7 +118,7 @@ static void toggle_sound(Window *window) {
 
 /* Selects the next item of the view; after the last one the focus goes to the next pane. */
 static void walk_items(Window *window, Tab *tab, int step) {
-    bool hidden = lesson_hides(window); /* a dangerous place would tell the result */
+    bool hidden = lesson_hides_words(window); /* a dangerous place would tell the result */
     Item now = tab->laboratory->selected(tab->session), next = tab->laboratory->next(tab->session, now, step);
     Item first = tab->laboratory->next(tab->session, (Item){0}, step);
     if (hidden || !next.kind || (now.kind && item_same(next, first))) {

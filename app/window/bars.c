@@ -254,6 +254,14 @@ static UiTextStyle title_size(Window *window, const Result *answer, double right
     return rest < 0 || wanted > TWO_LINES * rest ? UI_CLOCK : UI_ANSWER;
 }
 
+/* Shows a question that is longer than a line. */
+static void show_wrapped(Window *window, UiTextStyle size, double left, double right, double y, const char *text) {
+    enum { LINES = 2 };
+    double half = LINES * ui_extent(window->ui, size, text).y / 2;
+    ui_at(window->ui, (Box){{left, y - half}, {right, y + half}});
+    ui_text(window->ui, size, ROLE_TEXT, text);
+}
+
 void bars_show_answer(Window *window) {
     Box bar = window->frame.answer;
     Tab *tab = window_tab(window);
@@ -273,8 +281,11 @@ void bars_show_answer(Window *window) {
             y = bar.low.y + TALL_HEAD * box_height(bar);
             left = MARGIN;
         }
-        show_text(window, size, answer.stale ? ROLE_DIM_TEXT : answer.role, MARGIN, fmin(right, MARGIN + width + 2), y,
-                  answer.title);
+        if (lesson_hides_words(window) && MARGIN + width > right)
+            show_wrapped(window, size, MARGIN, right, y, answer.title);
+        else
+            show_text(window, size, answer.stale ? ROLE_DIM_TEXT : answer.role, MARGIN, fmin(right, MARGIN + width + 2),
+                      y, answer.title);
         if (answer.stale) {
             show_work(window, tab, &answer, left, right, below);
         } else {

@@ -4,6 +4,7 @@
 
 #include "window/dialog_pane.h"
 #include "window/files.h"
+#include "window/lesson.h"
 #include "window/plan_input.h"
 
 /* Design points. */
@@ -12,6 +13,7 @@
 #define WIDE 860.0
 #define HIGH 460.0
 #define EDGE 24.0
+#define LESSON_LINE 28.0 /* what else is lost */
 
 void dialog_leave_show(Window *window) {
     const Tab *tab = window_tab(window);
@@ -20,10 +22,13 @@ void dialog_leave_show(Window *window) {
     const char *words = !edits       ? text_in_arena(&window->arena, "%s is not saved yet.", title)
                         : edits == 1 ? text_in_arena(&window->arena, "%s has 1 unsaved edit.", title)
                                      : text_in_arena(&window->arena, "%s has %zu unsaved edits.", title, edits);
-    dialog_pane_begin(window, dialog_pane_centred(window, WIDTH, HEIGHT, EDGE));
+    bool loses = lesson_would_lose(window, window->leave, window->leave_path);
+    dialog_pane_begin(window, dialog_pane_centred(window, WIDTH, HEIGHT + (loses ? LESSON_LINE : 0), EDGE));
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Save before closing?");
     ui_text(window->ui, UI_BODY, ROLE_TEXT, words);
     ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, tab->path ? tab->path : "It has no file yet.");
+    if (loses)
+        ui_text(window->ui, UI_BODY, ROLE_TEXT, "The guesses of the class and the place in the lesson are lost, too.");
     ui_row(window->ui, 3);
     bool saves =
         ui_button(window->ui, &(UiButton){.label = "Save", .help = "Save: Save to its file, or ask for a name"});

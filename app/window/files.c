@@ -168,7 +168,7 @@ void files_finish_leaving(Window *window) {
 
 /* Returns a tab whose edits would be lost, or NULL. Opening a file closes only what is open in the same tab. */
 static const Tab *tab_to_save(Window *window, Leave leave, const char *path) {
-    const Tab *closed = leave == LEAVE_OPEN  ? &window->tabs[laboratory_of(path)]
+    const Tab *closed = leave == LEAVE_OPEN  ? &window->tabs[lesson_tab_of(path)]
                         : leave == LEAVE_NEW ? autosave_tab(window)
                                              : NULL;
     for (size_t i = 0; i < laboratories_count; i++)
@@ -182,6 +182,11 @@ void files_leave(Window *window, Leave leave, const char *path) {
     plan_input_reset(window);
     window->leave = leave;
     const Tab *tab = tab_to_save(window, leave, path);
+    if (!tab && lesson_would_lose(window, leave, path)) {
+        dialog_pane_show(window, DIALOG_LESSON);
+        window->leave = leave;
+        return;
+    }
     if (!tab) {
         files_finish_leaving(window);
         return;

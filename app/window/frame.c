@@ -175,6 +175,10 @@ Frame frame_make(Vec2 page, const FrameWish *wish) {
         place.high.x = frame.panel.low.x;
     frame.card = (Box){place.low, {place.low.x + (covers && panel > 0 ? 0 : wish->card), place.high.y}};
     place.low.x += wish->card;
+    if (wish->card_line > 0) {
+        frame.card = (Box){{place.low.x, place.high.y - wish->card_line}, place.high};
+        place.high.y = frame.panel.high.y = frame.card.low.y;
+    }
     place = place_toolbar(&frame, place, wish);
     if (is_there(place))
         divide(&frame, place, wish);

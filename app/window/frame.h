@@ -29,6 +29,7 @@ typedef struct FrameWish {
     size_t plot_count;
     size_t tool_count; /* in the toolbar; 0: there is none */
     double card;       /* width of a lesson's card; 0: there is none */
+    double card_line;  /* height of a folded card, a line above the timeline; 0: there is none */
     double aspect;     /* width over height of the view's contents */
 } FrameWish;
 

@@ -191,6 +191,8 @@ static const KeyRow table[] = {
     {ACTION_LESSON_HINT, KEY_VIEW, "?", MENU_LEARN, "Hint", "Show the next of a step's three hints", NULL},
     {ACTION_LESSON_VOTE, KEY_VIEW, "0", MENU_LEARN, "Vote again",
      "Let the class vote once more; keys 1 to 9 count the raised hands, Backspace takes one back", NULL},
+    {ACTION_LESSON_FOLD, KEY_CANVAS, "C", MENU_LEARN, "Fold the card",
+     "Fold the card to one line, or unfold it; guesses and hints stay", NULL},
     {ACTION_LESSON_LEAVE, KEY_ANYWHERE, "Ctrl+F4", MENU_LEARN, "Leave the lesson",
      "End the lesson; what is open stays open", NULL},
 

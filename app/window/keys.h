@@ -116,6 +116,7 @@ typedef enum Action {
     ACTION_LESSON_BACK,
     ACTION_LESSON_HINT,
     ACTION_LESSON_VOTE,
+    ACTION_LESSON_FOLD,
     ACTION_LESSON_LEAVE,
     ACTION_ESCAPE,
     ACTION_LABORATORY, /* the first of `laboratories`; the others follow */

@@ -11,6 +11,7 @@
 #include "laboratory/shipped.h"
 #include "window/autosave.h"
 #include "window/dialog_pane.h"
+#include "window/files.h"
 #include "window/notice.h"
 #include "window/opening.h"
 #include "window/plan_input.h"
@@ -23,9 +24,13 @@
 #define PRESENT_MACHINE 0.37 /* whose view is wide */
 #define LEAVE_WIDTH 560.0
 #define LEAVE_HEIGHT 200.0
+#define CARD_LINE 52.0 /* a folded card */
 #define EDGE 24.0
 
 enum { LONGEST = 1 << 20 /* bytes of a lesson */ };
+
+/* The laboratories of lessons. */
+static const char *const words[] = {[LESSON_HOUSE] = "house", [LESSON_BEAM] = "beam", [LESSON_CRANK] = "crank"};
 
 /* How a house or machine was when a step was left. */
 typedef struct Left {
@@ -42,6 +47,7 @@ struct GivenLesson {
     void *session; /* of the tab; another one means that something else was opened there */
     Left left[LESSON_STEPS_MOST];
     bool waits;     /* a step has begun, and its run shall play once it is there */
+    bool folded;    /* the card is one line */
     uint64_t asked; /* digest of the state and step that were asked about; 0: none */
     bool judged;    /* that goal is known */
 };
@@ -160,8 +166,10 @@ static bool is_lesson_file(const char *path) {
     return is;
 }
 
-static void cover(Tab *tab, bool covered) {
+/* Hides the result, or only its tight places. */
+static void cover(Tab *tab, bool covered, bool unsaid) {
     tab->covered = covered;
+    tab->unsaid = unsaid;
     if (tab->session)
         tab->laboratory->set_layers(tab->session, tab_layers(tab));
 }
@@ -170,7 +178,7 @@ void lesson_close(Window *window) {
     GivenLesson *given = window->lesson;
     if (!given)
         return;
-    cover(tab_of(window), false);
+    cover(tab_of(window), false, false);
     window->lesson = NULL;
     judge_destroy(given->judge);
     for (size_t s = 0; s < LESSON_STEPS_MOST; s++)
@@ -206,7 +214,7 @@ static void show_step(Window *window) {
     bool hides = play_hides(&given->play);
     if (hides)
         tab_select(tab, (Item){0});
-    cover(tab, hides);
+    cover(tab, hides, play_asks(&given->play));
     window->drawer = false;
     begin_playing(window);
     tab->plot_panes_stale = true;
@@ -214,7 +222,6 @@ static void show_step(Window *window) {
 }
 
 static bool open_lesson(Window *window, const char *path) {
-    static const char *const words[] = {[LESSON_HOUSE] = "house", [LESSON_BEAM] = "beam", [LESSON_CRANK] = "crank"};
     GivenLesson *given = memory_zeroed(1, sizeof *given);
     Fault fault = {0};
     const char *settings[LESSON_SETTINGS_MOST];
@@ -275,10 +282,20 @@ const char *lesson_title(Window *window) {
     return tab_title(window_tab(window), &window->arena);
 }
 
+/* True if the question stands in the place of the answer, in the largest letters: in front of a class. */
+static bool has_headline(const Window *window) {
+    const Play *play = &window->lesson->play;
+    bool asks = play_asks(play) || play_step(play)->kind == LESSON_PREDICT;
+    return window->present && asks && *play_step(play)->ask && !strchr(play_step(play)->ask, '{');
+}
+
 const char *lesson_question(const Window *window) {
-    return play_asks(&window->lesson->play)                           ? "What do you see?"
-           : play_step(&window->lesson->play)->kind == LESSON_PREDICT ? "What do you think?"
-                                                                      : window->lesson->play.lesson.title;
+    const Play *play = &window->lesson->play;
+    if (has_headline(window))
+        return play_step(play)->ask;
+    return play_asks(play)                           ? "What do you see?"
+           : play_step(play)->kind == LESSON_PREDICT ? "What do you think?"
+                                                     : play->lesson.title;
 }
 
 /* Keys ------------------------------------------------------------------------------------------------------------- */
@@ -301,6 +318,13 @@ void lesson_press(Window *window, PlayKey key, int digit) {
         restore_state(window, &given->left[play->step]);
     if (play->step != step)
         show_step(window);
+    else
+        cover(tab_of(window), play_hides(play), play_asks(play));
+}
+
+static void fold(Window *window) {
+    window->lesson->folded = !window->lesson->folded;
+    window->dirty = true;
 }
 
 /* True for "?" on the keyboards on which it is Shift with another key; elsewhere the button and the menu do it. */
@@ -357,7 +381,9 @@ bool lesson_do(Window *window, Action action) {
         }
     if (action == ACTION_LESSON_LEAVE && lesson_is_shown(window))
         lesson_leave(window);
-    return action == ACTION_LESSON_LEAVE;
+    if (action == ACTION_LESSON_FOLD && lesson_is_shown(window))
+        fold(window);
+    return action == ACTION_LESSON_LEAVE || action == ACTION_LESSON_FOLD;
 }
 
 const char *lesson_reason(const Window *window, Action action) {
@@ -393,14 +419,36 @@ void lesson_leave(Window *window) {
         lesson_close(window);
 }
 
+size_t lesson_tab_of(const char *path) {
+    Fault none = {0};
+    Lesson lesson = {.path = NULL};
+    size_t tab = laboratory_of(path);
+    if (is_lesson_file(path) && lesson_read(&lesson, path, &none))
+        tab = laboratory_find(words[lesson.laboratory]);
+    lesson_free(&lesson);
+    fault_clear(&none);
+    return tab;
+}
+
+bool lesson_would_lose(const Window *window, Leave leave, const char *path) {
+    const GivenLesson *given = window->lesson;
+    if (!given || !play_is_begun(&given->play))
+        return false;
+    if (leave == LEAVE_OPEN)
+        return is_lesson_file(path) || laboratory_of(path) == given->tab;
+    return leave == LEAVE_QUIT || (leave == LEAVE_NEW && tab_editor(&window->tabs[given->tab]));
+}
+
 void lesson_show_leave(Window *window) {
     const Play *play = &window->lesson->play;
+    Leave leave = window->leave;
     bool last = play->step + 1 == play->lesson.step_count;
     dialog_pane_begin(window, dialog_pane_centred(window, LEAVE_WIDTH, LEAVE_HEIGHT, EDGE));
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, last ? "End the lesson?" : "Leave the lesson?");
-    ui_text(
-        window->ui, UI_BODY, ROLE_TEXT,
-        "The guesses of the class and the place in the lesson are lost. What is open stays open, with its changes.");
+    ui_text(window->ui, UI_BODY, ROLE_TEXT,
+            leave ? "The guesses of the class and the place in the lesson are lost."
+                  : "The guesses of the class and the place in the lesson are lost. What is open stays open, with its "
+                    "changes.");
     ui_row(window->ui, 2);
     bool stays = ui_button(window->ui, &(UiButton){.label = "Stay", .help = "Stay (Escape): Return to the lesson"});
     bool leaves =
@@ -410,6 +458,9 @@ void lesson_show_leave(Window *window) {
         dialog_pane_close(window);
     if (leaves)
         lesson_close(window);
+    window->leave = leaves ? leave : window->leave;
+    if (leaves && leave)
+        files_finish_leaving(window);
 }
 
 /* The goal --------------------------------------------------------------------------------------------------------- */
@@ -503,8 +554,17 @@ bool lesson_works(const Window *window) {
 
 /* The card --------------------------------------------------------------------------------------------------------- */
 
+/* True if the card is a line. In presentation mode the panel takes the place of a whole card. */
+static bool is_line(const Window *window) {
+    return window->lesson->folded && !(window->present && window->drawer);
+}
+
+double lesson_line(const Window *window) {
+    return lesson_is_shown(window) && is_line(window) ? CARD_LINE : 0;
+}
+
 double lesson_width(const Window *window, Vec2 page) {
-    if (!lesson_is_shown(window))
+    if (!lesson_is_shown(window) || is_line(window))
         return 0;
     if (window->present)
         return (window->tabs[window->current].laboratory->numbers_first ? PRESENT_MACHINE : PRESENT_WIDTH) * page.x;
@@ -514,9 +574,11 @@ double lesson_width(const Window *window, Vec2 page) {
 void lesson_show(Window *window) {
     if (!lesson_is_shown(window) || box_width(window->frame.card) <= 0)
         return;
-    CardPress press =
-        card_show(window->ui, &window->lesson->play, window->frame.card, lesson_works(window), &window->arena);
-    if (press.leaves)
+    CardLook look = {.working = lesson_works(window), .folded = is_line(window), .headline = has_headline(window)};
+    CardPress press = card_show(window->ui, &window->lesson->play, window->frame.card, &look, &window->arena);
+    if (press.folds)
+        fold(window);
+    else if (press.leaves)
         lesson_leave(window);
     else if (press.pressed)
         lesson_press(window, press.key, press.digit);
@@ -528,5 +590,6 @@ json_t *lesson_state(const Window *window) {
     json_t *state = play_state(&window->lesson->play);
     json_object_set_new(state, "working", json_boolean(lesson_works(window)));
     json_object_set_new(state, "hides_words", json_boolean(lesson_hides_words(window)));
+    json_object_set_new(state, "folded", json_boolean(window->lesson->folded));
     return state;
 }

@@ -38,6 +38,12 @@ bool lesson_do(Window *window, Action action);
 
 /* Leaves the lesson, and asks first if something would be lost; leaves it after the answer. */
 void lesson_leave(Window *window);
+
+/* Returns the tab that a file opens in: that of a lesson's house or machine, or that of its own kind. */
+size_t lesson_tab_of(const char *path);
+
+/* True if quitting, or opening this file (LEAVE_OPEN), would lose guesses or the place in the lesson. */
+bool lesson_would_lose(const Window *window, Leave leave, const char *path);
 void lesson_show_leave(Window *window);
 
 /* Takes over verdicts, and asks for the goal of a new state. */
@@ -46,8 +52,9 @@ void lesson_update(Window *window);
 /* True while the goal of the shown state is not judged yet. */
 bool lesson_works(const Window *window);
 
-/* Returns the width of the card, design points; 0: there is none. */
+/* Returns the width of the card, design points; 0: there is none, or it is folded to a line of this height. */
 double lesson_width(const Window *window, Vec2 page);
+double lesson_line(const Window *window);
 void lesson_show(Window *window);
 
 /* Returns why a row of the menu Learn cannot be used; NULL: it can. */

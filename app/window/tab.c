@@ -205,8 +205,9 @@ size_t tab_layer(const Tab *tab, const char *name) {
 
 unsigned tab_layers(const Tab *tab) {
     unsigned layers = tab->layers;
-    for (size_t i = 0; i < tab->laboratory->layer_count && tab->covered; i++)
-        if (is_telling(tab->laboratory->layers[i]))
+    for (size_t i = 0; i < tab->laboratory->layer_count; i++)
+        if ((tab->covered && is_telling(tab->laboratory->layers[i])) ||
+            (tab->unsaid && strcmp(tab->laboratory->layers[i], "danger") == 0))
             layers &= ~(1u << i);
     for (size_t i = 0; i < tab->laboratory->layer_count && tab->cramped; i++)
         if (is_names(tab, i))

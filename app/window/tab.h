@@ -23,6 +23,7 @@ typedef struct Tab {
     Box shape;         /* m, that the camera is fitted to */
     bool fits;         /* the camera shows everything: it has not been moved */
     bool covered;      /* nothing of the result is shown: a class guesses first */
+    bool unsaid;       /* tight places are not marked: a class says first what it has seen */
     bool handled;      /* it has been edited, so the view stays still */
     const char *plots; /* names of the plots shown, separated by commas; not owned */
     ViewLayers view_layers;

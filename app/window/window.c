@@ -253,6 +253,7 @@ static void make_frame(Window *window) {
     plots = plots && !lesson_hides(window);
     FrameWish wish = {.panel = panel,
                       .card = lesson_width(window, page),
+                      .card_line = lesson_line(window),
                       .plots = plots && (!window->present || window->plots == PLOTS_OPEN || (teaches && machine)),
                       .present = window->present,
                       .tall_answer = window->answer_tall,
