@@ -41,7 +41,7 @@ typedef struct Card {
     Box box;    /* inside the edges */
     double y;   /* of the next line */
     int size;   /* of `styles` */
-    bool whole; /* with remarks, the guesses behind the result, and the conditions that hold */
+    bool whole; /* with remarks, the guesses behind the result, conditions that hold, earlier hints */
     bool draws; /* otherwise it is only measured */
     CardLook look;
     CardPress press;
@@ -166,7 +166,7 @@ static void press_option(Card *card, size_t option, Box box) {
 
 /* True if every option is short enough for its bars to stand beside it. */
 static bool has_bars_beside(const Card *card, UiTextStyle style) {
-    double room = BESIDE * (box_width(card->box) - DIGIT - GAP);
+    double room = BESIDE * (box_width(card->box) - DIGIT - GAP) - 2 * GAP;
     for (size_t o = 0; o < card->step->options.count; o++) {
         const char *text = words_fill(&card->play->lesson, card->step->options.at[o], card->arena);
         if (ui_extent(card->ui, style, text).x > room)
@@ -287,7 +287,7 @@ static void add_goal(Card *card) {
 }
 
 static void add_hints(Card *card) {
-    int first = card->size == SIZES - 1 && card->shown->hints > 0 ? card->shown->hints - 1 : 0;
+    int first = !card->whole && card->shown->hints > 0 ? card->shown->hints - 1 : 0;
     if (card->shown->goal == PLAY_GOAL_YES)
         return;
     for (int h = first; h < card->shown->hints; h++)

@@ -10,13 +10,16 @@
 #include "visual/house/plan_picture.h"
 
 /* Design points. */
-#define PICTURE_WIDTH 640.0
-#define PICTURE_HEIGHT 480.0
-#define BEAM_HEIGHT 160.0
+#define PICTURE_WIDTH 480.0
+#define PICTURE_HEIGHT 300.0
+#define BEAM_HEIGHT 130.0
 #define RESULT_WIDTH 1020.0 /* the whole width of a page */
 #define RESULT_HEIGHT 640.0
 
-#define LINE "______________________________________________________________________"
+/* As wide as the page. */
+#define LINE "________________________________________________________________________________________________"
+
+enum { ROW_LONGEST = 120 /* bytes of options that stand in one line */ };
 
 typedef struct Sheet {
     const Lesson *lesson;
@@ -123,7 +126,21 @@ static void add_result(Sheet *sheet, const LessonPicture *picture) {
 
 /* Steps ------------------------------------------------------------------------------------------------------------ */
 
+/* Adds short options in one line, to be ticked; false: they are too long. */
+static bool add_row(Sheet *sheet, const LessonStep *step) {
+    const char *row = "";
+    for (size_t o = 0; o < step->options.count; o++)
+        row = document_text(&sheet->document, "%s%s[    ] %zu\u00a0%s", row, o ? "\u2003\u2003" : "", o + 1,
+                            filled(sheet, step->options.at[o]));
+    if (!*row || strlen(row) > ROW_LONGEST)
+        return false;
+    document_add_paragraph(&sheet->document, row);
+    return true;
+}
+
 static void add_options(Sheet *sheet, const LessonStep *step) {
+    if (!sheet->options->answers && add_row(sheet, step))
+        return;
     for (size_t o = 0; o < step->options.count; o++) {
         bool right = sheet->options->answers && step->truth == (int)o + 1;
         document_add_paragraph(&sheet->document, document_text(&sheet->document, "[ %s ]  %zu  %s", right ? "x" : "   ",
@@ -182,9 +199,9 @@ static void add_step(Sheet *sheet, const LessonStep *step, size_t number) {
     if (sheet->options->answers)
         add_answers(sheet, step);
     else if (step->kind == LESSON_EXPLAIN || step->kind == LESSON_TRANSFER)
-        add_lines(sheet, 3);
-    else if (step->kind == LESSON_TASK && !step->table.head.count)
         add_lines(sheet, 2);
+    else if (step->kind == LESSON_TASK && !step->table.head.count)
+        add_lines(sheet, 1);
 }
 
 Document lesson_sheet_make(const Lesson *lesson, const SheetOptions *options, Fault *fault) {

@@ -40,6 +40,7 @@
 #define PRESENT_PLOT 0.4 /* of the place: one plot as high as the view */
 #define BELOW_HEIGHT 0.36
 #define BELOW_MOST 144.0 /* of a drawer of plots, on pages that are not wide */
+#define LESSON_PLOT 0.58 /* of the place, in presentation mode */
 #define SAME_SCALE 0.95  /* plots open beside the view if its scale falls by less */
 #define WIDE_VIEW 3.0    /* aspect above which a view gets only the height it needs, and the plots the rest */
 #define WIDE_LEAST 150.0
@@ -105,6 +106,9 @@ static double scale_of(Box place, double aspect) {
 /* Divides the place between the view and its plots: to the right or below, whichever leaves the view larger. */
 static void divide(Frame *frame, Box place, const FrameWish *wish) {
     size_t count = wish->plot_count < FRAME_PANES_MOST ? wish->plot_count : FRAME_PANES_MOST;
+    bool teaches = wish->present && (wish->card > 0 || wish->card_line > 0);
+    if (teaches)
+        count = count ? 1 : 0; /* one that can be read from the last row */
     frame->view = place;
     if (!wish->plots || !count)
         return;
@@ -112,11 +116,11 @@ static void divide(Frame *frame, Box place, const FrameWish *wish) {
     beside.low.x = place.high.x - fmin(BESIDE_WIDTH * box_width(place), BESIDE_MOST);
     bool wide = frame_is_wide(frame->page);
     double height = BELOW_HEIGHT * box_height(place);
-    below.low.y = place.high.y - (wide ? height : fmin(height, BELOW_MOST));
+    below.low.y = place.high.y - (teaches ? LESSON_PLOT * box_height(place) : wide ? height : fmin(height, BELOW_MOST));
     if (wish->aspect > WIDE_VIEW)
         below.low.y =
             place.low.y + fmin(fmax(box_width(place) / wish->aspect, WIDE_LEAST), WIDE_MOST * box_height(place));
-    if (wish->present && !wish->card) {
+    if (wish->present && !teaches) {
         beside.low.x = place.high.x - PRESENT_PLOT * box_width(place);
         place_panes(frame, beside, 1);
         if (frame->pane_count)

@@ -97,13 +97,13 @@ static House without_falling(Film *film) {
     return rest;
 }
 
-/* Adds the bodies that do not pass, and the missing widths. */
+/* Adds the bodies that do not pass, and the missing widths unless danger is hidden. */
 static void add_blockages(Film *film) {
     const Observation *observation = film->observation;
     for (size_t i = 0; i < film->house->person_count && !film->crowd; i++)
         if (blockage_scene_has(&observation->people[i]))
             blockage_scene_add(&film->still, film->house, observation, i, &film->trails[i]);
-    if (!film->crowd)
+    if (!film->crowd && !(film->options.hidden & FILM_DANGER))
         blockage_scene_labels(&film->still, film->house, observation);
 }
 

@@ -26,7 +26,7 @@ enum {
     FILM_RINGS = 1,  /* personal spaces; of many people, how crowded it is */
     FILM_LOCI = 2,   /* loci so far, and the bodies left on them */
     FILM_GHOST = 4,  /* the comparison */
-    FILM_DANGER = 8, /* discs of dangerous points */
+    FILM_DANGER = 8, /* discs of dangerous points, and names of impassable places */
     FILM_GRID = 16,
     FILM_NAMES = 32,  /* of furniture and rooms */
     FILM_FORCES = 64, /* stars of contacts */

@@ -4,45 +4,8 @@
 nothing of the result can be seen before the class has guessed."""
 
 import stage
+from classroom import apart, judged, lesson, select, step, type_number
 from stage import Screen, act, check, differing
-
-lesson = lambda name: str(stage.source / "assets" / "lessons" / f"{name}.json")
-
-
-def judged(s):
-    return s["lesson"] and not s["lesson"]["working"] and not s["answer"]["stale"]
-
-
-def step(screen, number):
-    """Waits for a step, and returns the state."""
-    return screen.until(lambda s: s["lesson"] and s["lesson"]["step"] == number)
-
-
-def select(screen, key):
-    """Walks with Tab to a thing of the plan."""
-    for _ in range(60):
-        if screen.state()["selected"] == key:
-            return True
-        screen.keys("Tab")
-    return False
-
-
-def type_number(screen, text):
-    """Opens the first number of the selection by Return, types it, and waits for the verdict."""
-    screen.keys("Return")
-    screen.until(lambda s: s["focus"] == "panel")
-    screen.keys("Return")
-    screen.until(lambda s: s["types"])
-    screen.keys("ctrl+a")
-    screen.type(text)
-    screen.keys("Return")
-    return screen.until(lambda s: not s["types"] and judged(s) and s["focus"] == "view")
-
-
-def apart(boxes):
-    return all(a is b or a[0] > b[2] - 1 or b[0] > a[2] - 1 or a[1] > b[3] - 1 or b[1] > a[3] - 1
-               for a in boxes for b in boxes)
-
 
 # a house, from the first card to the last
 screen = Screen("house", lesson("legal-no-way"), "--size", "1280x720")

@@ -260,7 +260,7 @@ class Screen:
     def end(self):
         self.tool("key", "ctrl+q")
         self.sent += 4
-        if self.until(lambda s: s["sheet"] == "leave").get("sheet") == "leave":
+        if self.until(lambda s: s["sheet"] in ("leave", "lesson")).get("sheet") in ("leave", "lesson"):
             self.keys("Tab")
             self.tool("key", "Return")
         try:
