@@ -92,6 +92,8 @@ static int check(Lesson *lesson, const Options *options, Arena *arena) {
     TrialResult result = {.task_count = 0};
     play.numbered = attempt_numbers(&play.lesson, &state, &fault);
     if (play.numbered)
+        trial_check_numbers(&play.lesson, &fault);
+    if (play.numbered)
         result = trial_run(&play, &trial, &fault);
     if (!fault.total && (!play.numbered || result.interrupted))
         return tell_interrupted();

@@ -79,6 +79,7 @@ static double make_start(Sheet *sheet, Scene *scene) {
         if (read_house(&house, sheet, "", &arena)) {
             plan_picture_make(scene, &house);
             scene->title = scene->note = ""; /* the sheet has its own */
+            scene->bare = true;
             height = PICTURE_HEIGHT;
         }
         house_free(&house);
@@ -130,7 +131,8 @@ static void add_result(Sheet *sheet, const LessonPicture *picture) {
 static bool add_row(Sheet *sheet, const LessonStep *step) {
     const char *row = "";
     for (size_t o = 0; o < step->options.count; o++)
-        row = document_text(&sheet->document, "%s%s[    ] %zu\u00a0%s", row, o ? "\u2003\u2003" : "", o + 1,
+        row = document_text(&sheet->document, "%s%s[ %s ] %zu\u00a0%s", row, o ? "\u2003\u2003" : "",
+                            sheet->options->answers && step->truth == (int)o + 1 ? "x" : "  ", o + 1,
                             filled(sheet, step->options.at[o]));
     if (!*row || strlen(row) > ROW_LONGEST)
         return false;
@@ -139,7 +141,7 @@ static bool add_row(Sheet *sheet, const LessonStep *step) {
 }
 
 static void add_options(Sheet *sheet, const LessonStep *step) {
-    if (!sheet->options->answers && add_row(sheet, step))
+    if (!(sheet->options->answers && step->wrong.count) && add_row(sheet, step))
         return;
     for (size_t o = 0; o < step->options.count; o++) {
         bool right = sheet->options->answers && step->truth == (int)o + 1;

@@ -155,3 +155,16 @@ TrialResult trial_run(Play *play, const TrialOptions *options, Fault *fault) {
     arena_clear(&trial.arena);
     return result;
 }
+
+void trial_check_numbers(const Lesson *lesson, Fault *fault) {
+    Arena arena = {0};
+    for (size_t n = 0; n < lesson->number_count; n++) {
+        const LessonNumber *number = &lesson->numbers[n];
+        const LessonGoal goal = {.condition = number->condition, .than = number->than};
+        if (number->condition.verdict != VERDICT_PASSED)
+            fault_add(fault, "%s:1:1: the number \"%s\" is %s; the lesson holds only if it is %s", lesson->path,
+                      number->name, words_value(number->condition.value, -1, number->condition.unit, &arena),
+                      words_limits(&goal, &arena));
+    }
+    arena_clear(&arena);
+}

@@ -34,3 +34,6 @@ typedef struct TrialOptions {
 /* Plays the lesson, whose numbers are computed, by its script. Faults: the script cannot be read, an expectation is not
  * met, a task is never reached or never missed, or the script does not come to the last step. */
 TrialResult trial_run(Play *play, const TrialOptions *options, Fault *fault);
+
+/* Adds a fault for each computed number that is outside its limits: a right option or a text no longer holds. */
+void trial_check_numbers(const Lesson *lesson, Fault *fault);

@@ -79,6 +79,8 @@ static const Parameter number_rows[] = {
     TEXT(LessonNumber, condition.question.of, "of", PARAMETER_IDS, false, "people and crowds; absent: all people"),
     TEXT(LessonNumber, condition.unit, "unit", PARAMETER_TEXT, true, "unit, 1 of a number or a ratio"),
     WHOLE(LessonNumber, digits, "digits", 0, 6, 0, "digits behind the point"),
+    CONDITION_NUMBER(LessonNumber, condition.low, "low", "", -1e9, 1e9, -HUGE_VAL, "the lesson holds from here on"),
+    CONDITION_NUMBER(LessonNumber, condition.high, "high", "", -1e9, 1e9, HUGE_VAL, "the lesson holds up to here"),
 };
 static const Parameter picture_rows[] = {
     TEXT(LessonPicture, caption, "caption", PARAMETER_TEXT, true, "what it shows"),
@@ -321,8 +323,6 @@ static void read_numbers(Reader *reader, const JsonNode *root) {
         size_t before = reader->fault->total;
         parameters_read(&number_table, number, &element, &lesson->arena, reader->fault);
         number->condition.question.last = 1;
-        number->condition.low = -HUGE_VAL;
-        number->condition.high = HUGE_VAL;
         number->condition.title = number->condition.why = number->condition.question.exit = "";
         if (reader->fault->total != before)
             continue;
@@ -331,6 +331,8 @@ static void read_numbers(Reader *reader, const JsonNode *root) {
                 json_fault(&name, reader->fault, "the name \"%.40s\" is already used; names must be unique",
                            number->name);
         check_condition(reader, &number->condition, number->than, &element);
+        if (number->condition.low > -HUGE_VAL || number->condition.high < HUGE_VAL)
+            condition_check_limits(&number->condition, "a number", &element, reader->fault);
         check_set(reader, &element, "set", number->set);
         check_set(reader, &element, "than", number->than);
     }

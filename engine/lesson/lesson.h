@@ -54,7 +54,7 @@ typedef struct LessonNumber {
     const char *name;
     const char *set;     /* settings, or "" */
     const char *than;    /* as of a goal, or "" */
-    Condition condition; /* its measure and unit; it has no limits */
+    Condition condition; /* its measure and unit; limits within which right options and texts hold, or none */
     int digits;          /* behind the point */
 } LessonNumber;
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Tests lessons on the command line: every goal is reached and missed as its script says, and sheets have the same bytes."""
 
+import json
 import pathlib
 import shutil
 import tempfile
@@ -19,10 +20,11 @@ with tempfile.TemporaryDirectory() as folder:
     folder = pathlib.Path(folder)
     sheets = {}
     for turn in ("first", "second"):
-        for more in ([], ["--answers"]):
-            expect(0, "lesson", "sheet", "legal-no-way", *more, "--out", str(folder / turn))
+        for name in ("legal-no-way", "half-the-rhythm"):
+            for more in ([], ["--answers"]):
+                expect(0, "lesson", "sheet", name, *more, "--out", str(folder / turn))
         sheets[turn] = {path.name: path.read_bytes() for path in (folder / turn).glob("*.pdf")}
-    check(len(sheets["first"]) == 2 and sheets["first"] == sheets["second"], "the sheets differ")
+    check(len(sheets["first"]) == 4 and sheets["first"] == sheets["second"], "the sheets differ")
 
     # A script that expects what is not so is found out.
     copy = folder / "lessons"
@@ -32,6 +34,14 @@ with tempfile.TemporaryDirectory() as folder:
     expect(1, "lesson", "check", str(copy / "legal-no-way.json"), says="lesson.goal is \"no\", expected yes")
     script.write_text("key PageDown\n")
     expect(1, "lesson", "check", str(copy / "legal-no-way.json"), says="no attempt at the task of step 4 fails")
+
+    # A right option or a sentence that a number no longer supports is found out.
+    told = json.loads((copy / "legal-no-way.json").read_text())
+    enough = next(number for number in told["numbers"] if number["name"] == "enough")
+    enough["set"] = "door.d3.width=0.79"
+    (copy / "legal-no-way.json").write_text(json.dumps(told))
+    expect(1, "lesson", "check", str(copy / "legal-no-way.json"),
+           says="the number \"enough\" is 0; the lesson holds only if it is at least 1")
 
 expect(2, "lesson", "lsit", says="did you mean list?")
 expect(2, "lesson", "sheet", "legal-no-way", says="needs the NAME or FILE")

@@ -20,7 +20,27 @@ now = step(screen, 2)
 check(now["lesson"]["hides"] and not now["playing"], "nothing plays while the class guesses")
 screen.keys("space")
 check(screen.state()["time"] == 0, "Play does not play before the guess")
-screen.keys("1", "1", "2", "3", "3", "3")
+told = [screen.tool("getwindowname", screen.window).stdout]
+for _ in range(12):
+    screen.keys("Tab")
+    now = screen.state()
+    told += [now["focus_help"] or "", now["selected"] or "", now["hovered"] or ""]
+    told += [text["string"] for text in now["text_in_view"]]
+for _ in range(8):
+    screen.keys("F6")
+    told.append(screen.state()["focus_help"] or "")
+left, top, right, bottom = now["frame"]["view"]
+for i in range(1, 6):
+    screen.point_to(left + (right - left) * i / 6, top + (bottom - top) * 0.33)
+    now = screen.state()
+    told += [now["hovered"] or "", now["focus_help"] or ""]
+check(not [text for text in told for word in ("cannot", "bedroom door", "0.82", "tight", "under") if word in text],
+      "neither text, title, tooltip nor Tab tells the result", told)
+while screen.state()["focus"] != "view":
+    screen.keys("F6")
+screen.keys("1", "1", "2", "3")
+check(screen.state()["lesson"]["hands"] == [2, 1, 1], "1 1 2 3 counts 2 1 1", screen.state()["lesson"])
+screen.keys("3", "3")
 check(screen.state()["lesson"]["hands"] == [2, 1, 3], "number keys count hands", screen.state()["lesson"])
 screen.keys("BackSpace")
 check(screen.state()["lesson"]["hands"] == [2, 1, 2], "Backspace takes one back")
@@ -77,6 +97,51 @@ screen.keys("Next")
 screen.until(lambda s: s["sheet"] == "lesson")
 screen.keys("Tab", "Return")
 check(not screen.until(lambda s: not s["lesson"])["lesson"], "the question is answered by keys, and the lesson ends")
+screen.end()
+
+# the card folds to a line by key and mouse; nothing is lost by it, by quitting, or by another file
+screen = Screen("folding", lesson("legal-no-way"), "--size", "1280x720")
+fold = lambda now: (now["frame"]["card"][2] - 27 * now["unit"], now["frame"]["card"][1] + 20 * now["unit"])
+screen.keys("Next", "1", "1", "3")
+whole = step(screen, 2)
+screen.keys("c")
+now = screen.until(lambda s: s["lesson"]["folded"])
+frame = now["frame"]
+check(now["lesson"]["hands"] == [2, 0, 1] and frame["card"][3] - frame["card"][1] < 60 and
+      apart([frame[name] for name in ("answer", "card", "view", "timeline")]), "C folds the card to a line", frame)
+check(frame["view"][2] - frame["view"][0] > 1.4 * (whole["frame"]["view"][2] - whole["frame"]["view"][0]),
+      "the view takes its place", (frame["view"], whole["frame"]["view"]))
+screen.keys("2")
+check(screen.state()["lesson"]["hands"] == [2, 1, 1], "hands are counted while it is folded")
+screen.click(frame["card"][2] - 190, (frame["card"][1] + frame["card"][3]) / 2)
+now = screen.until(lambda s: not s["lesson"]["folded"])
+check(not now["lesson"]["folded"] and now["lesson"]["hands"] == [2, 1, 1], "the mouse unfolds it", now["lesson"])
+screen.click(*fold(now))
+check(screen.until(lambda s: s["lesson"]["folded"])["lesson"]["folded"], "and folds it")
+screen.keys("F5")
+now = screen.until(lambda s: s["present"])
+check(now["lesson"]["folded"], "in presentation mode, too")
+screen.click(now["frame"]["card"][2] - 80 * now["unit"], (now["frame"]["card"][1] + now["frame"]["card"][3]) / 2)
+now = step(screen, 3)
+check(now["lesson"]["step"] == 3 and now["lesson"]["folded"], "the line's button goes on", now["lesson"])
+screen.keys("1", "Next")
+now = screen.until(lambda s: s["lesson"]["step"] == 4 and judged(s))
+check(select(screen, "door d3"), "Tab selects while it is folded")
+now = type_number(screen, "0.83")
+check(now["lesson"]["goal"] == "yes" and now["lesson"]["folded"], "and a task is solved", now["lesson"])
+screen.keys("c", "F5")
+screen.until(lambda s: not s["lesson"]["folded"] and not s["present"])
+screen.keys("ctrl+z")
+screen.until(lambda s: not s["unsaved"] and judged(s))
+screen.keys("ctrl+q")
+check(screen.until(lambda s: s["sheet"] != "none")["sheet"] == "lesson", "quitting asks, since guesses would be lost")
+screen.keys("Escape")
+check(screen.until(lambda s: s["sheet"] == "none")["lesson"]["step"] == 4, "Escape stays in the lesson")
+screen.keys("ctrl+n")
+check(screen.until(lambda s: s["sheet"] != "none")["sheet"] == "lesson", "a new house asks, too")
+screen.keys("Tab", "Return")
+now = screen.until(lambda s: s["sheet"] == "none" and not s["lesson"])
+check(not now["lesson"] and now["title"] != "flat on the 0.910 module", "and is made after the answer", now["title"])
 screen.end()
 
 # a beam
