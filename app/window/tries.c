@@ -4,6 +4,7 @@
 
 #include "laboratory/house_items.h"
 #include "window/act.h"
+#include "window/lesson.h"
 
 /* Design points. */
 #define HEIGHT 46.0
@@ -30,8 +31,8 @@ static const struct {
 static bool is_due(Window *window) {
     const Tab *tab = window_tab(window);
     bool unseen = window->options->script && !sdl_window_is_seen(window->sdl_window);
-    return tab->session && tab_editor(tab) && !window->present && !unseen && window->settings.state.tried != TRY_ALL &&
-           !window->frame.drawer;
+    return tab->session && tab_editor(tab) && !lesson_is_shown(window) && !window->present && !unseen &&
+           window->settings.state.tried != TRY_ALL && !window->frame.drawer;
 }
 
 static void cut(Box *box, double foot) {
