@@ -22,12 +22,12 @@ def step(screen, number):
     return screen.until(lambda s: s["lesson"] and s["lesson"]["step"] == number)
 
 
-def select(screen, key):
-    """Walks with Tab to a thing of the plan."""
+def select(screen, key, by="Tab"):
+    """Walks with Tab, or Shift+Tab, to a thing of the plan."""
     for _ in range(60):
         if screen.state()["selected"] == key:
             return True
-        screen.keys("Tab")
+        screen.keys(by)
     return False
 
 
