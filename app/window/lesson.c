@@ -514,6 +514,8 @@ static void play_on(Window *window, Tab *tab) {
     if (!given->waits || !is_answered(tab))
         return;
     given->waits = false;
+    if (!tab_editor(tab) && *play_step(&given->play)->set)
+        tab->laboratory->restart(tab->session); /* what it did with the numbers before is not to be watched */
     RecordSpan span = tab->laboratory->span(tab->session);
     double speed = play_step(&given->play)->speed;
     player_normal_speed(&tab->player);
