@@ -144,6 +144,29 @@ now = screen.until(lambda s: s["sheet"] == "none" and not s["lesson"])
 check(not now["lesson"] and now["title"] != "flat on the 0.910 module", "and is made after the answer", now["title"])
 screen.end()
 
+# lessons over an edited plan, and one after the other: what would be lost is asked about
+screen = Screen("over", stage.house("straight-corridor"), "--size", "1280x720")
+check(select(screen, "person p1") or screen.state()["selected"], "something is selected")
+screen.keys("Up")
+screen.until(lambda s: s["unsaved"])
+screen.keys("ctrl+l")
+screen.until(lambda s: s["sheet"] == "gallery" and s["focus"] == "sheet")
+screen.keys("Tab", "Return")  # the second one, of a house
+check(screen.until(lambda s: s["sheet"] != "gallery")["sheet"] == "leave", "a lesson asks before it takes an edited plan's place")
+screen.keys("Tab", "Return")
+now = screen.until(lambda s: s["lesson"])
+check(now["lesson"]["title"] == "Legal, and yet no way out" and not now["unsaved"], "then it begins", now["lesson"])
+screen.keys("Next")
+step(screen, 2)
+screen.keys("3", "ctrl+l")
+screen.until(lambda s: s["sheet"] == "gallery" and s["focus"] == "sheet")
+screen.keys("Return")  # the first one, of a beam
+check(screen.until(lambda s: s["sheet"] != "gallery")["sheet"] == "lesson", "another lesson asks before guesses are lost")
+screen.keys("Tab", "Return")
+now = screen.until(lambda s: s["sheet"] == "none" and s["lesson"] and s["lesson"]["step"] == 1)
+check(now["laboratory"] == "beam" and now["lesson"]["hands"] == [], "and then takes its place", now["lesson"])
+screen.end()
+
 # a beam
 screen = Screen("beam", lesson("half-the-rhythm"), "--size", "1280x720")
 screen.keys("F5")
