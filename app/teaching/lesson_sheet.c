@@ -49,7 +49,7 @@ static void add_keys(Sheet *sheet) {
     static const char *const keys[] = {
         "PgDn goes on, as a presenter's remote does, and PgUp goes back.",
         "1 to 9 count a raised hand for that guess, Backspace takes it back, 0 begins a second vote.",
-        "? gives a hint. Ctrl+Z takes a change back. F1 tells all keys, F5 enlarges the letters.",
+        "? gives a hint. Ctrl+Z takes a change back. C folds the card. F1 tells all keys, F5 enlarges the letters.",
     };
     document_add_heading(&sheet->document, 2, "Keys");
     add_line(sheet, "\u2022 ",
@@ -131,7 +131,7 @@ static void add_result(Sheet *sheet, const LessonPicture *picture) {
 static bool add_row(Sheet *sheet, const LessonStep *step) {
     const char *row = "";
     for (size_t o = 0; o < step->options.count; o++)
-        row = document_text(&sheet->document, "%s%s[ %s ] %zu\u00a0%s", row, o ? "\u2003\u2003" : "",
+        row = document_text(&sheet->document, "%s%s[ %s ] %zu:\u00a0%s", row, o ? "\u2003\u2003" : "",
                             sheet->options->answers && step->truth == (int)o + 1 ? "x" : "  ", o + 1,
                             filled(sheet, step->options.at[o]));
     if (!*row || strlen(row) > ROW_LONGEST)
