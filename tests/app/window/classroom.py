@@ -17,6 +17,15 @@ def judged(s):
     return s["lesson"] and not s["lesson"]["working"] and not s["answer"]["stale"]
 
 
+def wait(screen, what, times=4):
+    """Waits longer than for a click: a crank on a busy machine needs minutes for a verdict."""
+    for _ in range(times):
+        now = screen.until(what)
+        if what(now):
+            break
+    return now
+
+
 def step(screen, number):
     """Waits for a step, and returns the state."""
     return screen.until(lambda s: s["lesson"] and s["lesson"]["step"] == number)
@@ -45,7 +54,7 @@ def type_number(screen, text, name=None):
     screen.keys("ctrl+a")
     screen.type(text)
     screen.keys("Return")
-    return screen.until(lambda s: not s["types"] and judged(s) and s["focus"] == "view")
+    return wait(screen, lambda s: not s["types"] and judged(s) and s["focus"] == "view")
 
 
 def apart(boxes):
@@ -83,7 +92,7 @@ def guess(screen, name, digits, hands):
     picture(screen, name, "2")
     screen.keys("Next")
     step(screen, 3)
-    now = screen.until(lambda s: not s["answer"]["stale"] and s["playing"])
+    now = wait(screen, lambda s: not s["answer"]["stale"] and s["playing"])
     check(now["playing"] and now["lesson"]["hides_words"], f"{name}: it plays, and the class says what it sees")
     picture(screen, name, "3")
 
@@ -102,7 +111,7 @@ def watch(screen, name, wrong, right):
 
 def goal(screen, name, words, expected, what):
     """Waits for the verdict on a state; for a reached goal, also on later ones."""
-    now = screen.until(lambda s: judged(s) and (expected == "no" or s["lesson"]["goal"] == "yes"))
+    now = wait(screen, lambda s: judged(s) and (expected == "no" or s["lesson"]["goal"] == "yes"))
     check(now["lesson"]["goal"] == expected, f"{name}: {words}", (now["lesson"], now["answer"]))
     picture(screen, name, what)
 
@@ -110,7 +119,7 @@ def goal(screen, name, words, expected, what):
 def finish(screen, name, last):
     """Goes to the last card, and ends."""
     screen.keys("Next")
-    screen.until(lambda s: s["lesson"]["step"] == last - 1 and s["lesson"]["numbered"])
+    wait(screen, lambda s: s["lesson"]["step"] == last - 1 and s["lesson"]["numbered"])
     screen.keys("Next")
     now = screen.until(lambda s: s["lesson"]["model"])
     check(now["lesson"]["step"] == last - 1 and now["lesson"]["numbered"],

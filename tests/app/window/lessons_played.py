@@ -134,5 +134,5 @@ played = (smallest_corner, shortest_not_fastest, which_wardrobe, two_doors_locke
 for give in played:
     name = give.__name__.replace("_", "-")
     if not sys.argv[2:] or name in sys.argv[2:]:
-        give(begin(name, minutes=20), name)
+        give(begin(name, minutes=40), name)
 end()
