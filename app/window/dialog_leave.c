@@ -13,6 +13,8 @@
 #define WIDE 860.0
 #define HIGH 460.0
 #define EDGE 24.0
+#define LESSON_WIDTH 560.0
+#define LESSON_HEIGHT 200.0
 #define LESSON_LINE 28.0 /* what else is lost */
 
 void dialog_leave_show(Window *window) {
@@ -40,6 +42,30 @@ void dialog_leave_show(Window *window) {
     else if (drops)
         files_finish_leaving(window);
     ui_pane_end(window->ui);
+}
+
+void dialog_leave_show_lesson(Window *window) {
+    Leave leave = window->leave;
+    bool last = lesson_is_last(window);
+    dialog_pane_begin(window, dialog_pane_centred(window, LESSON_WIDTH, LESSON_HEIGHT, EDGE));
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, last ? "End the lesson?" : "Leave the lesson?");
+    ui_text(window->ui, UI_BODY, ROLE_TEXT,
+            leave ? "The guesses of the class and the place in the lesson are lost."
+                  : "The guesses of the class and the place in the lesson are lost. What is open stays open, with its "
+                    "changes.");
+    ui_row(window->ui, 2);
+    bool stays = ui_button(window->ui, &(UiButton){.label = "Stay", .help = "Stay (Escape): Return to the lesson"});
+    bool leaves =
+        ui_button(window->ui, &(UiButton){.label = last ? "End" : "Leave", .help = "Leave: Forget the guesses"});
+    ui_pane_end(window->ui);
+    if (stays || leaves)
+        dialog_pane_close(window);
+    if (!leaves)
+        return;
+    lesson_close(window);
+    window->leave = leave;
+    if (leave)
+        files_finish_leaving(window);
 }
 
 /* Returns a time as "14:02", with its date if that is not today. */

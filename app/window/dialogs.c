@@ -13,7 +13,6 @@
 #include "window/dialog_leave.h"
 #include "window/dialog_pane.h"
 #include "window/dialog_unit.h"
-#include "window/lesson.h"
 #include "window/menu.h"
 
 /* Design points. */
@@ -288,7 +287,7 @@ void dialogs_show(Window *window) {
         [DIALOG_ABOUT] = show_about,
         [DIALOG_HISTORY] = show_history,
         [DIALOG_LEAVE] = dialog_leave_show,
-        [DIALOG_LESSON] = lesson_show_leave,
+        [DIALOG_LESSON] = dialog_leave_show_lesson,
         [DIALOG_RECOVERED] = dialog_leave_show_recovered,
         [DIALOG_UNIT] = dialog_unit_show,
     };

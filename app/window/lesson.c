@@ -11,7 +11,6 @@
 #include "laboratory/shipped.h"
 #include "window/autosave.h"
 #include "window/dialog_pane.h"
-#include "window/files.h"
 #include "window/notice.h"
 #include "window/opening.h"
 #include "window/plan_input.h"
@@ -439,28 +438,9 @@ bool lesson_would_lose(const Window *window, Leave leave, const char *path) {
     return leave == LEAVE_QUIT || (leave == LEAVE_NEW && tab_editor(&window->tabs[given->tab]));
 }
 
-void lesson_show_leave(Window *window) {
+bool lesson_is_last(const Window *window) {
     const Play *play = &window->lesson->play;
-    Leave leave = window->leave;
-    bool last = play->step + 1 == play->lesson.step_count;
-    dialog_pane_begin(window, dialog_pane_centred(window, LEAVE_WIDTH, LEAVE_HEIGHT, EDGE));
-    ui_line(window->ui, UI_HEADING, ROLE_TEXT, last ? "End the lesson?" : "Leave the lesson?");
-    ui_text(window->ui, UI_BODY, ROLE_TEXT,
-            leave ? "The guesses of the class and the place in the lesson are lost."
-                  : "The guesses of the class and the place in the lesson are lost. What is open stays open, with its "
-                    "changes.");
-    ui_row(window->ui, 2);
-    bool stays = ui_button(window->ui, &(UiButton){.label = "Stay", .help = "Stay (Escape): Return to the lesson"});
-    bool leaves =
-        ui_button(window->ui, &(UiButton){.label = last ? "End" : "Leave", .help = "Leave: Forget the guesses"});
-    ui_pane_end(window->ui);
-    if (stays || leaves)
-        dialog_pane_close(window);
-    if (leaves)
-        lesson_close(window);
-    window->leave = leaves ? leave : window->leave;
-    if (leaves && leave)
-        files_finish_leaving(window);
+    return play->step + 1 == play->lesson.step_count;
 }
 
 /* The goal --------------------------------------------------------------------------------------------------------- */

@@ -36,15 +36,17 @@ void lesson_close_panel(Window *window);
 void lesson_press(Window *window, PlayKey key, int digit);
 bool lesson_do(Window *window, Action action);
 
-/* Leaves the lesson, and asks first if something would be lost; leaves it after the answer. */
+/* Leaves the lesson, and asks first if something would be lost. */
 void lesson_leave(Window *window);
+
+/* True if the last step is shown. */
+bool lesson_is_last(const Window *window);
 
 /* Returns the tab that a file opens in: that of a lesson's house or machine, or that of its own kind. */
 size_t lesson_tab_of(const char *path);
 
 /* True if quitting, or opening this file (LEAVE_OPEN), would lose guesses or the place in the lesson. */
 bool lesson_would_lose(const Window *window, Leave leave, const char *path);
-void lesson_show_leave(Window *window);
 
 /* Takes over verdicts, and asks for the goal of a new state. */
 void lesson_update(Window *window);
