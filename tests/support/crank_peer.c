@@ -37,13 +37,17 @@ static int rates(realtype time, N_Vector state, N_Vector rate, void *data) {
     return 0;
 }
 
-/* Each function rises through 0 at a switch; released at zero force. */
+/* Each function rises through 0 at a switch. */
 static int roots(realtype time, N_Vector state, realtype *out, void *data) {
     const CrankPeer *peer = data;
     TreePose pose = tree_pose(peer->tree, time, N_VGetArrayPointer(state));
     BallReading reading = ball_read(peer->tree, &pose);
     double gap = peer->tree->stiffness * (reading.distance - peer->tree->clearance);
-    out[0] = peer->place == BALL_OPEN ? gap : peer->place == BALL_CONTACT ? -reading.push : reading.push;
+    bool by_gap = peer->tree->release == CRANK_RELEASE_GAP;
+    if (peer->place == BALL_CONTACT)
+        out[0] = by_gap ? -gap : -reading.push;
+    else
+        out[0] = peer->place == BALL_OPEN ? gap : reading.push;
     out[1] = peer->place == BALL_LEAVING ? -gap : -1;
     return 0;
 }
@@ -93,16 +97,28 @@ static bool advance(CrankPeer *peer, double end, double *time) {
     if (peer->place == BALL_OPEN || (peer->place == BALL_LEAVING && which[0]))
         peer->place = BALL_CONTACT;
     else
-        peer->place = peer->place == BALL_CONTACT ? BALL_LEAVING : BALL_OPEN;
+        peer->place =
+            peer->place == BALL_CONTACT && peer->tree->release == CRANK_RELEASE_FORCE ? BALL_LEAVING : BALL_OPEN;
     peer->switches++;
     must(CVodeReInit(peer->cvode, *time, peer->state) == CV_SUCCESS);
     return true;
 }
 
-void crank_peer_cycle(CrankPeer *peer) {
-    double end = (double)++peer->cycle * peer->tree->period, time = 0;
-    while (advance(peer, end, &time))
+void crank_peer_set_state(CrankPeer *peer, const double *state) {
+    for (size_t i = 0; i < 2 * peer->tree->coordinates; i++)
+        N_VGetArrayPointer(peer->state)[i] = state[i];
+    peer->place = BALL_OPEN;
+    must(CVodeReInit(peer->cvode, 0, peer->state) == CV_SUCCESS);
+}
+
+void crank_peer_until(CrankPeer *peer, double time) {
+    double reached = 0;
+    while (advance(peer, time, &reached))
         continue;
+}
+
+void crank_peer_cycle(CrankPeer *peer) {
+    crank_peer_until(peer, (double)++peer->cycle * peer->tree->period);
 }
 
 double crank_peer_switch(CrankPeer *peer) {
@@ -113,6 +129,10 @@ double crank_peer_switch(CrankPeer *peer) {
 
 const double *crank_peer_state(const CrankPeer *peer) {
     return N_VGetArrayPointer(peer->state);
+}
+
+BallPlace crank_peer_place(const CrankPeer *peer) {
+    return peer->place;
 }
 
 size_t crank_peer_switches(const CrankPeer *peer) {
