@@ -109,6 +109,9 @@ static void add_axis(Text *text, const Study *study, size_t a) {
     study_number_step(study, a, steps - 1, true, to);
     if (steps == 1)
         text_format(text, "%s at %s\n", study->axes[a].name, from);
+    else if (experiment_turns(study->experiment, study->axes[a].name))
+        text_format(text, "%s from %s to %s (%.4g to %.4g Hz) in %zu steps\n", study->axes[a].name, from, to,
+                    study->axes[a].from, study->axes[a].to, steps);
     else
         text_format(text, "%s from %s to %s in %zu steps\n", study->axes[a].name, from, to, steps);
 }

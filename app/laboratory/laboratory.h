@@ -120,8 +120,11 @@ typedef struct LaboratoryPlot {
     bool still;        /* the plot does not depend on the displayed time */
     double cursor;     /* place of a vertical line, a value of x; NAN: none */
     const char *cursor_text;
-    const char *cursor_parameter; /* parameter that a click at a value of x sets; NULL: none */
-    double cursor_factor;         /* value of x = cursor_factor x the parameter's value */
+    const char *cursor_parameter;   /* parameter that a click at a value of x sets; NULL: none */
+    double cursor_factor;           /* value of x = cursor_factor x the parameter's value */
+    double cursor_y;                /* the same for y, with a level line, of a plot that has cursor_y_parameter; */
+    const char *cursor_y_parameter; /* NULL: none */
+    double cursor_y_factor;
     Role now;    /* role of the disc at the present end of the series; ROLE_PAPER: each series' own role */
     double tail; /* s: length of the line's end that is drawn thick */
 } LaboratoryPlot;
@@ -188,6 +191,10 @@ typedef struct Laboratory {
     /* Names of the plots that this session opens by itself; NULL, or returning NULL: plots_at_first, if there is room.
      */
     const char *(*plots_for)(const void *session);
+
+    /* Notes which plots are in the window, names separated by commas: what is costly is computed only while it is
+     * shown. NULL: all plots are made anyway. */
+    void (*note_plots)(void *session, const char *names);
 
     size_t (*plot_count)(const void *session);
     LaboratoryPlot (*plot)(const void *session, size_t index);

@@ -158,6 +158,8 @@ static const double SMALL_LENGTH = 0.5;
 /* Returns "clearance 0.1315 mm": a parameter and its value. */
 static const char *point_of(Advice *advice, const char *name, double value) {
     const char *unit = advice->experiment->parameter(advice->experiment->given, name)->unit;
+    if (experiment_turns(advice->experiment, name))
+        return text_in_arena(&advice->arena, "%.4g rpm", EXPERIMENT_RPM * value);
     if (strcmp(unit, "1") == 0)
         return text_in_arena(&advice->arena, "%s %.4g", short_name(name), value);
     if (strcmp(unit, "m") == 0 && fabs(value) < SMALL_LENGTH)

@@ -11,7 +11,7 @@ static bool is_multiple(double value, int decimals) {
     return fabs(scaled - round(scaled)) < 1e-6;
 }
 
-/* The unit in which an axis is shown: mm and ms for small lengths and times. */
+/* The unit in which an axis is shown: mm and ms for small lengths and times, rpm for the speed of a shaft. */
 typedef struct Shown {
     const char *unit; /* "" for pure numbers */
     double factor;    /* 1, by which values are multiplied */
@@ -20,6 +20,8 @@ typedef struct Shown {
 static Shown shown_axis(const Study *study, size_t a) {
     const StudyAxis *axis = &study->axes[a];
     const char *unit = study->experiment->parameter(study->experiment->given, axis->name)->unit;
+    if (experiment_turns(study->experiment, axis->name))
+        return (Shown){"rpm", EXPERIMENT_RPM};
     bool small = fmax(fabs(axis->from), fabs(axis->to)) < 0.01;
     if (small && strcmp(unit, "m") == 0)
         return (Shown){"mm", 1000};

@@ -9,7 +9,7 @@ enum { STUDY_NUMBER = 48 /* characters of a number with its unit */ };
 void study_number_observed(double number, char word[STUDY_NUMBER]);
 
 /* Formats a value of an axis with as many digits as tell it from its neighbours: "0.84 m". Small lengths and times are
- * in mm and ms. */
+ * in mm and ms, the speed of a shaft in rpm. */
 void study_number_value(const Study *study, size_t axis, double value, bool with_unit, char word[STUDY_NUMBER]);
 
 /* Formats the i-th value of an axis likewise. */

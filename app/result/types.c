@@ -41,10 +41,17 @@ ResultTable result_types_kind(const Types *types) {
 static const double SMALL_LENGTH = 0.5; /* m */
 
 static const char *quantity(Arena *arena, const char *unit, double value) {
+    if (strcmp(unit, "rpm") == 0)
+        return text_in_arena(arena, "%.4g rpm (%.4g Hz)", EXPERIMENT_RPM * value, value);
     bool small = strcmp(unit, "m") == 0 && fabs(value) < SMALL_LENGTH;
     if (strcmp(unit, "1") == 0)
         return text_in_arena(arena, "%.4g", value);
     return small ? text_in_arena(arena, "%.4g mm", 1000 * value) : text_in_arena(arena, "%.4g %s", value, unit);
+}
+
+/* Returns the unit in which people read a parameter: of the speed of a shaft rpm, though its values are in Hz. */
+static const char *read_in(const Experiment *experiment, const char *name) {
+    return experiment_turns(experiment, name) ? "rpm" : experiment->parameter(experiment->given, name)->unit;
 }
 
 /* Adds the value at which things change on one side of a parameter, and as a share how far that is away. */
@@ -77,10 +84,11 @@ static void add_side(ResultTable *table, const Neighbour *side, const char *unit
 
 static void add_parameter(ResultTable *table, const TypesParameter *parameter, const Experiment *experiment,
                           bool interrupted) {
-    const char *unit = experiment->parameter(experiment->given, parameter->name)->unit;
+    const char *unit = read_in(experiment, parameter->name);
     bool jumps = isinf(parameter->sensitivity);
     result_add(table, (ResultRow){.key = "name", .label = "parameter", .text = parameter->name});
-    result_add(table, (ResultRow){.key = "unit", .text = unit});
+    result_add(table,
+               (ResultRow){.key = "unit", .text = experiment->parameter(experiment->given, parameter->name)->unit});
     result_add(table, (ResultRow){.key = "value",
                                   .label = "value",
                                   .kind = RESULT_NUMBER,
@@ -111,7 +119,7 @@ ResultTable result_types_parameters(const Types *types, const Experiment *experi
 static void add_point(ResultTable *table, const Types *types, const TypesPoint *point, const Experiment *experiment) {
     bool centre = point->parameter == types->parameter_count;
     const char *name = centre ? NULL : types->parameters[point->parameter].name;
-    const char *unit = centre ? NULL : experiment->parameter(experiment->given, name)->unit;
+    const char *unit = centre ? NULL : read_in(experiment, name);
     result_add(table, (ResultRow){.key = "parameter", .text = name});
     result_add(table, (ResultRow){.label = "point", .text = centre ? "centre" : name});
     result_add(table, (ResultRow){.key = "value",

@@ -57,10 +57,21 @@ static void move_cursor(PlotPane *pane, double direction, double times) {
     pane->cursor = fmin(fmax(to, axes.x[0]), axes.x[1]);
 }
 
-void act_plot_use(Window *window, const PlotPane *pane, double x) {
+/* Moves the cursor of a plot over two parameters up or down. */
+static void move_cursor_y(PlotPane *pane, double direction, double times) {
+    PlotPaneAxes axes = plot_panes_axes(pane);
+    double from = isnan(pane->cursor_y) ? pane->source.cursor_y : pane->cursor_y;
+    double to = from + direction * times * CURSOR_STEP * (axes.y[1] - axes.y[0]);
+    pane->cursor_y = fmin(fmax(to, axes.y[0]), axes.y[1]);
+}
+
+void act_plot_use(Window *window, const PlotPane *pane, Vec2 value) {
+    const LaboratoryPlot source = pane->source;
     Fault fault = {0};
-    if (pane->source.cursor_parameter)
-        tab_set(window_tab(window), pane->source.cursor_parameter, x / pane->source.cursor_factor, &fault);
+    if (source.cursor_parameter && !isnan(value.x))
+        tab_set(window_tab(window), source.cursor_parameter, value.x / source.cursor_factor, &fault);
+    if (source.cursor_y_parameter && !isnan(value.y))
+        tab_set(window_tab(window), source.cursor_y_parameter, value.y / source.cursor_y_factor, &fault);
     notice_fault(window, &fault, NAN);
 }
 
@@ -78,11 +89,13 @@ static bool do_pane(Window *window, PlotPane *pane, Action action, int mods) {
         move_corner(&pane->box, action, step * BOX_STEP);
     } else if (moves) {
         move_cursor(pane, action == ACTION_CURSOR_LEFT ? -1 : 1, step);
+    } else if (pans && pane->source.cursor_y_parameter) {
+        move_cursor_y(pane, action == ACTION_PAN_DOWN ? -1 : 1, step);
     } else if (action == ACTION_BOX || (action == ACTION_USE_CURSOR && pane->box.corner)) {
         set_corner(pane);
-    } else if (action == ACTION_USE_CURSOR && !isnan(pane->cursor)) {
-        act_plot_use(window, pane, pane->cursor);
-        pane->cursor = NAN;
+    } else if (action == ACTION_USE_CURSOR && !(isnan(pane->cursor) && isnan(pane->cursor_y))) {
+        act_plot_use(window, pane, vec2(pane->cursor, pane->cursor_y));
+        pane->cursor = pane->cursor_y = NAN;
     } else if (action == ACTION_BOX_BACK) {
         plot_panes_zoom_back(pane);
     } else if (action == ACTION_FIT) {

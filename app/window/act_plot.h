@@ -6,5 +6,5 @@
 /* Returns false if the action is another one. */
 bool act_plot_do(Window *window, Action action, int mods);
 
-/* Sets the parameter of a plot's cursor to a value of x. */
-void act_plot_use(Window *window, const PlotPane *pane, double x);
+/* Sets the parameters of a plot's cursors to values of x and y; NAN: not that one. */
+void act_plot_use(Window *window, const PlotPane *pane, Vec2 value);

@@ -40,6 +40,13 @@ static void pixels_of(const Window *window, Box box, int *x, int *y, int *width,
     *height = (int)lround(box.high.y * window->unit) - *y;
 }
 
+static void choose_plots(Window *window, Tab *tab) {
+    const char *names = tab_plots(tab);
+    plot_panes_choose(&tab->panes, tab->laboratory, tab->session, names, window->screen);
+    if (tab->laboratory->note_plots)
+        tab->laboratory->note_plots(tab->session, names);
+}
+
 void canvas_paint(Window *window) {
     Tab *tab = window_tab(window);
     int x, y, width, height;
@@ -52,7 +59,7 @@ void canvas_paint(Window *window) {
         view_layers_show(&tab->view_layers, tab->laboratory, tab->session, tab->player.time);
     window->dirty |= tab->plot_panes_stale; /* the next frame lays them out */
     if (tab->plot_panes_stale)
-        plot_panes_choose(&tab->panes, tab->laboratory, tab->session, tab_plots(tab), window->screen);
+        choose_plots(window, tab);
     tab->plot_panes_stale = false;
 }
 
@@ -241,7 +248,7 @@ static void use_pane_mouse(Window *window, Tab *tab, PlotPane *pane, size_t plot
     }
     if (grab.pressed) {
         ui_focus(window->ui, text_in_arena(&window->arena, "plot:%s", pane->source.name));
-        act_plot_use(window, pane, value.x);
+        act_plot_use(window, pane, value);
     }
     if (grab.hovered)
         show_read_out(window, tab, pane, plot, grab.at);

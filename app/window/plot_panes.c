@@ -22,7 +22,7 @@ static void drop_canvas(PlotPane *pane) {
 static void clear_pane(PlotPane *pane, PaintGlScreen *screen) {
     drop_canvas(pane);
     paint_gl_screen_release(screen, &pane->texture);
-    *pane = (PlotPane){.cursor = NAN};
+    *pane = (PlotPane){.cursor = NAN, .cursor_y = NAN};
 }
 
 void plot_panes_clear(PlotPanes *panes, PaintGlScreen *screen) {
@@ -48,7 +48,7 @@ static PlotPane take_pane(PlotPanes *before, const LaboratoryPlot *plot) {
             before->panes[i] = before->panes[--before->count];
             return pane;
         }
-    return (PlotPane){.source = *plot, .cursor = NAN};
+    return (PlotPane){.source = *plot, .cursor = NAN, .cursor_y = NAN};
 }
 
 void plot_panes_choose(PlotPanes *panes, const Laboratory *laboratory, void *session, const char *names,
@@ -194,6 +194,14 @@ static void draw_cursor(const PlotPane *pane, double x, const char *text, Ui *ui
     ui_draw_text(ui, UI_BOLD, ROLE_PAPER, vec2(tag.low.x + 6, (tag.low.y + tag.high.y) / 2), 0, text);
 }
 
+/* Draws the cursor of y, a level line. */
+static void draw_cursor_y(const PlotPane *pane, double y, Ui *ui) {
+    Box frame = frame_of(pane);
+    double at = place_of(pane, vec2(plot_canvas_value(pane->canvas, vec2(0, 0)).x, y)).y;
+    if (at >= frame.low.y && at <= frame.high.y)
+        ui_draw_line(ui, vec2(frame.low.x, at), vec2(frame.high.x, at), ROLE_IMPACT, CURSOR_WIDTH);
+}
+
 Vec2 plot_panes_place(Box frame, Vec2 part) {
     return vec2(frame.low.x + part.x * box_width(frame), frame.high.y - part.y * box_height(frame));
 }
@@ -221,6 +229,10 @@ void plot_panes_show(PlotPane *pane, const Laboratory *laboratory, const void *s
         draw_cursor(pane, now.cursor, now.cursor_text, ui);
     if (!isnan(pane->cursor))
         draw_cursor(pane, pane->cursor, NULL, ui);
+    if (now.cursor_y_parameter)
+        draw_cursor_y(pane, now.cursor_y, ui);
+    if (!isnan(pane->cursor_y))
+        draw_cursor_y(pane, pane->cursor_y, ui);
     draw_box(pane, ui);
 }
 

@@ -50,6 +50,8 @@ static json_t *plot_panes_state(const PlotPanes *panes) {
                                 "views", (int)pane->view_count, "corner", pane->box.corner);
         json_object_set_new(one, "cursor", number_or_null(pane->source.cursor));
         json_object_set_new(one, "own_cursor", number_or_null(pane->cursor));
+        if (pane->source.cursor_y_parameter)
+            json_object_set_new(one, "cursor_y", number_or_null(pane->source.cursor_y));
         json_object_set_new(state, pane->source.name, one);
     }
     return state;

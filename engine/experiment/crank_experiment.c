@@ -260,6 +260,7 @@ static void begin(Experiment *experiment, Given *given) {
                                .verdicts = motion_class_names,
                                .verdict_count = MOTION_CLASSES,
                                .verdict_quick = MOTION_CLASS_NOT_PERIODIC,
+                               .turning = "drive.frequency",
                                .carries = true,
                                .batch = 1,
                                .given = given,

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "base/fault.h"
 #include "base/memory.h"
@@ -49,12 +50,13 @@ typedef struct Experiment {
     size_t verdict_count;        /* 0: there is no such observable */
     size_t verdict_quick;        /* the first of the words of quick runs */
 
-    const char *chance; /* what differs between runs of one point: "drivers"; NULL: only their seeds */
-    bool slow;          /* True if a trial may take seconds */
-    uint64_t special;   /* seed of a start of its own, which is always among those of a type; 0: none */
-    bool carries;       /* a run can continue from the end of the previous one: sweeps up and down */
-    size_t batch;       /* number of runs that are best simulated together */
-    void *given;        /* owned by the experiment; read by any number of threads at once */
+    const char *turning; /* frequency, Hz, of a shaft, which people read in rpm: its name; NULL: none */
+    const char *chance;  /* what differs between runs of one point: "drivers"; NULL: only their seeds */
+    bool slow;           /* True if a trial may take seconds */
+    uint64_t special;    /* seed of a start of its own, which is always among those of a type; 0: none */
+    bool carries;        /* a run can continue from the end of the previous one: sweeps up and down */
+    size_t batch;        /* number of runs that are best simulated together */
+    void *given;         /* owned by the experiment; read by any number of threads at once */
 
     /* digest of the origin of `given` besides the file and the settings; 0: nothing else */
     uint64_t identity;
@@ -75,6 +77,13 @@ typedef struct Experiment {
     void (*run)(const void *given, const char *const *names, size_t name_count, Trial *trials, size_t count, bool carry,
                 const Stop *stop);
 } Experiment;
+
+#define EXPERIMENT_RPM 60.0 /* rpm per Hz */
+
+/* True if people read the parameter in rpm. */
+static inline bool experiment_turns(const Experiment *experiment, const char *name) {
+    return experiment->turning && strcmp(experiment->turning, name) == 0;
+}
 
 /* Returns the word of a trial's class, or NULL. */
 static inline const char *trial_verdict(const Trial *trial, const Experiment *experiment) {

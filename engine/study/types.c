@@ -21,7 +21,7 @@ const char *types_kind_name(TypesKind kind) {
 typedef struct Work {
     const TypesTask *task;
     Types *types;
-    Batch window; /* (points x TYPES_STARTS) */
+    Batch window; /* (points x starts) */
     pthread_mutex_t mutex;
     size_t done, all; /* trials */
 } Work;
@@ -61,13 +61,21 @@ static void run_piece(void *context, size_t piece) {
     tell_done(work, count);
 }
 
+static size_t starts_of(const TypesTask *task) {
+    return task->starts ? task->starts : TYPES_STARTS;
+}
+
+static bool carries(const TypesTask *task) {
+    return task->experiment->carries && !task->starts;
+}
+
 static void run_window(Work *work) {
     Types *types = work->types;
     const TypesTask *task = work->task;
-    work->window = batch_create(task->experiment, task->names, task->name_count, types->point_count * TYPES_STARTS);
+    work->window = batch_create(task->experiment, task->names, task->name_count, types->point_count * starts_of(task));
     for (size_t i = 0; i < work->window.count; i++) {
-        const TypesPoint *point = &types->points[i / TYPES_STARTS];
-        size_t start = i % TYPES_STARTS;
+        const TypesPoint *point = &types->points[i / starts_of(task)];
+        size_t start = i % starts_of(task);
         uint64_t special = work->task->experiment->special;
         work->window.trials[i].seed = special && start == TYPES_STARTS - 1 ? special : start;
         if (point->parameter < types->parameter_count)
@@ -161,10 +169,10 @@ static void gather_answers(const Work *work, size_t at) {
     const Experiment *experiment = work->task->experiment;
     TypesPoint *point = &work->types->points[at];
     TypesAnswer found[TYPES_STARTS];
-    size_t count = 0;
+    size_t count = 0, starts = starts_of(work->task);
     point->possible = true;
-    for (size_t s = 0; s < TYPES_STARTS; s++) {
-        const Trial *trial = &work->window.trials[at * TYPES_STARTS + s];
+    for (size_t s = 0; s < starts; s++) {
+        const Trial *trial = &work->window.trials[at * starts + s];
         double regular = trial->observed[experiment->regular];
         point->possible &= !trial->fault;
         point->irregular += regular == 0;
@@ -508,15 +516,14 @@ bool types_classify(Types *types, const TypesTask *task, Fault *fault) {
     take_names(types, task);
     lay_out_points(types);
     Work work = {.task = task, .types = types};
-    work.all = types->point_count * TYPES_STARTS +
-               (task->experiment->carries ? 2 * CHAIN * types->parameter_count : 0) +
+    work.all = types->point_count * starts_of(task) + (carries(task) ? 2 * CHAIN * types->parameter_count : 0) +
                2 * types->parameter_count * NEIGHBOURS_STEPS * NEIGHBOURS_STARTS;
     pthread_mutex_init(&work.mutex, NULL);
     run_window(&work);
     confirm(&work);
     for (size_t i = 0; i < types->point_count && !is_stopped(task); i++)
         gather_answers(&work, i);
-    if (task->experiment->carries && !is_stopped(task))
+    if (carries(task) && !is_stopped(task))
         carry_through(&work);
     types->stopped = is_stopped(task);
     if (types->stopped)

@@ -102,6 +102,7 @@ typedef struct TypesTask {
                                    NULL: the first is final */
     const char *const *names;   /* (name_count) parameters of the window */
     size_t name_count;
+    size_t starts;    /* at each point, at most TYPES_STARTS; 0: as many as the definition has, and carried motions */
     bool window_only; /* skips the search for neighbours */
     int jobs;
     const Stop *stop;

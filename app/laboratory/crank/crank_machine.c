@@ -135,6 +135,7 @@ const MachineKind crank_machine = {
     .carried_steps = 61,
     .together = 1,
     .before_type = 31,
+    .map = {{"drive.frequency", "speed", 5, 25, 13}, {"joint.clearance", "clearance", 0.02e-3, 0.5e-3, 9}},
     .window = crank_experiment_window,
     .window_count = CRANK_EXPERIMENT_WINDOW,
     .decide = decide,

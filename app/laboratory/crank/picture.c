@@ -29,23 +29,27 @@ const Scene *crank_picture_moving(const void *context) {
     return &((const CrankSession *)context)->view.moving;
 }
 
-/* The plots over time, and the orbit diagram. */
+/* The plots over time, the orbit diagram, and the map of types. */
+enum { ORBIT = CRANK_TRACES, MAP, PLOTS };
 
-static const char *const plot_names[] = {"phase", "poincare", "section", "force", "slider", "spectrum", "orbit"};
-static const char *const plot_titles[] = {"Phase plane",  "Poincar\u00E9 map", "Poincar\u00E9 map across",
-                                          "Force",        "Slider's error",    "Spectrum",
-                                          "Orbit diagram"};
+static const char *const plot_names[] = {"phase",  "poincare", "section", "force",
+                                         "slider", "spectrum", "orbit",   MACHINE_MAP_NAME};
+static const char *const plot_titles[] = {"Phase plane",   "Poincar\u00E9 map", "Poincar\u00E9 map across",
+                                          "Force",         "Slider's error",    "Spectrum",
+                                          "Orbit diagram", "Map of types"};
 
 size_t crank_picture_plot_count(const void *context) {
     (void)context;
-    return CRANK_TRACES + 1;
+    return PLOTS;
 }
 
 LaboratoryPlot crank_picture_plot(const void *context, size_t index) {
     const CrankSession *session = context;
     LaboratoryPlot shown = {.cursor = NAN, .now = ROLE_DANGER_MIDDLE};
-    if (index == CRANK_TRACES) {
+    if (index == ORBIT) {
         shown = machine_diagram_shown(&session->machine.diagram, &session->machine.controls);
+    } else if (index == MAP) {
+        shown = machine_map_shown(&session->machine.map, &session->machine.controls);
     } else {
         shown.plot = &session->traces.plots[index];
         shown.revision = session->traces.revisions[index];
@@ -57,8 +61,10 @@ LaboratoryPlot crank_picture_plot(const void *context, size_t index) {
 
 size_t crank_picture_points_until(const void *context, size_t index, size_t series, double time) {
     const CrankSession *session = context;
-    return index == CRANK_TRACES ? session->machine.diagram.series[series].count
-                                 : crank_traces_until(&session->traces, index, series, time);
+    if (index == MAP)
+        return 0;
+    return index == ORBIT ? session->machine.diagram.series[series].count
+                          : crank_traces_until(&session->traces, index, series, time);
 }
 
 /* The sound is the slider's velocity. */

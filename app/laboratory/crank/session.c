@@ -286,6 +286,7 @@ const Laboratory crank_laboratory = {
     .moving = crank_picture_moving,
     .set_camera = crank_picture_set_camera,
     .set_layers = crank_picture_set_layers,
+    .note_plots = machine_session_note_plots,
     .plot_count = crank_picture_plot_count,
     .plot = crank_picture_plot,
     .points_until = crank_picture_points_until,

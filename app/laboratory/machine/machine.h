@@ -59,6 +59,16 @@ typedef struct MachineFacts {
     char *words; /* further sentences, one per line; NULL: none; who has the facts releases it with their rows */
 } MachineFacts;
 
+/* An axis of a map: steps values from `from` to `to`, in the parameter's unit. */
+typedef struct MachineMapAxis {
+    const char *name; /* of the parameter; NULL: there is no map */
+    const char *word; /* for display */
+    double from, to;
+    size_t steps;
+} MachineMapAxis;
+
+enum { MACHINE_MAP_AXES = 2, MACHINE_MAP_CELLS = 128 };
+
 typedef struct MachineKind {
     const char *word;   /* "beam" */
     const char *cycle;  /* "cycle", "revolution" */
@@ -108,6 +118,8 @@ typedef struct MachineKind {
      * it was stopped. NULL: orbits of this kind cannot be followed. */
     bool (*follow)(const Machine *machine, const double *state, size_t count, const char *name, double from, double to,
                    struct MachineLines *lines, const Stop *stop);
+
+    MachineMapAxis map[MACHINE_MAP_AXES]; /* of types; at most MACHINE_MAP_CELLS cells */
 
     size_t bands; /* values along the orbit diagram whose types are told by quick runs; 0: none */
 } MachineKind;

@@ -28,6 +28,7 @@ void machine_session_open(MachineSession *session, const MachineKind *kind, cons
     machine_controls_open(&session->controls, kind, file);
     machine_controls_show(&session->controls, opened);
     machine_diagram_open(&session->diagram);
+    machine_map_open(&session->map, &session->controls);
     session->worker = machine_worker_start(kind, jobs);
     session->choice_count = MACHINE_CHOICES;
     show_choices(session);
@@ -50,6 +51,7 @@ void machine_session_ask(MachineSession *session, bool verdict) {
         session->has_verdict && machine_same(session->kind, &session->verdict.machine, &session->now);
     machine_controls_show(&session->controls, &session->now);
     machine_diagram_ask(&session->diagram, &session->controls, &session->now, session->worker);
+    machine_map_ask(&session->map, session->kind, &session->now, session->worker);
     if (verdict)
         machine_worker_ask_verdict(session->worker, &session->now);
 }
@@ -149,6 +151,8 @@ static void apply_news(MachineSession *session, MachineNews *news) {
     }
     if (news->swept || news->followed || news->banded)
         machine_diagram_apply(&session->diagram, news);
+    if (news->mapped)
+        machine_map_apply(&session->map, news);
 }
 
 unsigned machine_session_update(void *context, double time) {
@@ -166,6 +170,14 @@ unsigned machine_session_update(void *context, double time) {
     unsigned changed = session->news;
     session->news = 0;
     return changed;
+}
+
+void machine_session_note_plots(void *context, const char *names) {
+    MachineSession *session = context;
+    bool shown = false;
+    for (const char *at = names; *at; at += strcspn(at, ","), at += *at == ',')
+        shown |= strcspn(at, ",") == strlen(MACHINE_MAP_NAME) && strncmp(at, MACHINE_MAP_NAME, strcspn(at, ",")) == 0;
+    machine_map_show(&session->map, shown, session->kind, &session->now, session->worker);
 }
 
 bool machine_session_follow(void *context) {

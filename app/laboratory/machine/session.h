@@ -6,6 +6,7 @@
 #include "laboratory/laboratory.h"
 #include "laboratory/machine/answer.h"
 #include "laboratory/machine/diagram.h"
+#include "laboratory/machine/map.h"
 
 enum { MACHINE_CHOICE_SWEEP, MACHINE_CHOICE_OVER, MACHINE_CHOICES, MACHINE_CHOICES_MOST = 4 };
 
@@ -17,6 +18,7 @@ struct MachineSession {
     Machine now; /* the present machine */
     MachineControls controls;
     MachineDiagram diagram;
+    MachineMap map;
     MachineWorker *worker;
     MachineAnswer answer;
     MachineVerdict verdict;
@@ -62,6 +64,7 @@ const PanelChoice *machine_session_choices(void *context, size_t *count);
 void machine_session_choose(void *context, size_t choice, size_t word);
 const char *const *machine_session_command(void *context, size_t *count);
 bool machine_session_follow(void *context);
+void machine_session_note_plots(void *context, const char *names);
 unsigned machine_session_update(void *context, double time);
 Result machine_session_answer(void *context);
 const PanelRow *machine_session_rows(const void *context, size_t *count);

@@ -25,10 +25,11 @@ struct MachineWorker {
     pthread_cond_t wake;
     bool quit;
     int jobs;
-    Question verdict, sweep, follow;
-    Stop stop_type; /* set by either question */
+    Question verdict, sweep, follow, map;
+    Stop stop_type; /* set by each question */
     const MachineKind *kind;
-    Machine machine;
+    Machine machine, map_machine;
+    bool maps, map_paused; /* there is a map; it is not shown */
     MachineSweepTask task, follow_task;
     double state[MACHINE_STATES_MOST]; /* (state_count) */
     size_t state_count;
@@ -55,7 +56,7 @@ static void take_up(Question *question) {
 
 /* True if there is a question, which the type and what comes after it must wait for. */
 static bool is_asked(const MachineWorker *worker) {
-    return worker->verdict.asked || worker->sweep.asked || worker->follow.asked;
+    return worker->verdict.asked || worker->sweep.asked || worker->follow.asked || worker->map.asked;
 }
 
 /* Verdict and type --------------------------------------------------------------------------------------------------*/
@@ -200,11 +201,39 @@ static void tell_band(MachineWorker *worker) {
     worker->news.banded = true;
 }
 
+/* Map ---------------------------------------------------------------------------------------------------------------*/
+
+static void begin_map(MachineWorker *worker) {
+    MachineCells *map = &worker->news.map;
+    take_up(&worker->map);
+    worker->maps = true;
+    map->done = 0;
+    map->all = machine_map_cells(worker->kind);
+    for (size_t i = 0; i < MACHINE_MAP_CELLS; i++)
+        map->type[i] = NAN;
+    worker->news.mapped = true;
+}
+
+static void tell_cell(MachineWorker *worker) {
+    MachineCells *map = &worker->news.map;
+    Machine machine = worker->map_machine;
+    size_t cell = machine_map_order(worker->kind, map->done);
+    stop_withdraw(&worker->stop_type);
+    pthread_mutex_unlock(&worker->lock);
+    TypesKind type = machine_map_type(worker->kind, &machine, cell, worker->jobs, &worker->stop_type);
+    pthread_mutex_lock(&worker->lock);
+    if (stop_requested(&worker->stop_type) || worker->map.asked)
+        return;
+    map->type[cell] = type;
+    map->done++;
+    worker->news.mapped = true;
+}
+
 /* The thread --------------------------------------------------------------------------------------------------------*/
 
 static void wait_for_questions(MachineWorker *worker) {
     double until = HUGE_VAL;
-    const Question *const questions[] = {&worker->verdict, &worker->sweep, &worker->follow};
+    const Question *const questions[] = {&worker->verdict, &worker->sweep, &worker->follow, &worker->map};
     for (size_t q = 0; q < sizeof questions / sizeof *questions; q++)
         if (questions[q]->asked)
             until = fmin(until, questions[q]->since + MACHINE_WORKER_PAUSE);
@@ -218,6 +247,10 @@ static void wait_for_questions(MachineWorker *worker) {
 
 static bool sweeps(const MachineWorker *worker) {
     return worker->sweeps && !worker->swept && !worker->sweep.asked;
+}
+
+static bool wants_cell(const MachineWorker *worker) {
+    return worker->maps && !worker->map_paused && worker->news.map.done < worker->news.map.all && !is_asked(worker);
 }
 
 static bool wants_type(const MachineWorker *worker) {
@@ -245,8 +278,13 @@ static void *work(void *context) {
             follow(worker);
         else if (is_due(&worker->sweep, now))
             begin_sweep(worker);
-        else if (sweeps(worker) && (worker->sweeping.done < worker->kind->before_type || !wants_type(worker)))
+        else if (is_due(&worker->map, now))
+            begin_map(worker);
+        else if (sweeps(worker) &&
+                 (worker->sweeping.done < worker->kind->before_type || !(wants_type(worker) || wants_cell(worker))))
             go_on_sweeping(worker);
+        else if (wants_cell(worker))
+            tell_cell(worker);
         else if (wants_type(worker))
             tell_type(worker);
         else if (wants_confirmation(worker))
@@ -283,6 +321,7 @@ void machine_worker_stop(MachineWorker *worker) {
     stop_request(&worker->verdict.stop);
     stop_request(&worker->sweep.stop);
     stop_request(&worker->follow.stop);
+    stop_request(&worker->map.stop);
     stop_request(&worker->stop_type);
     pthread_cond_signal(&worker->wake);
     pthread_mutex_unlock(&worker->lock);
@@ -334,6 +373,20 @@ void machine_worker_ask_follow(MachineWorker *worker, const MachineSweepTask *ta
     pthread_mutex_unlock(&worker->lock);
 }
 
+void machine_worker_ask_map(MachineWorker *worker, const Machine *machine) {
+    pthread_mutex_lock(&worker->lock);
+    worker->map_machine = *machine;
+    ask(worker, &worker->map);
+    pthread_mutex_unlock(&worker->lock);
+}
+
+void machine_worker_pause_map(MachineWorker *worker, bool paused) {
+    pthread_mutex_lock(&worker->lock);
+    worker->map_paused = paused;
+    pthread_cond_signal(&worker->wake);
+    pthread_mutex_unlock(&worker->lock);
+}
+
 void machine_worker_drop_follow(MachineWorker *worker) {
     pthread_mutex_lock(&worker->lock);
     worker->follow.asked = false;
@@ -348,8 +401,9 @@ void machine_worker_take(MachineWorker *worker, MachineNews *news) {
     *news = worker->news;
     news->deciding = worker->deciding || worker->verdict.asked;
     news->following = worker->news.following || worker->follow.asked;
+    news->map.all = worker->maps && !worker->map_paused && news->map.done < news->map.all ? news->map.all : 0;
     worker->news.verdict = worker->news.swept = worker->news.sweep_begins = false;
-    worker->news.followed = worker->news.banded = false;
+    worker->news.followed = worker->news.banded = worker->news.mapped = false;
     worker->news.lines = (MachineLines){.period = 0};
     worker->news.result = (MachineVerdict){.advice = NULL};
     memset(worker->news.points, 0, sizeof worker->news.points);

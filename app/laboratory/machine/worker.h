@@ -1,9 +1,10 @@
 /* Computes for a running machine, on a thread of low priority: the verdict, an orbit that is to be followed, the orbit
- * diagram coarsely, the type, the rest of the diagram, whether a motion that is not periodic lasts, and the types along
- * the diagram. The newest question wins. */
+ * diagram coarsely, the map of types if it is shown, the type, the rest of the diagram, whether a motion that is not
+ * periodic lasts, and the types along the diagram. The newest question wins. */
 #pragma once
 
 #include "laboratory/machine/lines.h"
+#include "laboratory/machine/map_cells.h"
 #include "laboratory/machine/sweep.h"
 #include "laboratory/machine/verdict.h"
 
@@ -28,6 +29,18 @@ void machine_worker_ask_follow(MachineWorker *worker, const MachineSweepTask *ta
 /* Gives up what was requested last, if it is not done. */
 void machine_worker_drop_follow(MachineWorker *worker);
 
+/* Requests the map of a machine; the previous map is cancelled. */
+void machine_worker_ask_map(MachineWorker *worker, const Machine *machine);
+
+/* Pauses the map, or goes on with it. */
+void machine_worker_pause_map(MachineWorker *worker, bool paused);
+
+/* Cells of a map. */
+typedef struct MachineCells {
+    double type[MACHINE_MAP_CELLS]; /* TypesKind; NAN: not computed */
+    size_t done, all;               /* all: 0 if no map is being computed */
+} MachineCells;
+
 /* Types along the diagram. */
 typedef struct MachineBands {
     double value[MACHINE_BANDS_MOST], type[MACHINE_BANDS_MOST]; /* (count) ascending; 1 to 3, NAN: unknown */
@@ -51,6 +64,8 @@ typedef struct MachineNews {
     bool banded;                                     /* there are new types along the diagram */
     MachineBands bands;                              /* all types of the diagram so far */
     size_t bands_all;                                /* number of types that are told; 0: none is to be told now */
+    bool mapped;                                     /* there are new cells of the map */
+    MachineCells map;                                /* all of its cells so far */
     bool deciding;                                   /* the verdict is being computed */
 } MachineNews;
 void machine_worker_take(MachineWorker *worker, MachineNews *news);

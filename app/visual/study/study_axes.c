@@ -26,6 +26,8 @@ StudyScale study_axes_parameter(const Study *study, size_t axis, Arena *arena) {
     const Parameter *row = study->experiment->parameter(study->experiment->given, varied->name);
     const char *unit = row && row->unit ? row->unit : "1";
     double largest = fmax(fabs(varied->from), fabs(varied->to));
+    if (experiment_turns(study->experiment, varied->name))
+        return (StudyScale){{.title = "speed", .unit = "rpm"}, EXPERIMENT_RPM};
     StudyScale scale = {{.title = spoken(arena, varied->name), .unit = unit}, 1};
     double below = strcmp(study->experiment->kind, "house") == 0 ? SHORT : OF_MACHINE;
     bool length = strcmp(unit, "m") == 0 && largest < below, time = strcmp(unit, "s") == 0 && largest < BRIEF;

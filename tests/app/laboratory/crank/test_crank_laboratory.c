@@ -3,12 +3,15 @@
 
 #include <math.h>
 #include <string.h>
+#include <time.h>
 
 #include "base/digest.h"
 #include "check.h"
 #include "cranks.h"
 #include "laboratory/crank/tape.h"
+#include "laboratory/crank/crank_machine.h"
 #include "laboratory/laboratory.h"
+#include "laboratory/machine/map_cells.h"
 #include "scratch.h"
 
 static const Laboratory *const laboratory = &crank_laboratory;
@@ -222,5 +225,57 @@ TEST(the_sound_is_the_velocity_of_the_slider) {
     }
     CHECK(least >= -1 && most <= 1 && most - least > 0.5f);
     CHECK(!laboratory->sound(session, 0.4, 9, samples, COUNT));
+    laboratory->close(session);
+}
+
+TEST(a_map_goes_from_coarse_to_fine_and_has_each_cell_once) {
+    bool seen[MACHINE_MAP_CELLS] = {false};
+    size_t cells = machine_map_cells(&crank_machine), columns = crank_machine.map[0].steps;
+    CHECK(cells == 117 && cells <= MACHINE_MAP_CELLS);
+    for (size_t nth = 0; nth < cells; nth++) {
+        size_t cell = machine_map_order(&crank_machine, nth);
+        CHECK(cell < cells && !seen[cell]);
+        seen[cell] = true;
+        CHECK(nth >= 12 || (cell % columns % 4 == 0 && cell / columns % 4 == 0));
+    }
+    CHECK_NEAR(machine_map_value(&crank_machine, 0, 0) * 60, 300, 1e-9);
+    CHECK_NEAR(machine_map_value(&crank_machine, 0, cells - 1) * 60, 1500, 1e-9);
+    CHECK_NEAR(machine_map_value(&crank_machine, 1, columns - 1), 0.02e-3, 1e-15);
+    CHECK_NEAR(machine_map_value(&crank_machine, 1, cells - 1), 0.5e-3, 1e-15);
+}
+
+/* 500 rpm with 0.02 mm and 700 rpm with 0.26 mm: the presets of types I and III, or nearly so. */
+TEST(cells_of_a_map_have_the_types_of_the_presets) {
+    Crank crank = cranks_read((const char *const[]){"run.transient_cycles=30", NULL});
+    Machine machine = {.crank = crank};
+    size_t columns = crank_machine.map[0].steps;
+    CHECK(machine_map_type(&crank_machine, &machine, 2, 2, NULL) == TYPES_I);
+    TypesKind third = machine_map_type(&crank_machine, &machine, 4 * columns + 4, 1, NULL);
+    CHECK(third == TYPES_III);
+    CHECK(machine_map_type(&crank_machine, &machine, 4 * columns + 4, 2, NULL) == third);
+    crank_free(&crank);
+}
+
+/* The map is computed only while it is in the window, and then replaces nothing that a click changed. */
+LONG_TEST(the_map_is_computed_while_it_is_shown) {
+    enum { LOOKS = 30000 /* every 10 ms: the machine may be busy */ };
+    void *session =
+        open_crank((const char *const[]){"run.transient_cycles=1", "run.cycles=10", "joint.clearance=0"}, 3);
+    size_t map = laboratory->plot_count(session) - 1;
+    CHECK_TEXT(laboratory->plot(session, map).name, "map");
+    CHECK_TEXT(laboratory->plot(session, map).cursor_y_parameter, "joint.clearance");
+    CHECK_NEAR(laboratory->plot(session, map).cursor, 700, 1e-9);
+    CHECK_NEAR(laboratory->plot(session, map).cursor_y, 0, 1e-12);
+    laboratory->note_plots(session, "phase,map");
+    const double *cells = laboratory->plot(session, map).plot->raster->values;
+    size_t filled = 0;
+    for (int i = 0; i < LOOKS && filled < 2; i++) {
+        laboratory->update(session, 0);
+        nanosleep(&(struct timespec){0, 10000000}, NULL);
+        filled = 0;
+        for (size_t c = 0; c < MACHINE_MAP_CELLS; c++)
+            filled += !isnan(cells[c]);
+    }
+    CHECK(filled >= 2 && !isnan(cells[0]));
     laboratory->close(session);
 }
