@@ -24,6 +24,9 @@ static const double DEFLECTION = 0.35, ARROW = 1.1;
 
 static const double OUTERMOST = 1.6; /* radii of the loupe: the path is drawn no farther from its middle */
 
+static const double AT_WALL =
+    0.95; /* of the loupe's radius: the ball is seen at the wall, and not before or behind it */
+
 static const double ARC_HALF = 0.35; /* rad, half of the arc of the wall that is touched */
 
 /* What is drawn, and how. */
@@ -152,7 +155,7 @@ static void add_grounds(const Drawing *d) {
     Vec2 block = block_at(d, rest);
     machine_pieces_ground(d->scene, vec2(block.x - 0.5 * unit, block.y - 1.1 * unit),
                           vec2(block.x + 0.5 * unit, block.y - 1.1 * unit), -unit / 8);
-    add_name(d, vec2(block.x, block.y + 0.5 * unit), "bearing block");
+    add_name(d, vec2(block.x, block.y - 1.52 * unit), "bearing block");
 }
 
 /* The mechanism, moving -------------------------------------------------------------------------------------------- */
@@ -250,14 +253,45 @@ static void add_loupe_still(const Drawing *d) {
                        scene_text(d->scene, "ball in its socket, %s", sights[scale->sight]));
 }
 
+/* Returns the colour of a share of the largest force. */
+static Role role_of(double share) {
+    return share > 0.5 ? ROLE_DANGER_HIGH : share > 0.2 ? ROLE_DANGER_MIDDLE : ROLE_DANGER_LOW;
+}
+
+/* Returns the share of the largest force with which the wall's spring presses a place of the path; 0: no contact. */
+static double press_of(const Drawing *d, const CrankMoment *moment, size_t i) {
+    double distance = real_hypot(real_hypot(moment->along[i], moment->across[i]), moment->up[i]);
+    return real_max(0, d->tree->stiffness * (distance - d->tree->clearance) / d->scale->largest);
+}
+
+/* Adds the arcs of the wall that the ball pressed along its path, each in the colour of its force. Where the ball
+ * presses the wall in front of the picture or behind it, there is none. */
+static void add_pressed(const Drawing *d, const CrankMoment *moment, const Vec2 *path) {
+    Vec2 middle = d->scale->socket, *arc = arena_allocate(&d->scene->arena, (moment->path_count + 1) * sizeof *arc);
+    size_t points = 0;
+    Role role = ROLE_DANGER_LOW;
+    for (size_t i = 0; i <= moment->path_count; i++) {
+        bool at_wall = i < moment->path_count && vec2_distance(path[i], middle) > AT_WALL * d->scale->loupe;
+        double press = at_wall ? press_of(d, moment, i) : 0;
+        if (press > 0)
+            arc[points++] = on_ring(middle, d->scale->loupe, atan2(path[i].y - middle.y, path[i].x - middle.x));
+        if (points > 1 && (!(press > 0) || role_of(press) != role)) {
+            scene_add_line(d->scene, role, THICK, arc, points);
+            arc[0] = arc[points - 1];
+            points = 1;
+        }
+        points = press > 0 ? points : 0;
+        role = role_of(press);
+    }
+}
+
 /* Adds the arc of the wall that the ball presses, wider under a larger force. */
 static void add_arc(const Drawing *d, Vec2 ball, double force) {
     Vec2 middle = d->scale->socket, points[ARC + 1];
     double angle = atan2(ball.y - middle.y, ball.x - middle.x), share = real_min(1, force / d->scale->largest);
     for (int i = 0; i <= ARC; i++)
         points[i] = on_ring(middle, d->scale->loupe, angle + ARC_HALF * (2.0 * i / ARC - 1));
-    Role role = share > 0.5 ? ROLE_DANGER_HIGH : share > 0.2 ? ROLE_DANGER_MIDDLE : ROLE_DANGER_LOW;
-    scene_add_line(d->scene, role, THICK + 2 * THICK * share, points, ARC + 1);
+    scene_add_line(d->scene, role_of(share), THICK + 2 * THICK * share, points, ARC + 1);
 }
 
 static void add_loupe(const Drawing *d, const CrankMoment *moment) {
@@ -267,7 +301,8 @@ static void add_loupe(const Drawing *d, const CrankMoment *moment) {
     Vec2 *path = arena_allocate(&d->scene->arena, (count + 1) * sizeof *path);
     for (size_t i = 0; i < count; i++)
         path[i] = through_loupe(d, moment->along[i], moment->across[i], moment->up[i]);
-    if (moment->force > 0 && d->scale->sight != CRANK_SIGHTS)
+    add_pressed(d, moment, path);
+    if (moment->force > 0 && vec2_distance(path[count - 1], d->scale->socket) > AT_WALL * d->scale->loupe)
         add_arc(d, path[count - 1], moment->force);
     scene_add_line(d->scene, ROLE_LOCUS, THIN, path, count);
     scene_add_discs(d->scene, ROLE_DANGER_MIDDLE, d->scale->loupe / 14, &path[count - 1], 1);

@@ -49,7 +49,9 @@ def check_study():
     alike = [expect(0, "study", crank, "--vary", "drive.frequency=9:11:3", *calm, "--set", "run.cycles=8", "--jobs", jobs,
                     "--json").stdout for jobs in ("1", "2")]
     check(alike[0] == alike[1], "a study of a crank is the same with one job and with two")
-
+    words = expect(0, "study", crank, "--vary", "drive.frequency=9:11:3", *calm, "--set", "run.cycles=8").stdout
+    check("drive.frequency from 540 to 660 rpm (9 to 11 Hz) in 3 steps" in words and "drive.frequency rpm" in words,
+          f"speeds are read in rpm: {words}")
 
     with tempfile.TemporaryDirectory() as folder:
         measured = pathlib.Path(folder, "measured.csv")
@@ -59,8 +61,23 @@ def check_study():
         check("measured" in pathlib.Path(folder, "plot-peaks.svg").read_text() or
               "measured" in pathlib.Path(folder, "plot-peaks.csv").read_text(), "measured peaks of a crank")
         page = pathlib.Path(folder, "report.html").read_text()
-        check("Study of a crank" in page and "Orbit diagram over drive frequency" in page and "coupler.length" in page,
+        check("Study of a crank" in page and "Orbit diagram over speed" in page and "coupler.length" in page,
               "report of a study of a crank")
+
+
+def check_bits():
+    """The same bits with any number of jobs, and when the C library takes the processor for one that has less."""
+    less = "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-FMA_Usable,-AVX2_Usable,-FMA4_Usable"
+    least = less + ",-AVX,-AVX_Usable,-AVX512F,-AVX512F_Usable,-SSE4_1,-SSE4_2,-SSSE3"
+    answers = []
+    for jobs, tunables in (("1", ""), ("2", less), ("4", least)):
+        settings = {"GLIBC_TUNABLES": tunables} if tunables else {}
+        one = json.loads(expect(0, "run", crank, *calm, "--jobs", jobs, "--json", **settings).stdout)
+        several = json.loads(expect(0, "study", crank, "--vary", "joint.clearance=5e-5:2.5e-4:3", "--set",
+                                    "run.transient_cycles=5", "--set", "run.cycles=10", "--jobs", jobs, "--json",
+                                    **settings).stdout)
+        answers.append((one["digest"], one["multiplier"], one["peaks"], several["digest"]))
+    check(answers[0] == answers[1] == answers[2], f"the same bits with 1, 2 and 4 jobs on lesser processors: {answers}")
 
 
 def check_confirmation():
@@ -84,6 +101,7 @@ def check_faults():
 
 check_run()
 check_study()
+check_bits()
 check_confirmation()
 check_faults()
 end()
