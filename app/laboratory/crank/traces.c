@@ -245,10 +245,10 @@ static void mark_frequencies(CrankTraces *traces, const Tree *tree) {
     plot->guide_count = 0;
     if (tree->bending)
         mark(traces, bending, "bending");
-    mark(traces, x, "x");
-    mark(traces, y, fabs(z - y) < 1e-9 ? "y, z" : "y");
+    mark(traces, x, "support x");
+    mark(traces, y, fabs(z - y) < 1e-9 ? "support y, z" : "support y");
     if (fabs(z - y) >= 1e-9)
-        mark(traces, z, "z");
+        mark(traces, z, "support z");
 }
 
 static void show_spectrum(CrankTraces *traces, const CrankTape *tape, size_t cycle) {

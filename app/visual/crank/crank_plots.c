@@ -262,10 +262,11 @@ static void make_spectrum(Plot *plot, const Given *given) {
     }
     if (tree.bending)
         mark_frequency(plot, tree_bending_frequency(&tree, 0), end, "bending");
-    mark_frequency(plot, tree_support_frequency(&tree, 0), end, "x");
-    mark_frequency(plot, tree_support_frequency(&tree, 1), end, "y");
-    if (fabs(tree_support_frequency(&tree, 2) - tree_support_frequency(&tree, 1)) > 1e-9)
-        mark_frequency(plot, tree_support_frequency(&tree, 2), end, "z");
+    mark_frequency(plot, tree_support_frequency(&tree, 0), end, "support x");
+    bool apart = fabs(tree_support_frequency(&tree, 2) - tree_support_frequency(&tree, 1)) > 1e-9;
+    mark_frequency(plot, tree_support_frequency(&tree, 1), end, apart ? "support y" : "support y, z");
+    if (apart)
+        mark_frequency(plot, tree_support_frequency(&tree, 2), end, "support z");
     add_line(plot, values, values + 1, count)->stride = 2;
     plot->series[0].width = LINE_WIDTH / 1.4;
 }
