@@ -37,7 +37,7 @@ static PlotAxis axis_of(const MachineControls *controls, size_t axis, double *lo
 void machine_map_open(MachineMap *map, const MachineControls *controls) {
     const MachineKind *kind = controls->kind;
     *map = (MachineMap){.revision = 1};
-    if (!machine_map_cells(kind))
+    if (!machine_map_cells_count(kind))
         return;
     memcpy(map->classes, classes, sizeof classes);
     map->raster = (PlotRaster){.columns = kind->map[0].steps,
@@ -65,7 +65,7 @@ static bool same_but_place(const MachineKind *kind, const Machine *a, const Mach
 }
 
 void machine_map_ask(MachineMap *map, const MachineKind *kind, const Machine *machine, MachineWorker *worker) {
-    if (!machine_map_cells(kind) || !map->shown)
+    if (!machine_map_cells_count(kind) || !map->shown)
         return;
     if (map->asked && same_but_place(kind, &map->machine, machine))
         return;
@@ -77,7 +77,7 @@ void machine_map_ask(MachineMap *map, const MachineKind *kind, const Machine *ma
 
 void machine_map_show(MachineMap *map, bool shown, const MachineKind *kind, const Machine *machine,
                       MachineWorker *worker) {
-    if (!machine_map_cells(kind))
+    if (!machine_map_cells_count(kind))
         return;
     map->shown = shown;
     machine_worker_pause_map(worker, !shown);

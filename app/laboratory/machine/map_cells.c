@@ -2,7 +2,7 @@
 
 enum { COARSEST = 4 };
 
-size_t machine_map_cells(const MachineKind *kind) {
+size_t machine_map_cells_count(const MachineKind *kind) {
     return kind->map[0].name ? kind->map[0].steps * kind->map[1].steps : 0;
 }
 
@@ -12,8 +12,8 @@ static bool is_on(const MachineKind *kind, size_t cell, size_t stride) {
     return cell % columns % stride == 0 && cell / columns % stride == 0;
 }
 
-size_t machine_map_order(const MachineKind *kind, size_t nth) {
-    size_t cells = machine_map_cells(kind);
+size_t machine_map_cells_nth(const MachineKind *kind, size_t nth) {
+    size_t cells = machine_map_cells_count(kind);
     for (size_t stride = COARSEST; stride; stride /= 2)
         for (size_t cell = 0; cell < cells; cell++) {
             bool is_new = is_on(kind, cell, stride) && (stride == COARSEST || !is_on(kind, cell, 2 * stride));
@@ -23,13 +23,14 @@ size_t machine_map_order(const MachineKind *kind, size_t nth) {
     return cells - 1;
 }
 
-double machine_map_value(const MachineKind *kind, size_t axis, size_t cell) {
+double machine_map_cells_value(const MachineKind *kind, size_t axis, size_t cell) {
     const MachineMapAxis *along = &kind->map[axis];
     size_t columns = kind->map[0].steps, step = axis ? cell / columns : cell % columns;
     return along->from + (along->to - along->from) * (double)step / (double)(along->steps - 1);
 }
 
-TypesKind machine_map_type(const MachineKind *kind, const Machine *machine, size_t cell, int jobs, const Stop *stop) {
+TypesKind machine_map_cells_type(const MachineKind *kind, const Machine *machine, size_t cell, int jobs,
+                                 const Stop *stop) {
     const char *names[MACHINE_MAP_AXES];
     Machine own = *machine;
     Experiment quick;
@@ -39,7 +40,7 @@ TypesKind machine_map_type(const MachineKind *kind, const Machine *machine, size
     for (size_t a = 0; a < MACHINE_MAP_AXES; a++) {
         names[a] = kind->map[a].name;
         good = good && parameters_set_number(parameters_find(kind->table(), names[a]), &own,
-                                             machine_map_value(kind, a, cell), &fault);
+                                             machine_map_cells_value(kind, a, cell), &fault);
     }
     if (good && kind->open_experiment(&quick, &own, &fault)) {
         TypesTask task = {.experiment = &quick,

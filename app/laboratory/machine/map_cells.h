@@ -11,14 +11,15 @@
 #include "study/types.h"
 
 /* Returns the number of cells; 0: the kind has no map. */
-size_t machine_map_cells(const MachineKind *kind);
+size_t machine_map_cells_count(const MachineKind *kind);
 
 /* Returns the index of the nth cell to compute: first every fourth column and row, then every second, then all. The
  * index counts along the first axis, from the lowest values on. */
-size_t machine_map_order(const MachineKind *kind, size_t nth);
+size_t machine_map_cells_nth(const MachineKind *kind, size_t nth);
 
 /* Returns the value of a cell along an axis, in the parameter's unit. */
-double machine_map_value(const MachineKind *kind, size_t axis, size_t cell);
+double machine_map_cells_value(const MachineKind *kind, size_t axis, size_t cell);
 
 /* Returns the type of a cell; TYPES_KIND_INTERRUPTED: it was stopped. */
-TypesKind machine_map_type(const MachineKind *kind, const Machine *machine, size_t cell, int jobs, const Stop *stop);
+TypesKind machine_map_cells_type(const MachineKind *kind, const Machine *machine, size_t cell, int jobs,
+                                 const Stop *stop);

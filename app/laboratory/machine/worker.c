@@ -208,7 +208,7 @@ static void begin_map(MachineWorker *worker) {
     take_up(&worker->map);
     worker->maps = true;
     map->done = 0;
-    map->all = machine_map_cells(worker->kind);
+    map->all = machine_map_cells_count(worker->kind);
     for (size_t i = 0; i < MACHINE_MAP_CELLS; i++)
         map->type[i] = NAN;
     worker->news.mapped = true;
@@ -217,10 +217,10 @@ static void begin_map(MachineWorker *worker) {
 static void tell_cell(MachineWorker *worker) {
     MachineCells *map = &worker->news.map;
     Machine machine = worker->map_machine;
-    size_t cell = machine_map_order(worker->kind, map->done);
+    size_t cell = machine_map_cells_nth(worker->kind, map->done);
     stop_withdraw(&worker->stop_type);
     pthread_mutex_unlock(&worker->lock);
-    TypesKind type = machine_map_type(worker->kind, &machine, cell, worker->jobs, &worker->stop_type);
+    TypesKind type = machine_map_cells_type(worker->kind, &machine, cell, worker->jobs, &worker->stop_type);
     pthread_mutex_lock(&worker->lock);
     if (stop_requested(&worker->stop_type) || worker->map.asked)
         return;

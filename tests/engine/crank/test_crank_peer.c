@@ -110,3 +110,34 @@ TEST(cvode_keeps_the_energy_without_dampers) {
     CHECK_NEAR(most, 0, 1e-11);
     crank_peer_destroy(peer);
 }
+
+/* The quasi-periodic motion of test_crank_verdicts.c, whose rotation number is 0.02641: the first bending at angle 0,
+ * by CVODE's steps, goes round its mean in as many revolutions. */
+TEST(cvode_goes_round_the_closed_curve_as_fast) {
+    enum { TRANSIENT = 450, RECORDED = 400, BENDING = 7 /* zeta_1 */ };
+    Tree tree = cranks_tree("drive.frequency=47.5,joint.clearance=0,coupler.damping_ratio=0.003,support.damping_ratio="
+                            "0.003,slider.damping=0.6,universal.damping=0.0006,joint.damping=60");
+    CrankPeer *peer = crank_peer_create(&tree, 1e-8);
+    double bent[RECORDED], rate[RECORDED], mean = 0, mean_rate = 0, most = 0, fastest = 0, turned = 0;
+    for (int i = 0; i < TRANSIENT; i++)
+        crank_peer_cycle(peer);
+    for (int i = 0; i < RECORDED; i++) {
+        crank_peer_cycle(peer);
+        bent[i] = crank_peer_state(peer)[BENDING];
+        rate[i] = crank_peer_state(peer)[tree.coordinates + BENDING];
+        mean += bent[i] / RECORDED;
+        mean_rate += rate[i] / RECORDED;
+    }
+    for (int i = 0; i < RECORDED; i++) {
+        most = fmax(most, fabs(bent[i] - mean));
+        fastest = fmax(fastest, fabs(rate[i] - mean_rate));
+    }
+    for (int i = 1; i < RECORDED; i++) {
+        double angle = atan2((rate[i] - mean_rate) / fastest, (bent[i] - mean) / most) -
+                       atan2((rate[i - 1] - mean_rate) / fastest, (bent[i - 1] - mean) / most);
+        turned += remainder(angle, 2 * M_PI);
+    }
+    CHECK(most > 1e-7);
+    CHECK_NEAR(turned / (2 * M_PI) / (RECORDED - 1), 0.02641, 1e-4);
+    crank_peer_destroy(peer);
+}

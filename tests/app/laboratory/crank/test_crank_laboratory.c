@@ -230,18 +230,18 @@ TEST(the_sound_is_the_velocity_of_the_slider) {
 
 TEST(a_map_goes_from_coarse_to_fine_and_has_each_cell_once) {
     bool seen[MACHINE_MAP_CELLS] = {false};
-    size_t cells = machine_map_cells(&crank_machine), columns = crank_machine.map[0].steps;
+    size_t cells = machine_map_cells_count(&crank_machine), columns = crank_machine.map[0].steps;
     CHECK(cells == 117 && cells <= MACHINE_MAP_CELLS);
     for (size_t nth = 0; nth < cells; nth++) {
-        size_t cell = machine_map_order(&crank_machine, nth);
+        size_t cell = machine_map_cells_nth(&crank_machine, nth);
         CHECK(cell < cells && !seen[cell]);
         seen[cell] = true;
         CHECK(nth >= 12 || (cell % columns % 4 == 0 && cell / columns % 4 == 0));
     }
-    CHECK_NEAR(machine_map_value(&crank_machine, 0, 0) * 60, 300, 1e-9);
-    CHECK_NEAR(machine_map_value(&crank_machine, 0, cells - 1) * 60, 1500, 1e-9);
-    CHECK_NEAR(machine_map_value(&crank_machine, 1, columns - 1), 0.02e-3, 1e-15);
-    CHECK_NEAR(machine_map_value(&crank_machine, 1, cells - 1), 0.5e-3, 1e-15);
+    CHECK_NEAR(machine_map_cells_value(&crank_machine, 0, 0) * 60, 300, 1e-9);
+    CHECK_NEAR(machine_map_cells_value(&crank_machine, 0, cells - 1) * 60, 1500, 1e-9);
+    CHECK_NEAR(machine_map_cells_value(&crank_machine, 1, columns - 1), 0.02e-3, 1e-15);
+    CHECK_NEAR(machine_map_cells_value(&crank_machine, 1, cells - 1), 0.5e-3, 1e-15);
 }
 
 /* 500 rpm with 0.02 mm and 700 rpm with 0.26 mm: the presets of types I and III, or nearly so. */
@@ -249,10 +249,10 @@ TEST(cells_of_a_map_have_the_types_of_the_presets) {
     Crank crank = cranks_read((const char *const[]){"run.transient_cycles=30", NULL});
     Machine machine = {.crank = crank};
     size_t columns = crank_machine.map[0].steps;
-    CHECK(machine_map_type(&crank_machine, &machine, 2, 2, NULL) == TYPES_I);
-    TypesKind third = machine_map_type(&crank_machine, &machine, 4 * columns + 4, 1, NULL);
+    CHECK(machine_map_cells_type(&crank_machine, &machine, 2, 2, NULL) == TYPES_I);
+    TypesKind third = machine_map_cells_type(&crank_machine, &machine, 4 * columns + 4, 1, NULL);
     CHECK(third == TYPES_III);
-    CHECK(machine_map_type(&crank_machine, &machine, 4 * columns + 4, 2, NULL) == third);
+    CHECK(machine_map_cells_type(&crank_machine, &machine, 4 * columns + 4, 2, NULL) == third);
     crank_free(&crank);
 }
 
