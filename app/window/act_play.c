@@ -4,7 +4,7 @@ enum { STEPS_MANY = 10 };
 
 void act_play_do(Tab *tab, Action action) {
     Player *player = &tab->player;
-    RecordSpan span = tab->laboratory->span(tab->session);
+    RecordSpan span = tab_span(tab);
     double second = span.pace;
     switch (action) {
     case ACTION_PLAY:
@@ -52,10 +52,10 @@ void act_play_do(Tab *tab, Action action) {
 }
 
 void act_play_again(Tab *tab) {
-    RecordSpan span = tab->laboratory->span(tab->session);
+    RecordSpan span = tab_span(tab);
     bool plays = tab->player.playing || (span.complete && tab->player.time >= span.end);
     tab->laboratory->restart(tab->session);
-    span = tab->laboratory->span(tab->session);
+    span = tab_span(tab);
     player_seek(&tab->player, span.begin, &span);
     tab->player.playing = plays;
 }

@@ -120,7 +120,7 @@ static char *write_view(Tab *tab, const char *folder, const char *name, Fault *f
     const ViewLayers *view_layers = &tab->view_layers;
     unsigned char *pixels = memory_zeroed((size_t)view_layers->width * (size_t)view_layers->height, 4);
     paint_gl_read(view_layers->paint, pixels);
-    RecordSpan span = tab->laboratory->span(tab->session);
+    RecordSpan span = tab_span(tab);
     tab->laboratory->show(tab->session, span.begin);
     tab->laboratory->show(tab->session, tab->player.time); /* from the beginning, so that `added` holds everything */
     SnapshotView view = {.still = tab->laboratory->still(tab->session),

@@ -446,9 +446,11 @@ static const char *place_text(Window *window, Tab *tab) {
 static double show_doing(Window *window, double left, double right, double y) {
     const Tab *tab = window_tab(window);
     Editor *editor = tab_editor(tab);
-    if (!editor || !plan_input_listens(window))
+    if (!tab->trial.session && (!editor || !plan_input_listens(window)))
         return left;
-    const char *text = editor_gesture(editor)->doing;
+    const char *text = tab->trial.session
+                           ? "The plan is unchanged until you use the fix: Return uses it, Escape goes back."
+                           : editor_gesture(editor)->doing;
     double end = fmin(right, left + ui_extent(window->ui, UI_BOLD, text).x + 1);
     show_text(window, UI_BOLD, ROLE_TEXT, left, end, y, text);
     return end + GAP;

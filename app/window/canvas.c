@@ -23,6 +23,11 @@
 
 enum { NOTE_LINES = 4, RING_POINTS = 36 };
 
+/* What a fix changes. */
+#define CHANGE_LINE 3.0
+#define CHANGE_ASIDE 18.0
+#define CHANGE_TICK 6.0
+
 #define WHEEL_ZOOM 1.15
 #define READ_OUT_FOOT 56.0 /* from the foot of a plot to its read-out, above axis and title */
 
@@ -47,6 +52,20 @@ static void choose_plots(Window *window, Tab *tab) {
         tab->laboratory->note_plots(tab->session, names);
 }
 
+/* Paints the plan with the fix. */
+static void paint_trial(Window *window, Tab *tab) {
+    ViewLayers *layers = &tab->trial_layers;
+    int x, y, width, height;
+    pixels_of(window, window->frame.beside, &x, &y, &width, &height);
+    if (width < LEAST_SIDE || height < LEAST_SIDE)
+        return;
+    view_layers_fit(layers, sdl_window_gl(window->sdl_window), width, height, window->unit, window->theme);
+    layers->first_danger = window->present;
+    double time = trial_time(tab->laboratory, tab->trial.session, tab->player.time);
+    if (layers->paint)
+        view_layers_show(layers, tab->laboratory, tab->trial.session, time);
+}
+
 void canvas_paint(Window *window) {
     Tab *tab = window_tab(window);
     int x, y, width, height;
@@ -56,7 +75,9 @@ void canvas_paint(Window *window) {
     view_layers_fit(&tab->view_layers, sdl_window_gl(window->sdl_window), width, height, window->unit, window->theme);
     tab->view_layers.first_danger = window->present;
     if (tab->view_layers.paint)
-        view_layers_show(&tab->view_layers, tab->laboratory, tab->session, tab->player.time);
+        view_layers_show(&tab->view_layers, tab->laboratory, tab->session, tab_time(tab));
+    if (tab->trial.session)
+        paint_trial(window, tab);
     window->dirty |= tab->plot_panes_stale; /* the next frame lays them out */
     if (tab->plot_panes_stale)
         choose_plots(window, tab);
@@ -154,8 +175,8 @@ static Vec2 floor_at(const Window *window, const Tab *tab, Vec2 at) {
 static void pick(Window *window, Tab *tab, Vec2 place) {
     Item now = tab->laboratory->selected(tab->session);
     Vec2 at = floor_at(window, tab, place);
-    Item top = tab->laboratory->pick(tab->session, at, tab->player.time, (Item){0});
-    tab_select(tab, item_same(top, now) ? tab->laboratory->pick(tab->session, at, tab->player.time, now) : top);
+    Item top = tab->laboratory->pick(tab->session, at, tab_time(tab), (Item){0});
+    tab_select(tab, item_same(top, now) ? tab->laboratory->pick(tab->session, at, tab_time(tab), now) : top);
     ui_focus(window->ui, "view");
     window->dirty = true;
 }
@@ -199,6 +220,85 @@ static void show_echo(Window *window) {
     ui_draw_box(window->ui, box, ROLE_TEXT, 1);
     ui_draw_text(window->ui, UI_DETAIL, ROLE_PAPER, middle_of(box), 0.5, window->echo);
     window->dirty = true;
+}
+
+/* The fix beside the plan ------------------------------------------------------------------------------------------ */
+
+static void show_head(Window *window, Box head, const char *name, const Result *answer, const char *words) {
+    double y = middle_of(head).y, left = head.low.x + MARGIN;
+    ui_draw_box(window->ui, head, ROLE_PAPER, 1);
+    ui_draw_line(window->ui, vec2(head.low.x, head.high.y), head.high, ROLE_GRID, 2);
+    ui_draw_text(window->ui, UI_HEADING, ROLE_TEXT, vec2(left, y), 0, name);
+    left += ui_extent(window->ui, UI_HEADING, name).x + MARGIN;
+    Role role = answer->role == ROLE_ERROR ? ROLE_ERROR : answer->stale ? ROLE_DIM_TEXT : ROLE_EXIT_TAG;
+    if (left + ui_extent(window->ui, UI_BOLD, words).x < head.high.x)
+        ui_draw_text(window->ui, UI_BOLD, role, vec2(left, y), 0, words);
+}
+
+/* Shows what the fix changes: a door's new width beside its opening, or the outline of a piece. */
+static void show_change(Window *window, Tab *tab) {
+    const char *label;
+    Vec2 points[LABORATORY_OUTLINE_MOST];
+    Item item = trial_item(&tab->trial, tab_editor(tab), &label);
+    double time = trial_time(tab->laboratory, tab->trial.session, tab->player.time);
+    size_t count = item.kind ? tab->laboratory->outline(tab->trial.session, item, time, points) : 0;
+    if (!count || !tab->trial_layers.painted)
+        return;
+    for (size_t i = 0; i < count; i++)
+        points[i] = vec2_add(window->frame.beside.low, view_layers_point(&tab->trial_layers, points[i]));
+    if (!label || count != 4) {
+        ui_draw_polyline(window->ui, points, count, true, ROLE_PAPER, 2 * CHANGE_LINE);
+        ui_draw_polyline(window->ui, points, count, true, ROLE_EXIT_TAG, CHANGE_LINE);
+        return;
+    }
+    size_t side = vec2_distance(points[0], points[1]) > vec2_distance(points[1], points[2]) ? 0 : 1;
+    Vec2 a = points[side], b = points[side + 1], across = vec2_unit(vec2_left(vec2_sub(b, a)));
+    if (across.x > 0 || (across.x == 0 && across.y < 0)) /* to the left or below, where the chair comes from */
+        across = vec2_scale(across, -1);
+    a = vec2_along(a, CHANGE_ASIDE, across);
+    b = vec2_along(b, CHANGE_ASIDE, across);
+    ui_draw_line(window->ui, a, b, ROLE_PAPER, 2 * CHANGE_LINE);
+    ui_draw_line(window->ui, a, b, ROLE_EXIT_TAG, CHANGE_LINE);
+    for (int end = 0; end < 2; end++) {
+        Vec2 at = end ? b : a;
+        ui_draw_line(window->ui, vec2_along(at, -CHANGE_TICK, across), vec2_along(at, CHANGE_TICK, across),
+                     ROLE_EXIT_TAG, CHANGE_LINE);
+    }
+    Vec2 half = vec2_add(vec2_scale(ui_extent(window->ui, UI_BOLD, label), 0.5), vec2(MARGIN / 2, 2));
+    Vec2 on = vec2_unit(vec2_sub(b, a)); /* beyond the end of the line, over the wall: the chair drives elsewhere */
+    on = on.y < 0 || (on.y == 0 && on.x < 0) ? vec2_scale(on, -1) : on;
+    Vec2 end = vec2_dot(vec2_sub(b, a), on) > 0 ? b : a;
+    Vec2 middle = vec2_along(end, fabs(on.x) * half.x + fabs(on.y) * half.y + CHANGE_TICK, on);
+    Box tag = {vec2_sub(middle, half), vec2_add(middle, half)};
+    if (!box_holds(window->frame.beside, tag.low) || !box_holds(window->frame.beside, tag.high))
+        return;
+    ui_draw_box(window->ui, tag, ROLE_EXIT_TAG, 1);
+    ui_draw_text(window->ui, UI_BOLD, ROLE_PAPER, middle, 0.5, label);
+}
+
+/* Shows the plan with the fix right of the plan as it is; both are looked at by the same mouse. */
+static void show_trial(Window *window, Tab *tab) {
+    Box beside = window->frame.beside;
+    Result now = tab->laboratory->answer(tab->session), then = tab->laboratory->answer(tab->trial.session);
+    ui_pane_begin(window->ui,
+                  &(UiPane){.name = "fix", .box = {window->frame.heads[0].low, beside.high}, .ground = ROLE_COUNT});
+    show_head(window, window->frame.heads[0], "As it is", &now, now.role == ROLE_ERROR ? "no way through" : now.title);
+    show_head(window, window->frame.heads[1], "With the fix", &then,
+              tab->trial_layers.painted && !then.stale ? then.title : "working it out");
+    ui_draw_line(window->ui, vec2(beside.low.x - 1, window->frame.heads[1].low.y),
+                 vec2(beside.low.x - 1, beside.high.y), ROLE_ROOM, 2);
+    UiGrab grab = ui_grab(window->ui, "fix", beside);
+    if (tab->trial_layers.painted && grab.hovered) {
+        Vec2 at = view_layers_floor(&tab->trial_layers, vec2_sub(grab.at, beside.low));
+        Vec2 from = view_layers_floor(&tab->trial_layers, vec2_sub(vec2_sub(grab.at, grab.delta), beside.low));
+        bool pans = window->input.down[SDL_WINDOW_EVENT_RIGHT] || window->input.down[SDL_WINDOW_EVENT_MIDDLE];
+        if (grab.wheel != 0)
+            tab_zoom(tab, pow(WHEEL_ZOOM, grab.wheel), at);
+        else if (pans && (grab.delta.x != 0 || grab.delta.y != 0))
+            tab_pan(tab, vec2_sub(from, at));
+    }
+    show_change(window, tab);
+    ui_pane_end(window->ui);
 }
 
 static void show_view(Window *window, Tab *tab) {
@@ -273,6 +373,8 @@ static void show_pane(Window *window, Tab *tab, size_t index) {
 void canvas_show(Window *window) {
     Tab *tab = window_tab(window);
     show_view(window, tab);
+    if (tab->session && tab->trial.session)
+        show_trial(window, tab);
     for (size_t i = 0; tab->session && i < window->frame.pane_count && i < tab->panes.count; i++)
         show_pane(window, tab, i);
 }

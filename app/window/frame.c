@@ -15,6 +15,8 @@
 #define WIDEST_PAGE 2100.0
 #define WIDE_PAGE 1500.0 /* Full HD at its own unit: plots have a place of their own */
 #define GAP 6.0
+#define HEAD_HEIGHT 44.0 /* of the words above each picture of a split view */
+#define SPLIT_GAP 2.0
 
 /* The toolbar. */
 #define TOOL_WIDTH 78.0
@@ -154,6 +156,16 @@ static Box place_toolbar(Frame *frame, Box place, const FrameWish *wish) {
     return place;
 }
 
+/* Splits the view into two pictures of the same size, each below a line of words. */
+static void split(Frame *frame) {
+    Box view = frame->view;
+    double middle = round((view.low.x + view.high.x) / 2), top = view.low.y + HEAD_HEIGHT;
+    frame->heads[0] = (Box){view.low, {middle - SPLIT_GAP / 2, top}};
+    frame->heads[1] = (Box){{middle + SPLIT_GAP / 2, view.low.y}, {view.high.x, top}};
+    frame->view = (Box){{view.low.x, top}, {frame->heads[0].high.x, view.high.y}};
+    frame->beside = (Box){{frame->heads[1].low.x, top}, view.high};
+}
+
 Frame frame_make(Vec2 page, const FrameWish *wish) {
     Frame frame = {.page = page};
     frame.compact = page.x < COMPACT_WIDTH || page.y < COMPACT_HEIGHT;
@@ -186,5 +198,7 @@ Frame frame_make(Vec2 page, const FrameWish *wish) {
     place = place_toolbar(&frame, place, wish);
     if (is_there(place))
         divide(&frame, place, wish);
+    if (wish->split)
+        split(&frame);
     return frame;
 }

@@ -30,6 +30,7 @@ typedef struct FrameWish {
     size_t tool_count; /* in the toolbar; 0: there is none */
     double card;       /* width of a lesson's card; 0: there is none */
     double card_line;  /* height of a folded card, a line above the timeline; 0: there is none */
+    bool split;        /* the view shows two pictures side by side */
     double aspect;     /* width over height of the view's contents */
 } FrameWish;
 
@@ -37,11 +38,12 @@ typedef struct Frame {
     Vec2 page;
     Box menu, answer, card, toolbar, view, panel, timeline, strip; /* a part that does not fit has no width */
     Box panes[FRAME_PANES_MOST];
-    size_t pane_count; /* the number of plots that fit */
-    int tool_columns;  /* of the toolbar */
-    bool tool_labels;  /* the tools show their names */
-    bool compact;      /* the bars are shorter */
-    bool drawer;       /* the panel lies over the view */
+    Box heads[2], beside; /* of a split view: a line above each picture, and the second picture */
+    size_t pane_count;    /* the number of plots that fit */
+    int tool_columns;     /* of the toolbar */
+    bool tool_labels;     /* the tools show their names */
+    bool compact;         /* the bars are shorter */
+    bool drawer;          /* the panel lies over the view */
 } Frame;
 
 Frame frame_make(Vec2 page, const FrameWish *wish);

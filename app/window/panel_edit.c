@@ -182,25 +182,53 @@ static void show_scale(Window *window, Editor *editor) {
 
 /* Proposals -------------------------------------------------------------------------------------------------------- */
 
+/* Uses the proposal that is shown beside the plan, as one step. */
+static void use_proposal(Window *window, Editor *editor, size_t chosen) {
+    Fault fault = {0};
+    editor_accept(editor, chosen, &fault);
+    ui_focus(window->ui, "view"); /* the button is gone: Space must play */
+    notice_fault(window, &fault, NAN);
+}
+
+/* Shows the proposals, the smallest change first; the chosen one is shown beside the plan. */
 static void show_proposals(Window *window, Editor *editor) {
-    size_t count;
+    size_t count, chosen;
     const char *doing = NULL;
     const Proposal *proposals = editor_proposals(editor, &count, &doing);
-    Fault fault = {0};
+    editor_chosen_proposal(editor, &chosen);
     if (count)
-        ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, "Return uses the first one, Escape drops them.");
+        ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT,
+                text_in_arena(&window->arena, "%zu tried. The plan is unchanged until you use a fix.",
+                              editor_proposal_tries(editor)));
     for (size_t i = 0; i < count; i++) {
-        ui_text(window->ui, UI_BODY, ROLE_TEXT,
-                text_in_arena(&window->arena, "%s: %s", proposals[i].text, proposals[i].answer));
-        UiButton button = {.id = text_in_arena(&window->arena, "proposal %zu", i),
-                           .label = "Apply",
-                           .help = "Apply: Change the house; Undo reverts it"};
-        if (ui_button(window->ui, &button)) {
-            editor_accept(editor, i, &fault);
-            ui_focus(window->ui, "view"); /* the button is gone: Space must play */
-            notice_fault(window, &fault, NAN);
+        UiRow row = {.id = text_in_arena(&window->arena, "proposal %zu", i),
+                     .mark = text_in_arena(&window->arena, "%zu", i + 1),
+                     .role = ROLE_EXIT_TAG,
+                     .shape = ROW_DISC,
+                     .cells = {proposals[i].text, proposals[i].size},
+                     .help = text_in_arena(&window->arena, "%s: Show it beside the plan", proposals[i].text),
+                     .selected = i == chosen,
+                     .usable = true};
+        if (ui_list_row(window->ui, &row)) {
+            editor_choose_proposal(editor, i);
+            ui_focus(window->ui, "view");
+            window->dirty = true;
             return;
         }
+        ui_text(window->ui, UI_BODY, ROLE_EXIT_TAG, proposals[i].answer);
+    }
+    if (count) {
+        ui_row(window->ui, 2);
+        bool use = ui_button(window->ui, &(UiButton){.label = "Use it",
+                                                     .chosen = true,
+                                                     .help = "Use it (Return): Change the plan; Undo reverts it"});
+        bool drop = ui_button(window->ui, &(UiButton){.label = "Not this one",
+                                                      .help = "Not this one (Escape): Go back to the plan as it is"});
+        ui_row(window->ui, 1);
+        if (use)
+            use_proposal(window, editor, chosen);
+        else if (drop)
+            editor_drop_proposals(editor);
     }
     if (doing)
         ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT, doing);
@@ -211,6 +239,11 @@ static void show_way_out(Window *window, Tab *tab, Editor *editor) {
     const char *doing = NULL;
     Result answer = tab->laboratory->answer(tab->session);
     bool asked = editor_proposals(editor, &count, &doing) && count > 0;
+    if (asked) {
+        ui_heading(window->ui, count > 1 ? "Fixes that work" : "A fix that works");
+        show_proposals(window, editor);
+        return;
+    }
     if (answer.role != ROLE_ERROR && !asked && !doing)
         return;
     ui_heading(window->ui, answer.title);
@@ -222,8 +255,10 @@ static void show_way_out(Window *window, Tab *tab, Editor *editor) {
     if (!doing &&
         ui_button(window->ui, &(UiButton){.label = "Suggest a fix",
                                           .help = "Suggest a fix: Find the smallest change that lets all people "
-                                                  "leave, by simulating wider doors and moved furniture"}))
+                                                  "leave, by simulating wider doors and moved furniture"})) {
         editor_ask_proposals(editor);
+        ui_focus(window->ui, "view"); /* Return uses a fix, Escape drops it */
+    }
     show_proposals(window, editor);
 }
 

@@ -130,9 +130,9 @@ static void keep_in_view(Window *window, Tab *tab) {
     }
 }
 
-/* Uses the first proposal by Return, or drops all by Escape. */
+/* Uses the chosen proposal by Return, or drops all by Escape. */
 static bool decide_proposals(Window *window, Editor *editor, int32_t key) {
-    size_t count;
+    size_t count, chosen;
     const char *doing;
     Fault fault = {0};
     bool enter = key == sdl_window_key("Return"), asked = editor_proposals(editor, &count, &doing) || doing;
@@ -142,7 +142,8 @@ static bool decide_proposals(Window *window, Editor *editor, int32_t key) {
         return editor_drop_proposals(editor);
     if (!enter || !count)
         return false;
-    editor_accept(editor, 0, &fault);
+    editor_chosen_proposal(editor, &chosen);
+    editor_accept(editor, chosen, &fault);
     notice_fault(window, &fault, NAN);
     return true;
 }

@@ -247,7 +247,7 @@ static void show_marks(Window *window, Tab *tab, const GestureView *gesture, Lab
 
 static void frame_item(Window *window, Tab *tab, Item item) {
     Vec2 points[LABORATORY_OUTLINE_MOST];
-    size_t count = item.kind ? tab->laboratory->outline(tab->session, item, tab->player.time, points) : 0;
+    size_t count = item.kind ? tab->laboratory->outline(tab->session, item, tab_time(tab), points) : 0;
     for (size_t i = 0; i < count; i++)
         points[i] = on_page(window, tab, points[i]);
     if (!count)
@@ -349,7 +349,7 @@ static const char *hovered_name(const Window *window, Tab *tab, const GestureVie
         return NULL;
     Vec2 at = vec2_sub(vec2_scale(window->mouse, 1 / window->unit), window->frame.view.low);
     Item item =
-        tab->laboratory->pick(tab->session, view_layers_floor(&tab->view_layers, at), tab->player.time, (Item){0});
+        tab->laboratory->pick(tab->session, view_layers_floor(&tab->view_layers, at), tab_time(tab), (Item){0});
     const char *name = item.kind ? tab->laboratory->item_name(tab->session, item) : NULL;
     return name && !is_written(&tab->view_layers.still, name) ? name : NULL;
 }

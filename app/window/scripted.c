@@ -144,13 +144,13 @@ static void set(Scripted *scripted, Window *window, const ScriptCommand *command
 }
 
 static void set_speed(Tab *tab, double speed) {
-    RecordSpan span = tab->laboratory->span(tab->session);
+    RecordSpan span = tab_span(tab);
     player_normal_speed(&tab->player);
     player_change_speed(&tab->player, (int)lround(log2(speed)), &span);
 }
 
 static void set_playing(Tab *tab, bool playing) {
-    RecordSpan span = tab->laboratory->span(tab->session);
+    RecordSpan span = tab_span(tab);
     if (tab->player.playing != playing)
         player_toggle(&tab->player, &span);
 }
@@ -287,7 +287,7 @@ static bool has_come(const Scripted *scripted, Window *window) {
     if (!tab->session)
         return false;
     Result answer = tab->laboratory->answer(tab->session);
-    RecordSpan span = tab->laboratory->span(tab->session);
+    RecordSpan span = tab_span(tab);
     switch (scripted->until->choice) {
     case SCRIPT_COMPLETE:
         return span.complete && !answer.stale;
@@ -295,7 +295,8 @@ static bool has_come(const Scripted *scripted, Window *window) {
         return !answer.stale && (span.complete || span.endless) && !lesson_works(window);
     default:
         return !answer.stale && (span.complete || span.endless) && !answer.doing && !window->export &&
-               !lesson_works(window) && !plan_input_animation(tab);
+               !lesson_works(window) && !plan_input_animation(tab) &&
+               !(tab_editor(tab) && editor_seeks_proposals(tab_editor(tab)));
     }
 }
 

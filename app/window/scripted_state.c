@@ -191,6 +191,19 @@ static json_t *text_or_null(const char *text) {
     return text ? json_string(text) : json_null();
 }
 
+/* Returns the fix that is shown beside the plan; null: none. */
+static json_t *split_state(const Window *window, const Tab *tab) {
+    if (!tab->trial.session)
+        return json_null();
+    Result answer = tab->laboratory->answer(tab->trial.session);
+    json_t *state =
+        json_pack("{s:i,s:s,s:b}", "fix", (int)tab->trial.proposal, "title", answer.title, "stale", answer.stale);
+    json_object_set_new(state, "beside", json_box(window, window->frame.beside));
+    json_object_set_new(state, "time", json_real(trial_time(tab->laboratory, tab->trial.session, tab->player.time)));
+    json_object_set_new(state, "end", json_real(tab->laboratory->span(tab->trial.session).end));
+    return state;
+}
+
 static void add_editor(json_t *state, Window *window, const Tab *tab) {
     Editor *editor = tab_editor(tab);
     if (!editor)
@@ -213,6 +226,7 @@ static void add_editor(json_t *state, Window *window, const Tab *tab) {
     editor_proposals(editor, &count, &doing);
     json_object_set_new(state, "proposals", json_integer((json_int_t)count));
     json_object_set_new(state, "proposing", text_or_null(doing));
+    json_object_set_new(state, "split", split_state(window, tab));
 }
 
 /* Returns the places of (0, 0), (1, 0) and (0, 1) m in the window, pixels. */
@@ -267,7 +281,7 @@ static json_t *text_state(const Window *window, const Tab *tab) {
 static void add_tab(json_t *state, Window *window) {
     const Tab *tab = window_tab(window);
     const Player *player = &tab->player;
-    RecordSpan span = tab->laboratory->span(tab->session);
+    RecordSpan span = tab_span(tab);
     Item item = tab->laboratory->selected(tab->session);
     char digest[32];
     snprintf(digest, sizeof digest, "%016llx",

@@ -50,7 +50,7 @@ static bool is_written(const Window *window, const ViewLayers *layers, Box thing
 /* Returns the box round the selected thing in the view; empty: nothing is selected. */
 static Box selected_box(const Window *window, const Tab *tab, Item item) {
     Vec2 points[LABORATORY_OUTLINE_MOST];
-    size_t count = item.kind ? tab->laboratory->outline(tab->session, item, tab->player.time, points) : 0;
+    size_t count = item.kind ? tab->laboratory->outline(tab->session, item, tab_time(tab), points) : 0;
     Box box = box_empty();
     for (size_t i = 0; i < count; i++)
         box = box_include(box, vec2_add(window->frame.view.low, view_layers_point(&tab->view_layers, points[i])));

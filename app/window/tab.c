@@ -12,6 +12,7 @@
 #define ZOOM_LEAST 0.2
 #define ZOOM_MOST 64.0
 #define ZOOM_NEAR 3.0   /* times the size of the selection that zooming to it shows */
+#define TRIAL_SEEN 4.5  /* m, about the tight place, while a fix is shown beside it */
 #define FOLLOW_FREE 0.2 /* of the view, within which a followed person moves freely */
 
 Tab tab_make(const Laboratory *kind) {
@@ -23,6 +24,7 @@ Tab tab_make(const Laboratory *kind) {
 }
 
 static void close_session(Tab *tab) {
+    trial_clear(&tab->trial);
     if (tab->session)
         tab->laboratory->close(tab->session);
     memory_free(tab->path);
@@ -34,6 +36,7 @@ static void close_session(Tab *tab) {
 void tab_close(Tab *tab, PaintGlScreen *screen) {
     plot_panes_clear(&tab->panes, screen);
     view_layers_clear(&tab->view_layers);
+    view_layers_clear(&tab->trial_layers);
     close_session(tab);
 }
 
@@ -73,6 +76,10 @@ bool tab_open(Tab *tab, const char *path, const LaboratoryOptions *options, Pain
     tab->laboratory->set_layers(session, tab_layers(tab));
     tab_apply_camera(tab);
     return true;
+}
+
+double tab_time(const Tab *tab) {
+    return tab->trial.session ? trial_time(tab->laboratory, tab->session, tab->player.time) : tab->player.time;
 }
 
 /* Finds the box of an item now, m; false: it is not in the view. */
@@ -139,16 +146,72 @@ static void keep_eye(Tab *tab) {
     tab_apply_camera(tab);
 }
 
+/* The fix beside the plan --------------------------------------------------------------------------------------- */
+
+/* Looks at the place from near, which both pictures show; `tab->trial_from` is the camera to return to. */
+static void look_near(Tab *tab) {
+    Box box;
+    const PanelRow *row = tab_first_place(tab);
+    if (tab->trial_near || !row || !box_of(tab, row->place, &box))
+        return;
+    const Scene *still = tab->laboratory->still(tab->session);
+    double least = fmin(box_width(still->box), box_height(still->box));
+    tab->camera.zoom = fmin(fmax(least / TRIAL_SEEN, tab->camera.zoom), ZOOM_MOST);
+    tab->camera.pan = vec2_sub(middle_of(box), middle_of(still->box));
+    tab->trial_near = true;
+    tab->fits = false;
+    tab_apply_camera(tab);
+}
+
+/* Opens the fix that is chosen beside the plan, or closes it when it was used or dropped. */
+static void follow_trial(Tab *tab) {
+    Fault fault = {0};
+    bool shown = tab->trial.session;
+    if (!trial_follow(&tab->trial, tab->laboratory, tab->session, &fault))
+        return;
+    fault_clear(&fault); /* a proposal that cannot be opened is still listed */
+    view_layers_invalidate(&tab->trial_layers);
+    if (!shown && tab->trial.session) {
+        tab->trial_from = tab->camera;
+        tab->trial_fitted = tab->fits;
+        tab->trial_near = false;
+        look_near(tab);
+    } else if (shown && !tab->trial.session) {
+        tab->camera = tab->trial_from;
+        tab->fits = tab->trial_fitted;
+    }
+    RecordSpan span = tab_span(tab);
+    tab->player.playing = tab->trial.session;
+    player_seek(&tab->player, span.begin, &span);
+    tab_apply_camera(tab);
+    view_layers_invalidate(&tab->view_layers);
+}
+
+/* Takes over new results of the fix; both have one camera. */
+static void update_trial(Tab *tab) {
+    if (!tab->trial.session)
+        return;
+    unsigned changes = trial_update(&tab->trial, tab->player.time);
+    if (!(changes & LABORATORY_VIEW))
+        return;
+    tab->laboratory->set_layers(tab->trial.session, tab_layers(tab));
+    tab->laboratory->set_camera(tab->trial.session, tab->camera);
+    trial_update(&tab->trial, tab->player.time);
+    view_layers_invalidate(&tab->trial_layers);
+}
+
 unsigned tab_update(Tab *tab, double seconds) {
     if (!tab->session)
         return 0;
     const Laboratory *kind = tab->laboratory;
     double begun = stopwatch_now();
-    RecordSpan span = kind->span(tab->session);
+    follow_trial(tab);
+    RecordSpan span = tab_span(tab);
     double wish = player_wish(&tab->player, seconds, &span);
     kind->reach(tab->session, wish);
-    unsigned changes = kind->update(tab->session, tab->player.time);
-    span = kind->span(tab->session);
+    unsigned changes = kind->update(tab->session, tab_time(tab));
+    update_trial(tab);
+    span = tab_span(tab);
     if (changes & LABORATORY_RESTART) {
         player_seek(&tab->player, span.begin, &span);
         wish = tab->player.time;
@@ -158,7 +221,7 @@ unsigned tab_update(Tab *tab, double seconds) {
     follow(tab);
     if (changes & LABORATORY_VIEW) {
         keep_eye(tab);
-        changes |= kind->update(tab->session, tab->player.time); /* the new camera applies from now on */
+        changes |= kind->update(tab->session, tab_time(tab)); /* the new camera applies from now on */
         view_layers_invalidate(&tab->view_layers);
     }
     if (changes & LABORATORY_PLOTS)
@@ -237,6 +300,8 @@ void tab_set_cramped(Tab *tab, bool cramped) {
 void tab_apply_camera(Tab *tab) {
     if (tab->session)
         tab->laboratory->set_camera(tab->session, tab->camera);
+    if (tab->trial.session)
+        tab->laboratory->set_camera(tab->trial.session, tab->camera);
 }
 
 void tab_zoom(Tab *tab, double times, Vec2 about) {
@@ -282,8 +347,12 @@ void tab_show_selected(Tab *tab) {
     tab_apply_camera(tab);
 }
 
+RecordSpan tab_span(const Tab *tab) {
+    return trial_span(&tab->trial, tab->laboratory->span(tab->session));
+}
+
 void tab_seek(Tab *tab, double time) {
-    RecordSpan span = tab->laboratory->span(tab->session);
+    RecordSpan span = tab_span(tab);
     player_seek(&tab->player, time, &span);
 }
 

@@ -3,6 +3,7 @@
 
 #include "laboratory/laboratory.h"
 #include "window/plot_panes.h"
+#include "laboratory/edit/trial.h"
 #include "laboratory/player.h"
 #include "window/view_layers.h"
 
@@ -27,6 +28,11 @@ typedef struct Tab {
     bool handled;      /* it has been edited, so the view stays still */
     const char *plots; /* names of the plots shown, separated by commas; not owned */
     ViewLayers view_layers;
+    Trial trial;             /* the fix that is shown beside the plan */
+    ViewLayers trial_layers; /* its picture */
+    Camera trial_from;       /* the camera before it was shown, */
+    bool trial_fitted;       /* which then showed everything, */
+    bool trial_near;         /* and has been brought near */
     PlotPanes panes;
     bool plot_panes_stale; /* the panes must be chosen again */
     double worked;         /* s of wall time spent simulating */
@@ -65,6 +71,12 @@ void tab_fit(Tab *tab);
 /* Select an item; zoom to the selection. */
 void tab_select(Tab *tab, Item item);
 void tab_show_selected(Tab *tab);
+
+/* Returns the time that the plan shows; beside a fix that takes longer it stands at its own end. */
+double tab_time(const Tab *tab);
+
+/* Returns the stretch of time that can be shown, of plan and fix. */
+RecordSpan tab_span(const Tab *tab);
 
 /* Goes to a time. */
 void tab_seek(Tab *tab, double time);

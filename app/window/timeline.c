@@ -122,7 +122,7 @@ static void show_marks(Ui *ui, const Track *track, const Player *player) {
 
 static void show_track(Window *window, Tab *tab, Box box) {
     Ui *ui = window->ui;
-    Track track = {box, tab->laboratory->span(tab->session)};
+    Track track = {box, tab_span(tab)};
     double y = middle_of(box).y, head = place_of(&track, tab->player.time);
     Box line = {{box.low.x, y - TRACK_HEIGHT / 2}, {box.high.x, y + TRACK_HEIGHT / 2}};
     ui_draw_box(ui, line, ROLE_FURNITURE_LINE, 0.45);

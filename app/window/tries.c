@@ -41,13 +41,14 @@ static void cut(Box *box, double foot) {
 
 void tries_take_room(Window *window) {
     Frame *frame = &window->frame;
-    double foot = frame->timeline.low.y - HEIGHT, right = frame->view.high.x;
+    double foot = frame->timeline.low.y - HEIGHT, right = real_max(frame->view.high.x, frame->beside.high.x);
     window->tries = (Box){{0, 0}, {0, 0}};
     for (size_t i = 0; i < frame->pane_count; i++)
         right = real_max(right, frame->panes[i].high.x);
     if (!is_due(window) || right < LEAST_WIDTH || foot - frame->view.low.y < LEAST_VIEW)
         return;
     cut(&frame->view, foot);
+    cut(&frame->beside, foot);
     cut(&frame->toolbar, foot);
     for (size_t i = 0; i < frame->pane_count; i++)
         cut(&frame->panes[i], foot);

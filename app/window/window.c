@@ -250,7 +250,7 @@ static void make_frame(Window *window) {
     window->plots_shown = plots;
     bool teaches = lesson_is_shown(window), machine = tab->laboratory->numbers_first;
     bool panel = window->panel && lesson_has_panel(window) && (!window->present || window->drawer);
-    plots = plots && !lesson_hides(window);
+    plots = plots && !lesson_hides(window) && !tab->trial.session;
     FrameWish wish = {.panel = panel,
                       .card = lesson_width(window, page),
                       .card_line = lesson_line(window),
@@ -261,6 +261,7 @@ static void make_frame(Window *window) {
                                         ? tab->laboratory->plot_count(tab->session)
                                         : tab->panes.count,
                       .tool_count = tab_editor(tab) && window->editing ? EDIT_TOOLS : 0,
+                      .split = tab->trial.session,
                       .aspect = tab->aspect};
     window->frame = frame_make(page, &wish);
     if (window->frame.drawer && !window->present && !window->drawer) {
@@ -269,6 +270,7 @@ static void make_frame(Window *window) {
     }
     tries_take_room(window);
     window->frame.view = snapped(window, window->frame.view);
+    window->frame.beside = snapped(window, window->frame.beside);
     for (size_t i = 0; i < window->frame.pane_count; i++)
         window->frame.panes[i] = snapped(window, window->frame.panes[i]);
 }
@@ -307,6 +309,10 @@ static void draw(Window *window, double seconds) {
         paint_gl_screen_show(window->screen, tab->view_layers.paint,
                              (int)lround(window->frame.view.low.x * window->unit),
                              (int)lround(window->frame.view.low.y * window->unit));
+    if (tab->trial.session && tab->trial_layers.paint)
+        paint_gl_screen_show(window->screen, tab->trial_layers.paint,
+                             (int)lround(window->frame.beside.low.x * window->unit),
+                             (int)lround(window->frame.beside.low.y * window->unit));
     fill_input(window, seconds);
     ui_begin(window->ui, &window->input);
     show_panes(window);
@@ -337,7 +343,7 @@ static void report_trouble(Window *window, Tab *tab) {
     messages_add(&window->messages, MESSAGE_FAULT, time, "%s", trouble);
     if (isnan(time))
         return;
-    RecordSpan span = tab->laboratory->span(tab->session);
+    RecordSpan span = tab_span(tab);
     player_pause(&tab->player, &span);
     player_seek(&tab->player, time, &span);
 }

@@ -41,6 +41,12 @@ Draft *draft_file_read(const char *path, const char *const *settings, size_t set
     return draft;
 }
 
+Draft *draft_file_of_text(const char *path, const char *text, const char *const *settings, size_t setting_count,
+                          Fault *fault) {
+    Plan plan = {0};
+    return plan_read_text(&plan, path, text, settings, setting_count, fault) ? draft_of_plan(&plan) : NULL;
+}
+
 const char *draft_file_path(const Draft *draft) {
     return draft->path;
 }

@@ -6,6 +6,10 @@
 /* Reads the house of a file with settings, as plan_read does; the settings count as saved. NULL: an error. */
 Draft *draft_file_read(const char *path, const char *const *settings, size_t setting_count, Fault *fault);
 
+/* Returns a draft of a house's text with settings; `path` names it in faults. It has no file. NULL: an error. */
+Draft *draft_file_of_text(const char *path, const char *text, const char *const *settings, size_t setting_count,
+                          Fault *fault);
+
 /* Returns the path of the file that was read or saved last; NULL: none. */
 const char *draft_file_path(const Draft *draft);
 

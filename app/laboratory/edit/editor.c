@@ -406,6 +406,22 @@ bool editor_accept(Editor *edit, size_t proposal, Fault *fault) {
     return edit_propose_accept(edit, proposal, fault);
 }
 
+void editor_choose_proposal(Editor *edit, size_t proposal) {
+    edit_propose_choose(edit, proposal);
+}
+
+uint64_t editor_chosen_proposal(Editor *edit, size_t *proposal) {
+    return edit_propose_chosen(edit, proposal);
+}
+
+size_t editor_proposal_tries(const Editor *edit) {
+    return edit_propose_tries(edit);
+}
+
+bool editor_seeks_proposals(const Editor *edit) {
+    return edit_propose_seeks(edit);
+}
+
 double editor_measured(const Editor *edit) {
     if (!edit->measure_count)
         return 0;

@@ -117,8 +117,13 @@ typedef struct EditText {
 
 /* A change with which all people could leave. */
 typedef struct Proposal {
-    const char *text;   /* "Widen door d2 from 0.75 m to 0.79 m" */
-    const char *answer; /* "all people are out in 21.3 s" */
+    const char *text;            /* "Widen bedroom door from 0.75 m to 0.79 m" */
+    const char *answer;          /* "all people are out in 21.3 s" */
+    const char *size;            /* "4 cm": the size of the change */
+    const char *const *settings; /* (setting_count) NAME=VALUE */
+    size_t setting_count;
+    Item item;         /* what is changed first, */
+    const char *label; /* and its new width, "0.79 m"; NULL: it is not a width */
 } Proposal;
 
 enum { EDITOR_STEPS_MOST = 20 };
@@ -279,6 +284,15 @@ void editor_choose_item(Editor *editor, size_t item);
 void editor_ask_proposals(Editor *editor);
 const Proposal *editor_proposals(Editor *editor, size_t *count, const char **doing);
 bool editor_accept(Editor *editor, size_t proposal, Fault *fault);
+
+/* Chooses the proposal that is shown beside the plan. Returns a number that is the same for one proposal of one search
+ * only; 0: there are no proposals. */
+void editor_choose_proposal(Editor *editor, size_t proposal);
+uint64_t editor_chosen_proposal(Editor *editor, size_t *proposal);
+
+/* Returns how many houses the search has tried so far; true while it searches. */
+size_t editor_proposal_tries(const Editor *editor);
+bool editor_seeks_proposals(const Editor *editor);
 
 /* Returns the last measured distance, m; 0: none. Setting it scales the whole house, as one step. */
 double editor_measured(const Editor *editor);

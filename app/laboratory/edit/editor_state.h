@@ -181,6 +181,7 @@ struct Editor {
     bool scales;   /* the gesture that sets the scale is being completed */
     bool rescaled; /* the scale was set since the owner's last request */
 
+    uint64_t search_count; /* of all searches so far */
     EditSearch *search;    /* search for changes that let all people leave, or NULL */
     EditSearch *cancelled; /* list of cancelled searches that have not ended yet */
     char proposing[64];

@@ -2,6 +2,7 @@
 
 #include <pthread.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/stop.h"
@@ -9,6 +10,7 @@
 #include "plan/draft_parameter.h"
 #include "inquiry/suggest.h"
 #include "laboratory/edit/gesture.h"
+#include "result/names.h"
 #include "result/suggest.h"
 
 /* A search that was requested. */
@@ -16,6 +18,8 @@ struct EditSearch {
     pthread_t thread;
     Stop stop;
     uint64_t revision; /* the draft's revision that the search is for */
+    uint64_t number;   /* of the search */
+    size_t chosen;     /* the proposal that is shown */
     char *text, *path, *profiles;
     HouseOptions options;
     int jobs;
@@ -116,6 +120,7 @@ void edit_propose_ask(Editor *edit) {
     reap(edit, false);
     EditSearch *search = memory_zeroed(1, sizeof *search);
     search->revision = draft_revision(edit->draft);
+    search->number = ++edit->search_count;
     search->text = text_copy(draft_text(edit->draft));
     search->path = text_copy(edit->options.path);
     search->profiles = text_copy(edit->options.profiles);
@@ -134,13 +139,52 @@ void edit_propose_ask(Editor *edit) {
     memory_free(search);
 }
 
+/* Returns the item that a setting changes, "door.d3.width=0.82": its index in the plan. */
+static Item changed_item(Editor *edit, const char *setting) {
+    const char *point = strchr(setting, '.');
+    size_t index = 0;
+    bool door = strncmp(setting, "door.", 5) == 0;
+    for (const char *end = point ? strchr(point + 1, '.') : NULL; end; end = strchr(end + 1, '.')) {
+        char id[EDIT_NAME]; /* which may have points itself */
+        snprintf(id, sizeof id, "%.*s", (int)(end - point - 1), point + 1);
+        DraftList list = draft_find(edit->draft, id, &index);
+        if (list == (door ? DRAFT_DOORS : DRAFT_FURNITURE))
+            return (Item){door ? HOUSE_DOOR : HOUSE_FURNITURE, index};
+    }
+    return (Item){0, 0};
+}
+
+static const char *width_label(const char *setting, Arena *arena) {
+    static const char width[] = ".width=";
+    const char *at = strstr(setting, width);
+    return at && strncmp(setting, "door.", 5) == 0 ? text_in_arena(arena, "%.2f m", strtod(at + sizeof width - 1, NULL))
+                                                   : NULL;
+}
+
+/* Returns the texts of a suggestion, with the names of things as the window has them. */
+static Proposal proposal_of(Editor *edit, EditSearch *search, const Suggestion *suggestion) {
+    const House *house = edit->scene.scenery.house;
+    Arena *arena = &search->arena;
+    return (Proposal){.text = house ? names_text(house, suggestion->text, arena) : suggestion->text,
+                      .answer = result_suggest_outcome(suggestion, arena),
+                      .size = suggestion->size < 1 ? text_in_arena(arena, "%.0f cm", 100 * suggestion->size)
+                                                   : text_in_arena(arena, "%.2f m", suggestion->size),
+                      .settings = suggestion->settings,
+                      .setting_count = suggestion->setting_count,
+                      .item = changed_item(edit, suggestion->settings[0]),
+                      .label = width_label(suggestion->settings[0], arena)};
+}
+
 /* Writes the texts of the result once. */
-static void write_texts(EditSearch *search) {
+static void write_texts(Editor *edit, EditSearch *search) {
     const SuggestList *list = &search->list;
     bool explained = list->note_count && !list->out_already;
     for (size_t i = 0; i < list->count; i++)
-        search->rows[i] = (Proposal){list->list[i].text, result_suggest_outcome(&list->list[i], &search->arena)};
+        search->rows[i] = proposal_of(edit, search, &list->list[i]);
+    const House *house = edit->scene.scenery.house;
     search->none = explained ? list->notes[0] : result_suggest_sentence(list, &search->arena);
+    if (house)
+        search->none = names_text(house, search->none, &search->arena);
 }
 
 const Proposal *edit_propose_list(Editor *edit, size_t *count, const char **doing) {
@@ -162,10 +206,40 @@ const Proposal *edit_propose_list(Editor *edit, size_t *count, const char **doin
     }
     *count = search->list.count;
     if (!search->none)
-        write_texts(search);
+        write_texts(edit, search);
     if (!*count)
         *doing = search->none;
     return search->rows;
+}
+
+void edit_propose_choose(Editor *edit, size_t proposal) {
+    if (edit->search && proposal < edit->search->list.count)
+        edit->search->chosen = proposal;
+}
+
+uint64_t edit_propose_chosen(Editor *edit, size_t *proposal) {
+    size_t count;
+    const char *doing;
+    *proposal = 0;
+    edit_propose_list(edit, &count, &doing);
+    if (!count)
+        return 0;
+    *proposal = edit->search->chosen;
+    return edit->search->number * (SUGGEST_MOST + 1) + *proposal;
+}
+
+size_t edit_propose_tries(const Editor *edit) {
+    EditSearch *search = edit->search;
+    if (!search)
+        return 0;
+    pthread_mutex_lock(&search->mutex);
+    size_t tries = search->over ? search->list.tries : search->tries;
+    pthread_mutex_unlock(&search->mutex);
+    return tries;
+}
+
+bool edit_propose_seeks(const Editor *edit) {
+    return edit->search && !is_over(edit->search);
 }
 
 /* Sets one NAME=VALUE of a proposal. */
@@ -187,7 +261,7 @@ bool edit_propose_accept(Editor *edit, size_t proposal, Fault *fault) {
     }
     const Suggestion *chosen = &edit->search->list.list[proposal];
     bool good = true;
-    edit_gesture_begin_step(edit, chosen->text);
+    edit_gesture_begin_step(edit, edit->search->rows[proposal].text);
     for (size_t i = 0; i < chosen->setting_count && good; i++)
         good = set(edit, chosen->settings[i], fault);
     if (good)

@@ -14,5 +14,13 @@ const Proposal *edit_propose_list(Editor *edit, size_t *count, const char **doin
 bool edit_propose_drop(Editor *edit);
 bool edit_propose_accept(Editor *edit, size_t proposal, Fault *fault);
 
+/* Choose the proposal that is shown beside the plan; return its number, which no other proposal has had; 0: none. */
+void edit_propose_choose(Editor *edit, size_t proposal);
+uint64_t edit_propose_chosen(Editor *edit, size_t *proposal);
+
+/* Returns how many houses the search has tried so far; true while it searches. */
+size_t edit_propose_tries(const Editor *edit);
+bool edit_propose_seeks(const Editor *edit);
+
 /* Cancels all searches, and waits for the end of their threads. */
 void edit_propose_end(Editor *edit);

@@ -109,8 +109,8 @@ static Draft *open_draft(const char *path, const LaboratoryOptions *options, Fau
     return NULL;
 }
 
-static void *open_house(const char *path, const LaboratoryOptions *options, Fault *fault) {
-    Draft *draft = open_draft(path, options, fault);
+/* Opens a session of a draft, which it takes over; NULL: no draft, or an error. */
+static void *open_session(Draft *draft, const char *path, const LaboratoryOptions *options, Fault *fault) {
     HouseWorker *worker = draft ? house_worker_create(false) : NULL;
     HouseWorker *crew_worker = worker ? house_worker_create(true) : NULL;
     if (worker && !crew_worker) {
@@ -127,7 +127,7 @@ static void *open_house(const char *path, const LaboratoryOptions *options, Faul
     session->draft = draft;
     session->nothing = (Scene){.box = {{0, 0}, {1, 1}}, .bare = true, .unscaled = true};
     session->layers = house_laboratory.layers_at_first;
-    store_wish(session, options->origin ? options->origin : path ? path : "", options);
+    store_wish(session, path, options);
     session->editor = editor_create(draft, &(EditorOptions){.path = session->wish.path,
                                                             .profiles = session->wish.profiles,
                                                             .seed = session->wish.seed,
@@ -139,6 +139,29 @@ static void *open_house(const char *path, const LaboratoryOptions *options, Faul
     house_history_begin(&session->history, draft_text(draft), draft_revision(draft));
     house_schedule_request(session);
     return session;
+}
+
+static void *open_house(const char *path, const LaboratoryOptions *options, Fault *fault) {
+    const char *origin = options->origin ? options->origin : path ? path : "";
+    return open_session(open_draft(path, options, fault), origin, options, fault);
+}
+
+static void *open_proposal(void *context, size_t proposal, Fault *fault) {
+    HouseSession *session = house_control_sync(context);
+    size_t count;
+    const char *doing;
+    const Proposal *proposals = editor_proposals(session->editor, &count, &doing);
+    if (proposal >= count)
+        return NULL;
+    const HouseWish *wish = &session->wish;
+    LaboratoryOptions options = {.profiles = wish->profiles,
+                                 .route = wish->route,
+                                 .driving = wish->driving,
+                                 .seed = wish->seed,
+                                 .jobs = wish->jobs};
+    Draft *draft = draft_file_of_text(wish->path, draft_text(session->draft), proposals[proposal].settings,
+                                      proposals[proposal].setting_count, fault);
+    return open_session(draft, wish->path, &options, fault);
 }
 
 static void close_house(void *context) {
@@ -494,6 +517,7 @@ const Laboratory house_laboratory = {
     .save = save,
     .sound = sound,
     .editor = editor,
+    .open_proposal = open_proposal,
     .begin_number = house_control_begin_number,
     .end_number = house_control_end_number,
     .animate = animate,
