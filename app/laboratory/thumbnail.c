@@ -73,6 +73,9 @@ bool thumbnail_read_house(Thumbnail *thumbnail, const char *path, Fault *fault) 
     if (good) {
         set_texts(thumbnail, path, house.plan.name, house.plan.note);
         plan_picture_bare(&thumbnail->scene, &house);
+        thumbnail->people = house.plan.person_count;
+        for (size_t i = 0; i < house.plan.crowd_count; i++)
+            thumbnail->people += (size_t)house.plan.crowds[i].count;
     }
     if (!good)
         thumbnail_clear(thumbnail);

@@ -12,6 +12,7 @@
 typedef struct Thumbnail {
     const char *name; /* name in the file, or the file's own name without extension */
     const char *line; /* first sentence of the note, shortened; or "" */
+    size_t people;    /* of a house, with its crowds */
     Scene scene;
     Arena arena;
 } Thumbnail;

@@ -30,7 +30,7 @@ bool ui_card(Ui *ui, const UiCard *card) {
     UiId id = ui_state_id(ui, card->id ? card->id : card->name);
     Box box = ui_pane_next(ui, card->picture_height + NAME_HEIGHT + card->text_height + 3 * EDGE);
     UiTouch touch = ui_state_touch(ui, id, box, false);
-    bool focused = ui_stop_make(ui, id, UI_IS_BUTTON, box);
+    bool focused = ui_stop_make(ui, id, UI_IS_CARD, box);
     bool used = ui_stop_used(ui, id) || touch.clicked;
     ui_tip_offer(ui, id, box, card->help, touch.hovered, focused);
     Box inside = box_expand(box, -EDGE), place = inside;

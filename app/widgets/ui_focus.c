@@ -1,5 +1,7 @@
 #include "widgets/ui_focus.h"
 
+#include <math.h>
+
 #include "base/digest.h"
 #include "widgets/ui_editor.h"
 #include "widgets/ui_pane.h"
@@ -7,6 +9,8 @@
 #include "widgets/ui_tip.h"
 
 /* Stops ------------------------------------------------------------------------------------------------------------ */
+
+#define CARD_ROWS 100.0 /* weight of the distance up or down: the next row of cards comes first */
 
 enum { NUMBER_FRAMES = 3 /* in which a pane may make the number that is to have the focus */ };
 
@@ -219,6 +223,7 @@ static bool uses(UiKind kind, UiKey key) {
         [UI_IS_PANE] = 0,
         [UI_IS_BUTTON] = USE,
         [UI_IS_ROW] = USE | UPWARDS,
+        [UI_IS_CARD] = USE | UPWARDS | SIDEWAYS,
         [UI_IS_CHOICE] = USE | UPWARDS | SIDEWAYS,
         [UI_IS_SLIDER] = KEY(ENTER) | UPWARDS | SIDEWAYS | PAGES | KEY(DELETE),
         [UI_IS_FIELD] = KEY(ENTER),
@@ -226,13 +231,35 @@ static bool uses(UiKind kind, UiKey key) {
     return keys[kind] & 1u << key;
 }
 
+/* True for what arrows go along. */
+static bool is_listed(const UiStop *stop) {
+    return stop->kind == UI_IS_ROW || stop->kind == UI_IS_CARD;
+}
+
+/* Moves the focus from a card to the nearest card or row above or below. */
+static void go_between_cards(Ui *ui, const UiStop *stop, UiKey key) {
+    const UiStop *end = ui->old_stops + ui->old_stop_count, *next = stop;
+    double way = key == UI_KEY_UP ? -1 : 1, least = HUGE_VAL;
+    for (const UiStop *s = ui->old_stops; s < end; s++) {
+        if (s->pane != stop->pane || !is_listed(s) || way * (s->box.low.y - stop->box.low.y) <= 0)
+            continue;
+        double far = CARD_ROWS * fabs(s->box.low.y - stop->box.low.y) +
+                     fabs(s->box.low.x + s->box.high.x - stop->box.low.x - stop->box.high.x) / 2;
+        if (far < least) {
+            least = far;
+            next = s;
+        }
+    }
+    give_by_key(ui, next);
+}
+
 /* Moves the focus from row to row of a list. */
 static void go_along_rows(Ui *ui, const UiStop *stop, UiKey key) {
     const UiStop *end = ui->old_stops + ui->old_stop_count, *next = stop;
-    int way = key == UI_KEY_UP || key == UI_KEY_HOME ? -1 : 1;
+    int way = key == UI_KEY_UP || key == UI_KEY_HOME || key == UI_KEY_LEFT ? -1 : 1;
     bool all = key == UI_KEY_HOME || key == UI_KEY_END;
     for (const UiStop *s = stop + way; s >= ui->old_stops && s < end && s->pane == stop->pane; s += way)
-        if (s->kind == UI_IS_ROW) {
+        if (is_listed(s)) {
             next = s;
             if (!all)
                 break;
@@ -248,7 +275,10 @@ static bool use_key(Ui *ui, const UiStop *stop, UiKey key, bool shift) {
             ui_stop_press(ui, place->id, key, shift);
         return scrolls;
     }
-    if (stop->kind == UI_IS_ROW && (UPWARDS & 1u << key))
+    bool on_card = stop->kind == UI_IS_CARD;
+    if (on_card && (key == UI_KEY_UP || key == UI_KEY_DOWN))
+        go_between_cards(ui, stop, key);
+    else if (is_listed(stop) && ((UPWARDS | (on_card ? SIDEWAYS : 0)) & 1u << key))
         go_along_rows(ui, stop, key);
     else if (stop->text && key == UI_KEY_ENTER)
         ui_editor_open(ui, stop->id, stop->text);

@@ -17,12 +17,13 @@
 
 typedef uint64_t UiId; /* a digest of the pane's name and the widget's; 0: none */
 
-typedef enum UiKind { UI_IS_PANE, UI_IS_BUTTON, UI_IS_ROW, UI_IS_CHOICE, UI_IS_SLIDER, UI_IS_FIELD } UiKind;
+typedef enum UiKind { UI_IS_PANE, UI_IS_BUTTON, UI_IS_ROW, UI_IS_CARD, UI_IS_CHOICE, UI_IS_SLIDER, UI_IS_FIELD } UiKind;
 
 /* A stop of the focus. */
 typedef struct UiStop {
     UiId id, pane;
     UiKind kind;
+    Box box;
     const char *text;       /* initial text of the field, or NULL: in the frame's arena */
     const UiSlider *number; /* the slider that checks a typed number, or NULL: in the same arena */
 } UiStop;

@@ -12,8 +12,12 @@ static const UiSlider *store_number(Ui *ui, const UiSlider *number) {
 
 bool ui_stop_make_typed(Ui *ui, UiId id, UiKind kind, Box box, const char *text, const UiSlider *number) {
     ui->stops = memory_reserve(ui->stops, &ui->stop_capacity, ui->stop_count + 1, sizeof *ui->stops);
-    ui->stops[ui->stop_count++] = (UiStop){id, ui->place ? ui->place->id : 0, kind,
-                                           text ? arena_text(&ui->stop_texts, text) : NULL, store_number(ui, number)};
+    ui->stops[ui->stop_count++] = (UiStop){id,
+                                           ui->place ? ui->place->id : 0,
+                                           kind,
+                                           box,
+                                           text ? arena_text(&ui->stop_texts, text) : NULL,
+                                           store_number(ui, number)};
     if (ui->focus != id)
         return false;
     ui->focus_box = box;

@@ -30,6 +30,7 @@ static void show_gallery(Window *window, bool lessons) {
     if (!window->gallery)
         window->gallery = gallery_create(window->theme);
     window->lessons_only = lessons;
+    *window->field = 0;
     dialog_pane_show(window, DIALOG_GALLERY);
 }
 
@@ -37,8 +38,10 @@ static void show_open(Window *window) {
     Fault fault = {0};
     const char *folder = files_open_folder(window);
     if (folder_read(&window->folder, folder, import_file_knows, &fault) ||
-        folder_read(&window->folder, ".", import_file_knows, &fault))
+        folder_read(&window->folder, ".", import_file_knows, &fault)) {
+        *window->field = 0;
         dialog_pane_show(window, DIALOG_OPEN);
+    }
     notice_fault(window, &fault, NAN);
 }
 

@@ -28,6 +28,7 @@ enum {
 /* The result of reading a file on the thread; texts and pixels are separate blocks. */
 typedef struct Found {
     char *name, *line, *fault;
+    size_t people;
     unsigned char *pixels; /* STRIDE x GALLERY_HEIGHT */
 } Found;
 
@@ -124,6 +125,7 @@ static void hand_over(Found *to, Found *from) {
             memory_free(*texts[i][0]);
             *texts[i][0] = *texts[i][1];
         }
+    to->people = from->people ? from->people : to->people;
     if (from->pixels) {
         memory_free(to->pixels);
         to->pixels = from->pixels;
@@ -158,6 +160,7 @@ static void find_text(Gallery *gallery, size_t i) {
     if (read_thumbnail(&thumbnail, &gallery->items[i], &fault)) {
         if (!gallery->items[i].lesson)
             found.name = text_copy(thumbnail.name);
+        found.people = thumbnail.people;
         found.line = text_copy(gallery->items[i].lesson ? gallery->items[i].about : thumbnail.line);
         thumbnail_clear(&thumbnail);
     } else {
@@ -330,6 +333,7 @@ bool gallery_update(Gallery *gallery) {
         item->name = shown->name ? shown->name : item->name;
         item->line = shown->line ? shown->line : "";
         item->is_read = shown->line;
+        item->people = shown->people;
         item->fault = shown->fault;
         item->pixels = shown->fault ? NULL : shown->pixels;
     }

@@ -20,6 +20,7 @@ typedef struct GalleryItem {
     const char *drawn;           /* and this its house or machine; otherwise the file itself */
     size_t laboratory;           /* index among `laboratories` */
     const char *about;           /* of a lesson, its minutes and level; otherwise NULL */
+    size_t people;               /* of a house, once it is read */
     const char *fault;           /* why there is no picture, or NULL */
     const unsigned char *pixels; /* GALLERY_WIDTH x GALLERY_HEIGHT of cairo's RGB24, rows from the top; NULL: not yet */
     bool is_read;                /* name, line and fault are final */

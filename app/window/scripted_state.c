@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "draw/caption.h"
+#include "window/dialog_gallery.h"
 #include "window/lesson.h"
 #include "window/menu.h"
 #include "window/notice.h"
@@ -356,7 +357,10 @@ json_t *scripted_state_of(Window *window) {
     json_object_set_new(state, "strip_keys", strip);
     json_t *listed = json_array();
     for (size_t i = 0; window->dialog == DIALOG_OPEN && i < window->folder.count; i++)
-        json_array_append_new(listed, json_string(window->folder.entries[i].name));
+        if (dialog_gallery_lists(window, &window->folder.entries[i]))
+            json_array_append_new(listed, json_string(window->folder.entries[i].name));
+    for (size_t i = 0; window->dialog == DIALOG_GALLERY && i < window->shown_count; i++)
+        json_array_append_new(listed, json_string(window->shown[i]));
     json_object_set_new(state, "listed", listed);
     json_object_set_new(state, "writing", json_boolean(window->export != NULL));
     const ExportStatus *export = window->export ? export_update(window->export) : NULL;

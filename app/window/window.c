@@ -143,7 +143,7 @@ static void handle_key(Window *window, const SdlWindowEvent *event) {
         window->plan_input.done = true;
         return;
     }
-    if (walk_menu(window, event))
+    if (walk_menu(window, event) || dialog_gallery_key(window, event))
         return;
     if (place_of(window) == KEY_PLAN && (plan_input_key(window, event) || plan_input_store_key(window, event)))
         return;
@@ -161,6 +161,10 @@ static void end_waiting(Window *window, const char *text) {
 
 /* Passes typed text to the open text field, otherwise to the gesture. */
 static void type(Window *window, const char *text) {
+    if (window->dialog == DIALOG_GALLERY && !ui_types(window->ui)) {
+        dialog_gallery_type(window, text);
+        return;
+    }
     bool fresh = !window->plan_input.done && place_of(window) == KEY_PLAN && !ui_types(window->ui);
     window->plan_input.done = false;
     if (!fresh || !plan_input_type(window, text))

@@ -167,8 +167,11 @@ typedef struct Window {
         bool down, opened; /* the left button was down in the last frame; that press opened the menu */
     } menu_press;
     Folder folder;
-    char field[WINDOW_PATH]; /* text typed into a dialog */
-    char hold[WINDOW_PATH];  /* text of DIALOG_EXPLAIN */
+    char field[WINDOW_PATH];         /* text typed into a dialog */
+    const char *shown[GALLERY_MOST]; /* (shown_count) names of the cards and, after "# ", groups on the start page */
+    size_t shown_count;
+    size_t corner;          /* the corner that has a card there */
+    char hold[WINDOW_PATH]; /* text of DIALOG_EXPLAIN */
 
     ImportAsk import_ask;
     PlanInput plan_input;
