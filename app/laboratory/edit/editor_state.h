@@ -96,6 +96,7 @@ typedef struct EditPreview {
     Text words;   /* what the click does, or why it does nothing */
     bool known;   /* the rest is set */
     bool refused; /* the click does nothing */
+    bool begins;  /* the click sets the first point of something */
     bool warns;   /* the click does it, but the item touches something */
 } EditPreview;
 

@@ -204,7 +204,7 @@ const GestureView *edit_marks_make(Editor *edit, const EditPreview *preview, voi
         add_snap(edit, &edit->snap);
     if (preview)
         copy_marks(edit, preview->marks, preview->mark_count);
-    else if (!edit->gesture)
+    if (!edit->gesture && (!preview || (preview->begins && !preview->refused)))
         add_hover(edit);
     if (!edit->gesture)
         rest(edit);

@@ -1,16 +1,20 @@
 #include "laboratory/edit/preview.h"
 
+#include "laboratory/edit/chain.h"
+#include "laboratory/edit/enclosure.h"
 #include "laboratory/edit/gesture.h"
 #include "laboratory/edit/marks.h"
 #include "laboratory/edit/place.h"
+#include "laboratory/edit/scale.h"
 
 static bool can_show(const Editor *edit) {
-    const Plan *plan = draft_plan(edit->draft);
-    bool walls = plan->wall_count, rectangle = edit->chosen_rows[TOOL_FURNITURE] == 0;
-    if (!edit->seen || edit->placed || edit->down || draft_is_open(edit->draft))
-        return false;
-    return edit->tool == TOOL_PERSON || (edit->tool == TOOL_FURNITURE && !rectangle) ||
-           ((edit->tool == TOOL_DOOR || edit->tool == TOOL_EXIT) && walls);
+    return edit->tool != TOOL_SELECT && edit->seen && !edit->placed && !edit->down && !draft_is_open(edit->draft);
+}
+
+/* True if a click places one item, which then can be drawn before the click; otherwise it sets a first point. */
+static bool places(const Editor *edit) {
+    return edit->tool == TOOL_PERSON || (edit->tool == TOOL_FURNITURE && edit->chosen_rows[TOOL_FURNITURE]) ||
+           ((edit->tool == TOOL_DOOR || edit->tool == TOOL_EXIT) && draft_plan(edit->draft)->wall_count);
 }
 
 static bool is_known(const Editor *edit) {
@@ -51,8 +55,59 @@ static void write_words(Editor *edit) {
         edit->gesture->promise(edit, &preview->words);
 }
 
+/* Returns what a click begins, or why it begins nothing. */
+static const char *beginning(const Editor *edit, bool *refused) {
+    const Plan *plan = draft_plan(edit->draft);
+    Vec2 outline[LABORATORY_MARK_POINTS];
+    *refused = false;
+    if (edit_scale_in_hand(edit))
+        return "the known distance begins here";
+    switch (edit->tool) {
+    case TOOL_WALL:
+        return "wall begins here";
+    case TOOL_MEASURE:
+        return "distance begins here";
+    case TOOL_FURNITURE:
+        return "first corner of the piece, drag to the other";
+    case TOOL_AREA:
+        return enclosure_find(plan, edit->pointer.at, outline, LABORATORY_MARK_POINTS)
+                   ? "first corner of a room; twice: all between these walls"
+                   : "first corner of a room";
+    case TOOL_ROUTE:
+        *refused = !edit_chain_route_person(edit);
+        return *refused ? "nobody is here: P places somebody" : "route begins here";
+    case TOOL_IMAGE:
+        *refused = !plan->background.image;
+        return *refused ? "no picture yet: type its file in the panel" : "first of two points of the picture";
+    default:
+        *refused = true;
+        return "no wall yet: W draws one";
+    }
+}
+
+static void keep_key(Editor *edit) {
+    EditPreview *preview = &edit->preview;
+    preview->pointer = edit->pointer;
+    preview->revision = draft_revision(edit->draft);
+    preview->tool = edit->tool;
+    preview->row = edit->chosen_rows[edit->tool];
+    preview->known = true;
+}
+
+static void make_beginning(Editor *edit) {
+    EditPreview *preview = &edit->preview;
+    keep_marks(edit, edit->mark_count);
+    memory_free(preview->words.text);
+    preview->words = (Text){0};
+    text_add(&preview->words, beginning(edit, &preview->refused));
+    preview->warns = false;
+    preview->begins = true;
+    keep_key(edit);
+}
+
 static void make(Editor *edit) {
     EditPreview *preview = &edit->preview;
+    preview->begins = false;
     bool changed = edit->changed;
     size_t first = edit->mark_count;
     edit_place_begin(edit, false);
@@ -63,18 +118,16 @@ static void make(Editor *edit) {
     write_words(edit);
     edit_gesture_cancel(edit);
     edit->changed = changed;
-    preview->pointer = edit->pointer;
-    preview->revision = draft_revision(edit->draft);
-    preview->tool = edit->tool;
-    preview->row = edit->chosen_rows[edit->tool];
-    preview->known = true;
+    keep_key(edit);
 }
 
 const EditPreview *edit_preview_make(Editor *edit) {
     if (edit->gesture || !can_show(edit))
         return NULL;
-    if (!is_known(edit))
+    if (!is_known(edit) && places(edit))
         make(edit);
+    else if (!is_known(edit))
+        make_beginning(edit);
     return &edit->preview;
 }
 
