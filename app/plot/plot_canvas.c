@@ -72,6 +72,10 @@ PlotCanvas *plot_canvas_create(const Plot *plot, int width, int height, double u
     return canvas;
 }
 
+const PlotLayout *plot_canvas_layout(const PlotCanvas *canvas) {
+    return &canvas->layout;
+}
+
 void plot_canvas_destroy(PlotCanvas *canvas) {
     for (size_t s = 0; s < canvas->pen_count; s++)
         plot_pen_clear(&canvas->pens[s]);

@@ -3,7 +3,7 @@
  * of a line. */
 #pragma once
 
-#include "plot/plot.h"
+#include "plot/plot_layout.h"
 
 typedef struct PlotCanvas PlotCanvas;
 
@@ -33,6 +33,9 @@ PlotPixels plot_canvas_all(const PlotCanvas *canvas);
  * each. */
 const unsigned char *plot_canvas_pixels(const PlotCanvas *canvas);
 int plot_canvas_stride(const PlotCanvas *canvas);
+
+/* Returns where everything stands, in design points of the canvas. */
+const PlotLayout *plot_canvas_layout(const PlotCanvas *canvas);
 
 /* Returns the place of a value, in pixels. */
 Vec2 plot_canvas_place(const PlotCanvas *canvas, Vec2 value);

@@ -1,5 +1,6 @@
 #include "plot/plot_layout.h"
 
+#include "base/text.h"
 #include "draw/caption.h"
 #include "plot/plot_frame.h"
 #include "plot/plot_key.h"
@@ -102,6 +103,13 @@ static Caption *add_text(PlotLayout *layout, const char *text, double size, bool
     return caption_add(sheet, arena_text(&sheet->arena, text), size, bold, centre);
 }
 
+/* What stands in the rows above the frame besides title and note. */
+typedef struct Above {
+    bool names;  /* of the series */
+    bool across; /* the title of the x axis, */
+    bool bare;   /* which is left out */
+} Above;
+
 /* Rows of text above the frame, filled from left to right. */
 typedef struct Rows {
     PlotLayout *layout;
@@ -189,8 +197,9 @@ static void add_names(Rows *rows, const Plot *plot) {
 }
 
 /* Adds the titles and, if they stand above, the names of the series; returns how far down they reach. */
-static double add_rows(PlotLayout *layout, const Plot *plot, bool names) {
-    char title[PLOT_TICKS_TITLE];
+static double add_rows(PlotLayout *layout, const Plot *plot, Above above_it) {
+    char title[PLOT_TICKS_TITLE], across[PLOT_TICKS_TITLE];
+    bool names = above_it.names;
     plot_ticks_title(&layout->y, plot->y.title, plot->y.unit, title);
     Rows rows = {layout, MARGIN, ROW_HEIGHT / 2 + 2};
     bool low = layout->sheet.page.y < LOW;
@@ -198,6 +207,10 @@ static double add_rows(PlotLayout *layout, const Plot *plot, bool names) {
         add_item(&rows, plot->title, TITLE_TEXT, true, 0);
     if (*title && (low || !plot->title))
         add_item(&rows, title, plot->title ? AXIS_TEXT : TITLE_TEXT - 2, !plot->title, 0);
+    if (above_it.across && !above_it.bare && plot->x.title) {
+        plot_ticks_title(&layout->x, plot->x.title, plot->x.unit, across);
+        add_item(&rows, text_in_arena(&layout->sheet.arena, "over %s", across), AXIS_TEXT, false, 0);
+    }
     if (plot->note)
         add_item(&rows, plot->note, AXIS_TEXT, false, 0)->role = ROLE_DIM_TEXT;
     bool above = names && plot->right_factor != 0 && names_width(plot) > 0; /* both titles stand in the last row */
@@ -237,13 +250,14 @@ static void add_upright_labels(PlotLayout *layout) {
     }
 }
 
-/* In a low plot the title takes the end of the labels' row, and replaces labels where it needs their place. */
-static void add_across_labels(PlotLayout *layout, const Plot *plot) {
+/* In a low plot the title takes the end of the labels' row. False: labels need that place. */
+static bool add_across_labels(PlotLayout *layout, const Plot *plot, Above above) {
     char title[PLOT_TICKS_TITLE];
     Layout *sheet = &layout->sheet;
+    bool complete = true;
     plot_ticks_title(&layout->x, plot->x.title, plot->x.unit, title);
     double row = sheet->frame.high.y + LABEL_GAP + LABEL_HEIGHT / 2, end = sheet->page.x;
-    if (*title) {
+    if (*title && !above.across) {
         bool low = sheet->page.y < LOW;
         Caption *caption = add_text(layout, title, AXIS_TEXT, false,
                                     vec2((sheet->frame.low.x + sheet->frame.high.x) / 2, row + LABEL_HEIGHT));
@@ -256,9 +270,10 @@ static void add_across_labels(PlotLayout *layout, const Plot *plot) {
         char label[PLOT_TICKS_LABEL];
         plot_ticks_label(&layout->x, i, label);
         double x = plot_frame_point(layout, vec2(plot_ticks_at(&layout->x, i), 0)).x;
-        if (x + text_extent(label, AXIS_TEXT, false).x / 2 <= end)
-            add_text(layout, label, AXIS_TEXT, false, vec2(x, row));
+        complete = complete && x + text_extent(label, AXIS_TEXT, false).x / 2 <= end;
+        add_text(layout, label, AXIS_TEXT, false, vec2(x, row));
     }
+    return complete;
 }
 
 /* Adds the labels of the second axis for y. */
@@ -280,14 +295,15 @@ static void add_right_labels(PlotLayout *layout, const Plot *plot) {
 }
 
 /* Places the frame between the texts around it. */
-static void place_frame(PlotLayout *layout, const Plot *plot, Box reach, bool names) {
+static void place_frame(PlotLayout *layout, const Plot *plot, Box reach, Above above) {
     Layout *sheet = &layout->sheet;
     bool low = sheet->page.y < LOW;
-    double foot = LABEL_GAP + LABEL_HEIGHT * (low || !plot->x.title ? 1 : 2) + MARGIN / 2;
+    double foot = LABEL_GAP + LABEL_HEIGHT * (low || above.across || !plot->x.title ? 1 : 2) + MARGIN / 2;
     sheet->frame = (Box){{0, 0}, {sheet->page.x - MARGIN, sheet->page.y - foot}};
     PlotAxis across = shown_axis(plot, false), upright = shown_axis(plot, true);
     layout->y = axis_ticks(&upright, reach.low.y, reach.high.y, 2);
-    sheet->frame.low.y = add_rows(layout, plot, names) + ROW_GAP;
+    layout->x = axis_ticks(&across, reach.low.x, reach.high.x, 2);
+    sheet->frame.low.y = add_rows(layout, plot, above) + ROW_GAP;
     int most = (int)(fmax(0, box_height(sheet->frame)) / UPRIGHT_LEAST) + 1;
     layout->y = axis_ticks(&upright, reach.low.y, reach.high.y, most);
     if (plot->right_factor != 0)
@@ -311,14 +327,18 @@ static bool has_lines_only(const Plot *plot) {
     return lines;
 }
 
-static void lay_out(PlotLayout *layout, const Plot *plot, Vec2 page, bool names) {
+static void lay_out(PlotLayout *layout, const Plot *plot, Vec2 page, Above above) {
     plot_layout_clear(layout);
     layout->sheet.page = page;
     layout->marks = arena_allocate(&layout->sheet.arena, (plot->series_count + 1) * sizeof *layout->marks);
-    place_frame(layout, plot, plot_reach(plot), names);
+    place_frame(layout, plot, plot_reach(plot), above);
     add_grid(layout);
     add_upright_labels(layout);
-    add_across_labels(layout, plot);
+    if (!add_across_labels(layout, plot, above)) {
+        above.across = true;
+        lay_out(layout, plot, page, above);
+        return;
+    }
     add_right_labels(layout, plot);
     plot_key_add(layout, plot);
     plot_names_classes(layout, plot);
@@ -329,11 +349,13 @@ void plot_layout_make(PlotLayout *layout, const Plot *plot, Vec2 page, PlotNames
     *layout = (PlotLayout){0};
     bool several = plot->series_count + plot->area_count > 1;
     bool beside = names == PLOT_NAMES_BESIDE && has_lines_only(plot);
-    lay_out(layout, plot, page, several && !beside);
+    lay_out(layout, plot, page, (Above){.names = several && !beside});
     if (several && beside && !plot_names_series(layout, plot))
-        lay_out(layout, plot, page, true);
+        lay_out(layout, plot, page, (Above){.names = true});
     if (box_height(layout->sheet.frame) < LEAST_FRAME * page.y)
-        lay_out(layout, plot, page, false);
+        lay_out(layout, plot, page, (Above){.names = false});
+    if (box_height(layout->sheet.frame) < LEAST_FRAME * page.y)
+        lay_out(layout, plot, page, (Above){.across = true, .bare = true});
 }
 
 void plot_layout_clear(PlotLayout *layout) {

@@ -39,7 +39,34 @@ static json_t *frame_state(const Window *window) {
     return state;
 }
 
-/* Returns the axes and the cursor of each plot that is shown. */
+/* Returns the texts of a plot with their boxes, in pixels of the window. */
+static json_t *plot_texts(const PlotPane *pane) {
+    json_t *texts = json_array();
+    const Layout *sheet = &plot_canvas_layout(pane->canvas)->sheet;
+    for (size_t i = 0; i < sheet->caption_count; i++) {
+        const Caption *caption = &sheet->captions[i];
+        Vec2 half = vec2_scale(caption->turned ? vec2(caption->extent.y, caption->extent.x) : caption->extent, 0.5);
+        Vec2 at = vec2_add(pane->place.low, caption->centre);
+        json_array_append_new(texts, json_pack("{s:s,s:[f,f,f,f],s:f}", "string", caption->text, "box",
+                                               pane->unit * (at.x - half.x), pane->unit * (at.y - half.y),
+                                               pane->unit * (at.x + half.x), pane->unit * (at.y + half.y), "size",
+                                               pane->unit * caption->size));
+    }
+    return texts;
+}
+
+/* Returns the labels that the ticks of an axis must have. */
+static json_t *plot_ticks(const PlotTicks *ticks) {
+    json_t *labels = json_array();
+    for (int i = 0; i < ticks->count; i++) {
+        char label[PLOT_TICKS_LABEL];
+        plot_ticks_label(ticks, i, label);
+        json_array_append_new(labels, json_string(label));
+    }
+    return labels;
+}
+
+/* Returns the axes, the cursor and the texts of each plot that is shown. */
 static json_t *plot_panes_state(const PlotPanes *panes) {
     json_t *state = json_object();
     for (size_t i = 0; i < panes->count; i++) {
@@ -49,6 +76,10 @@ static json_t *plot_panes_state(const PlotPanes *panes) {
         PlotPaneAxes axes = plot_panes_axes(pane);
         json_t *one = json_pack("{s:[f,f],s:[f,f],s:i,s:i}", "x", axes.x[0], axes.x[1], "y", axes.y[0], axes.y[1],
                                 "views", (int)pane->view_count, "corner", pane->box.corner);
+        const PlotLayout *layout = plot_canvas_layout(pane->canvas);
+        json_object_set_new(one, "texts", plot_texts(pane));
+        json_object_set_new(one, "x_ticks", plot_ticks(&layout->x));
+        json_object_set_new(one, "y_ticks", plot_ticks(&layout->y));
         json_object_set_new(one, "cursor", number_or_null(pane->source.cursor));
         json_object_set_new(one, "own_cursor", number_or_null(pane->cursor));
         if (pane->source.cursor_y_parameter)

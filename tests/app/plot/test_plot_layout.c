@@ -1,3 +1,5 @@
+#include <string.h>
+
 #include "check.h"
 
 #include "plot/plot_canvas.h"
@@ -65,6 +67,38 @@ TEST(many_long_names_leave_the_plot_its_height) {
         CHECK(sample_has_text(&layout, series[0].name) == (pages[p].y > 300));
         plot_layout_clear(&layout);
     }
+}
+
+/* True if a text stands at a place across. */
+static bool has_label_at(const PlotLayout *layout, const char *label, double x) {
+    for (size_t i = 0; i < layout->sheet.caption_count; i++) {
+        const Caption *caption = &layout->sheet.captions[i];
+        if (strcmp(caption->text, label) == 0 && fabs(caption->centre.x - x) < 1)
+            return true;
+    }
+    return false;
+}
+
+TEST(every_tick_has_its_number_also_in_a_low_plot) {
+    static const Vec2 low[] = {{480, 138}, {310, 138}, {230, 112}, {640, 138}, {340, 199}, {340, 220}};
+    static const double ends[] = {1, 10, 50, 320, 1000, 26.1, 0.004};
+    for (size_t p = 0; p < sizeof low / sizeof *low; p++)
+        for (size_t e = 0; e < sizeof ends / sizeof *ends; e++) {
+            double x[] = {0, ends[e]}, y[] = {-3, 7};
+            PlotSeries series = sample_line("p1", x, y, 2);
+            Plot plot = sample_plot(&series, 1);
+            plot.x.title = "lateral displacement";
+            plot.x.unit = "mm";
+            PlotLayout layout;
+            plot_layout_make(&layout, &plot, low[p], PLOT_NAMES_ABOVE);
+            sample_check_layout(&layout);
+            for (int i = 0; i < layout.x.count; i++) {
+                char label[PLOT_TICKS_LABEL];
+                plot_ticks_label(&layout.x, i, label);
+                CHECK(has_label_at(&layout, label, plot_frame_point(&layout, vec2(plot_ticks_at(&layout.x, i), 0)).x));
+            }
+            plot_layout_clear(&layout);
+        }
 }
 
 TEST(an_empty_plot_has_axes) {

@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+"""Tests the words of the plots in the window (check 8): at three sizes no text of any plot overlaps another or leaves its
+pane, and each tick has its number."""
+
+import collections
+import itertools
+
+import stage
+from stage import check
+
+SIZES = ("1024x600", "1024x768", "1280x720", "1920x1080")
+FILES = {"house": (stage.house("flat-0.910-widened"), ("speed", "clearance", "force", "pressed", "phase")),
+         "crowd": (stage.house("straight-corridor"), ("out", "flow")),
+         "beam": (stage.beam("ibs"), ()),
+         "crank": (str(stage.source / "assets" / "cranks" / "ssc.json"), ())}
+
+
+def overlap(a, b):
+    """Boxes are as high as lines, whose letters leave more than a pixel above and below."""
+    return a[0] < b[2] - 0.5 and b[0] < a[2] - 0.5 and a[1] < b[3] - 1 and b[1] < a[3] - 1
+
+
+seen = collections.Counter()
+for name, (path, _) in FILES.items():
+    for size in SIZES:
+        state = stage.act(f"{name}-{size}", "until answered", "key Shift+P", "wait 3", "state STATE", "key Shift+P",
+                          "wait 8", "state STATE", arguments=[path, "--size", size])
+        state = max(state, key=lambda s: len(s["charts"]))
+        check(state["charts"], f"8: {name}, {size}: there are plots", state["frame"])
+        for plot, chart in state["charts"].items():
+            seen[plot] += 1
+            texts, pane = chart["texts"], state["frame"]["plots"].get(plot)
+            if not pane:
+                continue
+            pairs = [(a["string"], b["string"]) for a, b in itertools.combinations(texts, 2) if overlap(a["box"], b["box"])]
+            check(not pairs, f"8: {name}, {size}, {plot}: no two texts overlap", pairs)
+            out = [t["string"] for t in texts if t["box"][0] < pane[0] - 1 or t["box"][2] > pane[2] + 1
+                   or t["box"][1] < pane[1] - 1 or t["box"][3] > pane[3] + 1]
+            check(not out, f"8: {name}, {size}, {plot}: none leaves the plot", out)
+            wanted = collections.Counter(chart["x_ticks"] + chart["y_ticks"])
+            missing = wanted - collections.Counter(t["string"] for t in texts)
+            check(wanted and not missing, f"8: {name}, {size}, {plot}: each tick has its number", (missing, wanted))
+            words = [t["string"] for t in texts if t["string"] not in wanted]
+            check(words, f"8: {name}, {size}, {plot}: there is a title", texts)
+            check(all(t["size"] >= 15.9 for t in texts), f"8: {name}, {size}, {plot}: letters can be read",
+                  [(t["string"], t["size"]) for t in texts])
+check(len(seen) >= 6, "8: many plots were seen", seen)
+stage.end()
