@@ -48,23 +48,6 @@ static void set_corner(PlotPane *pane) {
     }
 }
 
-static void move_cursor(PlotPane *pane, double direction, double times) {
-    if (!pane->source.cursor_parameter)
-        return;
-    PlotPaneAxes axes = plot_panes_axes(pane);
-    double from = isnan(pane->cursor) ? pane->source.cursor : pane->cursor;
-    double to = from + direction * times * CURSOR_STEP * (axes.x[1] - axes.x[0]);
-    pane->cursor = fmin(fmax(to, axes.x[0]), axes.x[1]);
-}
-
-/* Moves the cursor of a plot over two parameters up or down. */
-static void move_cursor_y(PlotPane *pane, double direction, double times) {
-    PlotPaneAxes axes = plot_panes_axes(pane);
-    double from = isnan(pane->cursor_y) ? pane->source.cursor_y : pane->cursor_y;
-    double to = from + direction * times * CURSOR_STEP * (axes.y[1] - axes.y[0]);
-    pane->cursor_y = fmin(fmax(to, axes.y[0]), axes.y[1]);
-}
-
 void act_plot_use(Window *window, const PlotPane *pane, Vec2 value) {
     const LaboratoryPlot source = pane->source;
     Fault fault = {0};
@@ -73,6 +56,26 @@ void act_plot_use(Window *window, const PlotPane *pane, Vec2 value) {
     if (source.cursor_y_parameter && !isnan(value.y))
         tab_set(window_tab(window), source.cursor_y_parameter, value.y / source.cursor_y_factor, &fault);
     notice_fault(window, &fault, NAN);
+}
+
+/* Moves the line of a diagram, and with it the number that it stands for. */
+static void move_cursor(Window *window, PlotPane *pane, double direction, double times) {
+    if (!pane->source.cursor_parameter || isnan(pane->source.cursor))
+        return;
+    PlotPaneAxes axes = plot_panes_axes(pane);
+    double to = pane->source.cursor + direction * times * CURSOR_STEP * (axes.x[1] - axes.x[0]);
+    pane->source.cursor = fmin(fmax(to, axes.x[0]), axes.x[1]); /* also for a second key in the same frame */
+    act_plot_use(window, pane, vec2(pane->source.cursor, NAN));
+}
+
+/* Moves the level line of a plot over two parameters, and with it the second number. */
+static void move_cursor_y(Window *window, PlotPane *pane, double direction, double times) {
+    if (isnan(pane->source.cursor_y))
+        return;
+    PlotPaneAxes axes = plot_panes_axes(pane);
+    double to = pane->source.cursor_y + direction * times * CURSOR_STEP * (axes.y[1] - axes.y[0]);
+    pane->source.cursor_y = fmin(fmax(to, axes.y[0]), axes.y[1]);
+    act_plot_use(window, pane, vec2(NAN, pane->source.cursor_y));
 }
 
 static void zoom(PlotPane *pane, double times) {
@@ -88,14 +91,11 @@ static bool do_pane(Window *window, PlotPane *pane, Action action, int mods) {
     if (pane->box.corner && (moves || pans)) {
         move_corner(&pane->box, action, step * BOX_STEP);
     } else if (moves) {
-        move_cursor(pane, action == ACTION_CURSOR_LEFT ? -1 : 1, step);
+        move_cursor(window, pane, action == ACTION_CURSOR_LEFT ? -1 : 1, step);
     } else if (pans && pane->source.cursor_y_parameter) {
-        move_cursor_y(pane, action == ACTION_PAN_DOWN ? -1 : 1, step);
+        move_cursor_y(window, pane, action == ACTION_PAN_DOWN ? -1 : 1, step);
     } else if (action == ACTION_BOX || (action == ACTION_USE_CURSOR && pane->box.corner)) {
         set_corner(pane);
-    } else if (action == ACTION_USE_CURSOR && !(isnan(pane->cursor) && isnan(pane->cursor_y))) {
-        act_plot_use(window, pane, vec2(pane->cursor, pane->cursor_y));
-        pane->cursor = pane->cursor_y = NAN;
     } else if (action == ACTION_BOX_BACK) {
         plot_panes_zoom_back(pane);
     } else if (action == ACTION_FIT) {

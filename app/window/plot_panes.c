@@ -22,7 +22,7 @@ static void drop_canvas(PlotPane *pane) {
 static void clear_pane(PlotPane *pane, PaintGlScreen *screen) {
     drop_canvas(pane);
     paint_gl_screen_release(screen, &pane->texture);
-    *pane = (PlotPane){.cursor = NAN, .cursor_y = NAN};
+    *pane = (PlotPane){.canvas = NULL};
 }
 
 void plot_panes_clear(PlotPanes *panes, PaintGlScreen *screen) {
@@ -48,7 +48,7 @@ static PlotPane take_pane(PlotPanes *before, const LaboratoryPlot *plot) {
             before->panes[i] = before->panes[--before->count];
             return pane;
         }
-    return (PlotPane){.source = *plot, .cursor = NAN, .cursor_y = NAN};
+    return (PlotPane){.source = *plot};
 }
 
 void plot_panes_choose(PlotPanes *panes, const Laboratory *laboratory, void *session, const char *names,
@@ -227,12 +227,8 @@ void plot_panes_show(PlotPane *pane, const Laboratory *laboratory, const void *s
     mark_present(pane, laboratory, session, index, time, ui);
     if (!isnan(now.cursor))
         draw_cursor(pane, now.cursor, now.cursor_text, ui);
-    if (!isnan(pane->cursor))
-        draw_cursor(pane, pane->cursor, NULL, ui);
     if (now.cursor_y_parameter)
         draw_cursor_y(pane, now.cursor_y, ui);
-    if (!isnan(pane->cursor_y))
-        draw_cursor_y(pane, pane->cursor_y, ui);
     draw_box(pane, ui);
 }
 

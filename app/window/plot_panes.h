@@ -32,8 +32,7 @@ typedef struct PlotPane {
     PlotPaneAxes views[PLOT_PANES_VIEWS_MOST]; /* (view_count) the last is shown; none: the plot's own */
     size_t view_count;
     PlotPaneBox box;
-    double cursor, cursor_y; /* x and y of the cursors that keys have moved and not yet applied; NAN: none */
-    Box place;               /* design points of the window */
+    Box place; /* design points of the window */
 } PlotPane;
 
 typedef struct PlotPanes {

@@ -81,7 +81,6 @@ static json_t *plot_panes_state(const PlotPanes *panes) {
         json_object_set_new(one, "x_ticks", plot_ticks(&layout->x));
         json_object_set_new(one, "y_ticks", plot_ticks(&layout->y));
         json_object_set_new(one, "cursor", number_or_null(pane->source.cursor));
-        json_object_set_new(one, "own_cursor", number_or_null(pane->cursor));
         if (pane->source.cursor_y_parameter)
             json_object_set_new(one, "cursor_y", number_or_null(pane->source.cursor_y));
         json_object_set_new(state, pane->source.name, one);

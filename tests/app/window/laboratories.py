@@ -92,9 +92,11 @@ clicked = found[0]["parameters"]["drive.frequency"]
 check(axes[0] < clicked < axes[1] and abs(clicked - found[0]["charts"]["orbit"]["cursor"]) < 1e-6,
       "a click on the orbit diagram sets the frequency, and the cursor stands there", clicked)
 pixel = (axes[1] - axes[0]) / (orbit[2] - orbit[0] - 60)
-check(found[1]["charts"]["orbit"]["own_cursor"] < clicked, "arrows move a cursor", found[1]["charts"]["orbit"])
-check(abs(found[2]["parameters"]["drive.frequency"] - found[1]["charts"]["orbit"]["own_cursor"]) < 1e-6,
-      "Return uses its value", found[2]["parameters"]["drive.frequency"])
+check(found[1]["parameters"]["drive.frequency"] < clicked and
+      abs(found[1]["parameters"]["drive.frequency"] - found[1]["charts"]["orbit"]["cursor"]) < 1e-6,
+      "arrows move the cursor and its number", (found[1]["parameters"]["drive.frequency"], found[1]["charts"]["orbit"]))
+check(found[2]["parameters"]["drive.frequency"] == found[1]["parameters"]["drive.frequency"], "Return changes nothing",
+      found[2]["parameters"]["drive.frequency"])
 check(found[3]["charts"]["orbit"]["views"] == 1 and found[3]["charts"]["orbit"]["x"] != axes, "Z zooms to a box by keys")
 check(found[4]["charts"]["orbit"]["x"] == found[3]["charts"]["orbit"]["x"], "axes that were chosen stay while it runs")
 check(found[5]["charts"]["orbit"]["x"] == axes, "Backspace goes back", found[5]["charts"]["orbit"]["x"])
