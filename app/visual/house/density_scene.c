@@ -11,7 +11,8 @@
 
 /* Shares of the box. */
 #define KEY_HEIGHT 0.035
-#define KEY_WIDTH 0.055
+#define KEY_LEFT 0.28 /* where the numbers begin; words stand to their left */
+#define KEY_WIDTH 0.14
 #define KEY_TEXT 16.0 /* design points */
 
 enum { LEVELS = 5, MOST_CELLS = 4000000 };
@@ -82,29 +83,33 @@ void density_scene_add(Scene *scene, Box box, const Vec2 *places, size_t count) 
     memory_free(counts);
 }
 
-static void add_text(Scene *scene, Vec2 at, Role role, const char *text) {
-    Primitive *label = scene_add_label(scene, role, KEY_TEXT, at, text);
-    label->fixed = true;
-    label->fill = ROLE_PAPER;
+/* Adds words about the numbers where they have room; false-coloured numbers alone would say nothing, so a short form
+ * takes their place in a small picture. */
+static void add_words(Scene *scene, double right, double y) {
+    static const char *const forms[] = {"people on a square metre", "people/m\u00b2", "per m\u00b2"};
+    for (size_t i = 0; i < sizeof forms / sizeof *forms; i++) {
+        Primitive *label =
+            scene_add_label(scene, ROLE_TEXT, KEY_TEXT, vec2((scene->box.low.x + right) / 2, y), forms[i]);
+        label->fixed = label->optional = true;
+        label->fill = ROLE_PAPER;
+    }
 }
 
 void density_scene_key(Scene *scene) {
-    double width = box_width(scene->box), height = KEY_HEIGHT * width;
-    double y = scene->box.low.y - 0.5 * height, left = scene->box.low.x + 0.26 * width;
-    add_text(scene, vec2(scene->box.low.x + 0.13 * width, y - height / 2), ROLE_TEXT, "people on a square metre");
-    for (int i = 0; i < LEVELS; i++, left += KEY_WIDTH * width) {
-        Vec2 corners[] = {
-            {left, y - height}, {left + KEY_WIDTH * width, y - height}, {left + KEY_WIDTH * width, y}, {left, y}};
+    double width = box_width(scene->box), height = KEY_HEIGHT * width, each = KEY_WIDTH * width;
+    double y = scene->box.low.y - 0.5 * height, begin = scene->box.low.x + KEY_LEFT * width;
+    for (int i = 0; i < LEVELS; i++) {
+        double left = begin + i * each;
+        Vec2 corners[] = {{left, y - height}, {left + each, y - height}, {left + each, y}, {left, y}};
         Primitive *box = scene_add_polygon(scene, roles[i], corners, 4);
         box->edge_opacity = 0;
         box->fill_opacity = OPACITY;
-        Primitive *label =
-            scene_add_label(scene, ROLE_TEXT, KEY_TEXT, vec2(left + KEY_WIDTH * width / 2, y - height / 2),
-                            scene_text(scene, "%g", levels[i]));
+        const char *number = scene_text(scene, i + 1 < LEVELS ? "%g" : "%g+", levels[i]); /* the last: or more */
+        Primitive *label = scene_add_label(scene, ROLE_TEXT, KEY_TEXT, vec2(left + each / 2, y - height / 2), number);
         label->shape = LABEL_TAG;
         label->fill = roles[i];
         label->fixed = label->bold = true;
     }
-    add_text(scene, vec2(left + 0.05 * width, y - height / 2), ROLE_TEXT, "or more");
+    add_words(scene, begin, y - height / 2);
     scene->box.low.y = y - height;
 }

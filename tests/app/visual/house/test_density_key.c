@@ -1,0 +1,32 @@
+/* Tests the key of the colours of a crowd: five numbers at every size, and no words over others. */
+#include <string.h>
+
+#include "check.h"
+#include "draw/layout.h"
+#include "visual/house/density_scene.h"
+
+static bool overlap(const Caption *a, const Caption *b) {
+    Vec2 apart = vec2_sub(a->centre, b->centre);
+    return fabs(apart.x) < (a->extent.x + b->extent.x) / 2 && fabs(apart.y) < (a->extent.y + b->extent.y) / 2;
+}
+
+TEST(the_key_has_five_numbers_and_no_words_overlap_also_when_it_is_tiny) {
+    static const Vec2 pages[] = {{1280, 720}, {976, 540}, {640, 400}, {486, 500}, {400, 300}, {320, 200}, {260, 160}};
+    static const char *const numbers[] = {"0.5", "1", "1.5", "2", "3+"};
+    for (size_t p = 0; p < sizeof pages / sizeof *pages; p++) {
+        Scene scene = {.box = {{0, 0}, {60, 20}}, .bare = true, .unscaled = true};
+        Layout layout = {.caption_count = 0};
+        density_scene_key(&scene);
+        layout_make(&layout, &scene, pages[p]);
+        size_t found = 0;
+        for (size_t n = 0; n < sizeof numbers / sizeof *numbers; n++)
+            for (size_t i = 0; i < layout.caption_count; i++)
+                found += strcmp(layout.captions[i].text, numbers[n]) == 0;
+        CHECK(found == 5 && layout.caption_count == 6); /* and what they are */
+        for (size_t a = 0; a < layout.caption_count; a++)
+            for (size_t b = a + 1; b < layout.caption_count; b++)
+                CHECK(!overlap(&layout.captions[a], &layout.captions[b]));
+        layout_clear(&layout);
+        scene_clear(&scene);
+    }
+}
