@@ -110,8 +110,10 @@ void drivers_scene_add(Scene *scene, const House *house, const Drivers *drivers)
         double radius = fmax(LARGEST * sqrt(fmin(share, 1)), SMALLEST);
         const char *letter = letters[places[p].part];
         scene_add_discs(scene, role_of(places[p].fastest), radius, &places[p].at, 1);
-        if (radius >= LETTERED)
-            scene_add_label(scene, ROLE_TEXT, LETTERS, places[p].at, letter)->bold = true;
+        if (radius >= LETTERED) {
+            Primitive *label = scene_add_label(scene, ROLE_TEXT, LETTERS, places[p].at, letter);
+            label->bold = label->fixed = true; /* within its disc; names give way */
+        }
         row_count = list_place(scene, house, &places[p], rows, row_count);
     }
     qsort(rows, row_count, sizeof *rows, rows_by_touches);

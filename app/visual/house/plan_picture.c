@@ -3,8 +3,9 @@
 #include "visual/house/house_scene.h"
 #include "visual/house/plan_scene.h"
 
-#define PERSON 0.35    /* m, radius of a person at the start */
-#define TEXT_SIZE 16.0 /* design points */
+#define PERSON 0.35     /* m, radius of a person at the start */
+#define TEXT_SIZE 16.0  /* design points */
+#define KEEP_PERSON 4.0 /* weight against being covered by names */
 
 enum { PICTURE_PEOPLE = 25 /* more people are not named */ };
 #define CROWD_OPACITY 0.12 /* of each crowd: several may stand in one place */
@@ -16,7 +17,7 @@ static void add_people(Scene *scene, const Plan *plan) {
         scene_add_polygon(scene, ROLE_WALKER, area->at, area->count)->fill_opacity = CROWD_OPACITY;
     }
     for (size_t i = 0; i < plan->person_count; i++)
-        scene_add_discs(scene, ROLE_CHAIR, PERSON, &plan->people[i].at, 1);
+        scene_add_discs(scene, ROLE_CHAIR, PERSON, &plan->people[i].at, 1)->keep_clear = KEEP_PERSON;
 }
 
 void plan_picture_bare(Scene *scene, const House *house) {

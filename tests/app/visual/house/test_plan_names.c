@@ -1,0 +1,36 @@
+/* Tests that names on a plan leave the people on it free. */
+#include "check.h"
+#include "draw/layout.h"
+#include "visual/house/plan_picture.h"
+#include "visual/house/plan_scene.h"
+
+static const char room[] =
+    "{\"format\": \"clearance-house\", \"version\": 1, \"name\": \"hall\","
+    " \"walls\": [{\"id\": \"w1\", \"points\": [[0, 0], [6, 0], [6, 4], [0, 4], [0, 0]], \"thickness\": 0.1}],"
+    " \"rooms\": [{\"id\": \"r1\", \"name\": \"living room\", \"outline\": [[0, 0], [6, 0], [6, 4], [0, 4]]}],"
+    " \"people\": [{\"id\": \"p1\", \"profile\": \"manual-chair\", \"at\": [3, 2], \"heading\": 0}]}";
+
+TEST(names_leave_people_free) {
+    static const Vec2 pages[] = {{1280, 720}, {640, 400}, {400, 300}};
+    House house = {.seed = 0};
+    Fault fault = {0};
+    CHECK(plan_read_text(&house.plan, "hall", room, NULL, 0, &fault) &&
+          outline_build(&house.outline, &house.plan, &fault));
+    for (size_t p = 0; p < sizeof pages / sizeof *pages; p++) {
+        Scene scene = {.bare = true, .unscaled = true};
+        Layout layout = {.caption_count = 0};
+        plan_picture_bare(&scene, &house);
+        plan_scene_names(&scene, &house);
+        layout_make(&layout, &scene, pages[p]);
+        Vec2 at = layout_point(&layout, vec2(3, 2));
+        for (size_t i = 0; i < layout.caption_count; i++) {
+            const Caption *caption = &layout.captions[i];
+            CHECK(fabs(caption->centre.x - at.x) > caption->extent.x / 2 ||
+                  fabs(caption->centre.y - at.y) > caption->extent.y / 2);
+        }
+        layout_clear(&layout);
+        scene_clear(&scene);
+    }
+    house_free(&house);
+    fault_clear(&fault);
+}
