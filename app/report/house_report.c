@@ -6,6 +6,7 @@
 #include "visual/house/people_scene.h"
 #include "result/headline.h"
 #include "report/report_basis.h"
+#include "report/report_density.h"
 #include "report/report_loci.h"
 #include "report/report_motion.h"
 #include "report/report_people.h"
@@ -54,6 +55,7 @@ static void add_motion(Document *document, const HouseReport *report) {
     document_add_heading(document, 2, "Motion");
     if (report->raised)
         report_motion_add_raised(document, report->raised, house_report_name(report->run.house));
+    report_density_add(document, &report->run);
     report_motion_add_curves(document, &report->run, &(Reported){.house = NULL});
 }
 

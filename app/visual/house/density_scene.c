@@ -45,9 +45,14 @@ static void count_people(unsigned short *counts, size_t columns, size_t rows, Ve
     }
 }
 
-static int cell_level(const unsigned short *counts, size_t columns, size_t row, size_t column) {
+/* Returns the mean density of a cell, 1/m2. */
+static double cell_density(const unsigned short *counts, size_t columns, size_t row, size_t column) {
     const unsigned short *at = counts + 2 * row * columns + 2 * column;
-    return level_of((at[0] + at[1] + at[columns] + at[columns + 1]) / 4.0);
+    return (at[0] + at[1] + at[columns] + at[columns + 1]) / 4.0;
+}
+
+static int cell_level(const unsigned short *counts, size_t columns, size_t row, size_t column) {
+    return level_of(cell_density(counts, columns, row, column));
 }
 
 static void add_run(Scene *scene, Vec2 low, size_t row, size_t first, size_t end, int level) {
@@ -58,6 +63,20 @@ static void add_run(Scene *scene, Vec2 low, size_t row, size_t first, size_t end
     cells->fill_opacity = OPACITY;
     cells->edge_opacity = 0;
     cells->width = 0;
+}
+
+double density_scene_area(Box box, const Vec2 *places, size_t count, double least) {
+    size_t columns = 2 * (size_t)ceil(box_width(box) / (2 * FINE)), cells = 0,
+           rows = 2 * (size_t)ceil(box_height(box) / (2 * FINE));
+    if (!count || columns * rows > MOST_CELLS)
+        return 0;
+    unsigned short *counts = memory_zeroed(columns * rows, sizeof *counts);
+    count_people(counts, columns, rows, box.low, places, count);
+    for (size_t r = 0; r < rows / 2; r++)
+        for (size_t c = 0; c < columns / 2; c++)
+            cells += cell_density(counts, columns, r, c) >= least;
+    memory_free(counts);
+    return (double)cells * 4 * FINE * FINE;
 }
 
 void density_scene_add(Scene *scene, Box box, const Vec2 *places, size_t count) {

@@ -9,5 +9,8 @@ enum { DENSITY_SCENE_PEOPLE = 200 /* from so many people on, density is shown */
 /* Adds the colours of the places of people (count), within the scene's box. */
 void density_scene_add(Scene *scene, Box box, const Vec2 *places, size_t count);
 
+/* Returns how much of a box, m2, has at least `least` people on a square metre. */
+double density_scene_area(Box box, const Vec2 *places, size_t count, double least);
+
 /* Adds the key below the scene's box, and extends the box by it. */
 void density_scene_key(Scene *scene);

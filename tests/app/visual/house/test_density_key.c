@@ -30,3 +30,15 @@ TEST(the_key_has_five_numbers_and_no_words_overlap_also_when_it_is_tiny) {
         scene_clear(&scene);
     }
 }
+
+TEST(an_area_counts_when_enough_people_stand_there) {
+    Vec2 places[400];
+    size_t count = 0;
+    for (int x = 0; x < 20; x++)
+        for (int y = 0; y < 20; y++) /* 4 on a square metre, on 10 m x 10 m */
+            places[count++] = vec2(5.25 + 0.5 * x, 5.25 + 0.5 * y);
+    Box box = {{0, 0}, {20, 20}};
+    CHECK_NEAR(density_scene_area(box, places, count, 2), 100, 12); /* the disc blurs the edge of 40 m */
+    CHECK(density_scene_area(box, places, count, 5) == 0);
+    CHECK(density_scene_area(box, places, 0, 0.5) == 0);
+}
