@@ -9,8 +9,9 @@
 #include "visual/house/plan_scene.h"
 #include "visual/house/trail.h"
 
-#define STEP 1.0 /* s, between the moments that are compared */
-#define FULL 2.0 /* 1/m2, of a place that counts as full */
+#define STEP 1.0  /* s, between the moments that are compared */
+#define FOOT 0.05 /* of the width, below the key, for the scale */
+#define FULL 2.0  /* 1/m2, of a place that counts as full */
 
 /* Writes the places of the people who are inside at a time; returns their number. */
 static size_t places_at(const Reported *run, const Trail *trails, double time, Vec2 *places) {
@@ -40,6 +41,7 @@ void report_density_add(Document *document, const Reported *run) {
         }
     }
     density_scene_key(&scene);
+    scene.box.low.y -= FOOT * box_width(box);
     density_scene_add(&scene, box, places, places_at(run, trails, fullest, places));
     plan_scene_solids(&scene, house);
     plan_scene_tags(&scene, house, NULL);
