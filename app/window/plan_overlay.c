@@ -348,8 +348,7 @@ static const char *hovered_name(const Window *window, Tab *tab, const GestureVie
         editor_tool(tab_editor(tab)) != TOOL_SELECT || !tab->view_layers.painted)
         return NULL;
     Vec2 at = vec2_sub(vec2_scale(window->mouse, 1 / window->unit), window->frame.view.low);
-    Item item =
-        tab->laboratory->pick(tab->session, view_layers_floor(&tab->view_layers, at), tab_time(tab), (Item){0});
+    Item item = tab->laboratory->pick(tab->session, view_layers_floor(&tab->view_layers, at), tab_time(tab), (Item){0});
     const char *name = item.kind ? tab->laboratory->item_name(tab->session, item) : NULL;
     return name && !is_written(&tab->view_layers.still, name) ? name : NULL;
 }
