@@ -46,8 +46,9 @@ bool beam_follow_check(const BeamFamily *family, const BeamPlane *plane, const c
     if (!row || row->kind != PARAMETER_NUMBER || row == family->row)
         fault_add(fault, "%s: %s is not another number that changes continuously; joint.clearance is one", place,
                   plane->name);
-    else if (!(plane->least < plane->most) || plane->steps < 2)
-        fault_add(fault, "%s: the curves over %s need a range and 2 steps or more", place, plane->name);
+    else if (!(plane->least < plane->most) || plane->steps < 2 || plane->steps > BEAM_FOLLOW_STEPS)
+        fault_add(fault, "%s: the curves over %s need a range and 2 to %d steps", place, plane->name,
+                  BEAM_FOLLOW_STEPS);
     else if (parameters_number_get(row, &beam) < plane->least || parameters_number_get(row, &beam) > plane->most)
         fault_add(fault, "%s: %s is %g, outside the range %g to %g; set it with --set", place, plane->name,
                   parameters_number_get(row, &beam), plane->least, plane->most);

@@ -6,7 +6,7 @@
 #include "cycle/response.h"
 #include "experiment/beam_family.h"
 
-enum { BEAM_FOLLOW_BRANCHES = 4, BEAM_FOLLOW_CURVES = 24 };
+enum { BEAM_FOLLOW_BRANCHES = 4, BEAM_FOLLOW_CURVES = 24, BEAM_FOLLOW_STEPS = 10000 /* of a second number */ };
 
 /* Largest step along a curve, as a share of its range. */
 #define BEAM_FOLLOW_STEP 0.02

@@ -82,6 +82,9 @@ def check_follow():
     check("\n3 random starts at each value, seeds 1 to 3\n" in starts, f"the runs of a beam are starts: {starts}")
     expect(1, "study", beam, "--follow", "drive.frequency=180:320", says="the motion is chaotic")
     expect(2, "study", beam, "--follow", "beam.modes=1:2", says="beam.modes is not a number that changes")
+    for steps in 1, 10001:
+        expect(2, "study", beam, "--set", "drive.frequency=230", "--follow", "drive.frequency=200:300", "--vary",
+               f"joint.clearance=0.0001:0.0002:{steps}", says="need a range and 2 to 10000 steps")
     expect(2, "study", beam, "--follow", "beam.length=2:1", says="--follow takes NAME=FROM:TO")
     expect(2, "study", beam, "--follow", "drive.frequency=100:200", says="outside the range of --follow")
     expect(2, "study", str(source / "houses/corner-1.20-1.20.json"), "--follow", "drive.frequency=100:200",
