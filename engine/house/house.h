@@ -47,7 +47,7 @@ typedef struct House {
 /* Returns what the personal space does to drivers: RING_PUSHES, RING_STEERS or RING_OFF. */
 static inline int house_ring(const House *house) {
     int ring = house->plan.run.ring;
-    return ring != RING_AUTO ? ring : RING_STEERS;
+    return ring != RING_AUTO ? ring : house->driver ? RING_STEERS : RING_PUSHES;
 }
 
 typedef struct HouseOptions {

@@ -39,8 +39,8 @@ enum { CHAIRS = 1, WALKERS = 2, ALL = CHAIRS | WALKERS, OPTIONAL = 4 };
     ROW(CHAIRS, "drive.reversing_time", reversing_time, "s", 0, 60, "time to change direction")                        \
     MAY(CHAIRS, "drive.skid_time", skid_time, "s/m", 0, 10000, 0, "assumed: not given, so none",                       \
         "time to skid sideways; 0: no skids")                                                                          \
-    MAY(CHAIRS, "drive.creep", creep, "m/s", 0, 2, 0, "assumed: not given, so 0.10",                                   \
-        "least speed through a gap; 0: 0.10")                                                                          \
+    MAY(CHAIRS, "drive.creep", creep, "m/s", 0, 2, 0, "assumed: not given, so v_min",                                  \
+        "least speed through a gap; 0: v_min")                                                                         \
     MAY(CHAIRS, "drive.caution", caution, "1", 0.1, 10, 3, "assumed", "z, errors kept from a wall")                    \
     MAY(CHAIRS, "drive.sight", sight, "m", 0.1, 20, 2, "assumed", "l_p, way ahead by which the line is held")          \
     MAY(CHAIRS, "drive.reaction", reaction, "s", 0, 2, 0.3, "assumed", "time to notice what is near")                  \

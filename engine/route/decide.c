@@ -19,8 +19,9 @@
 #define ALIKE 3e-3           /* 1: ways whose times differ by less than this share are one */
 #define WORTH_HASTENING 1.15 /* 1: ways that take longer than the quickest by this factor are left */
 #define SWEPT 0.8            /* 1, share of the margin that the sweep between the poses asks for */
-#define MARGIN 0.005         /* m, kept from everything, but no more than half of what the start has */
+#define MARGIN 0.005         /* m, kept from everything, unless the start has less */
 #define BARELY 1e-3          /* m, kept where there is no room for the margin */
+#define HAIR 5e-4            /* m */
 
 enum { SWEEPS = 8, SURE = 2, ASK_WHETHER_IT_FITS = 2 };
 
@@ -78,7 +79,7 @@ typedef struct Decide {
     size_t goal_count;
     bool any;      /* True to end with the first free way, however slow it is */
     bool coarsely; /* True to search only at the coarse grains */
-    double margin; /* m, half of what the start leaves, at most MARGIN */
+    double margin; /* m, that the start leaves, at most MARGIN */
     Way best;
     double kept;           /* m, the margin of the best */
     double time;           /* s, of the best */
@@ -113,7 +114,7 @@ static SearchAnswer propose(const Decide *decide, const Rung *rung, SearchTrack 
 static bool improve(Decide *decide, Way *way, double margin) {
     const RouteQuery *query = decide->query;
     const FreeSpace *space = query->space;
-    double time = hasten_cost(way, space, decide->body, query->profile);
+    double time = hasten_time(way, space, decide->body, query->profile);
     bool whole = true;
     if (margin > decide->kept) {
         decide->time = HUGE_VAL;
@@ -125,7 +126,7 @@ static bool improve(Decide *decide, Way *way, double margin) {
         Way quick = way_copy(way);
         whole = hasten_way(&quick, space, decide->body, query->profile, margin * SWEPT, SWEEPS, query->stop);
         if (whole && way_swept(&quick, space, decide->body, margin * SWEPT * SWEPT)) {
-            time = hasten_cost(&quick, space, decide->body, query->profile);
+            time = hasten_time(&quick, space, decide->body, query->profile);
             Way slow = *way;
             *way = quick;
             quick = slow;
@@ -240,14 +241,14 @@ static bool is_vain(const Decide *decide, const Rung *rung, bool gave_up) {
 /* Decides in either manner; the parameters are those of decide_way. */
 static DecideAnswer decide_how(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
                                bool coarsely, double depth, SearchTrack *track, size_t *pins, FitPlace *tightest) {
-    double clearance = search_clearance(query->space, body, query->at, query->heading, 2 * MARGIN, NULL);
+    double clearance = search_clearance(query->space, body, query->at, query->heading, MARGIN + HAIR, NULL);
     Decide decide = {.query = query,
                      .body = body,
                      .goals = goals,
                      .goal_count = goal_count,
                      .any = coarsely || query->any,
                      .coarsely = coarsely,
-                     .margin = fmax(fmin(clearance / 2, MARGIN), BARELY),
+                     .margin = fmax(clearance - HAIR, BARELY),
                      .time = HUGE_VAL};
     SearchTrack proposal = {0};
     DecideAnswer result = DECIDE_NONE;

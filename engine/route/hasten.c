@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "base/real.h"
+#include "route/field.h"
 #include "route/pace.h"
 
 /* Descent on the time itself. At each station the pace (pace.h) gives a limit for the speed; the largest speed that
@@ -13,14 +14,15 @@
  *
  *     T = sum of 2 h / (v_i + v_(i+1)) + |turns on the spot| / turn rate + changes of direction * their time
  *
- * plus two prices: that of the personal space (pace_price), and the change of the turn from step to step, which a
- * curvature averaged over four steps does not see, costs ROUGHNESS.
+ * plus two prices: near obstacles time counts more, half as much as in the search (field_discomfort), and the change of
+ * the turn from step to step, which a curvature averaged over four steps does not see, costs ROUGHNESS.
  *
  * A trial moves the stations about one of them along their normals (a bump), or a joint, or the end, all faded over
  * some stations; each place has its own length of step, which grows with success and shrinks with failure. A trial is
  * kept when the sum falls and no clearance is below the margin, at the stations and between them. The speeds are
  * computed again only as far as they change. */
 
+#define PRICE 0.5     /* 1, share of the search's price of discomfort: more costs more than 3 % of the time */
 #define ROUGHNESS 5.0 /* s/rad2 */
 #define FIRST 0.01    /* m, first length of a trial */
 #define SHORTEST 2e-4 /* m: shorter ones are not tried */
@@ -28,18 +30,15 @@
 #define BETWEEN 0.06  /* m: with more clearance than this at both ends the motion between is not looked at */
 #define GAIN 1e-6     /* s */
 #define STRAIGHT 1e-3 /* 1/m */
-#define MIDDLE 1e-2   /* m */
 
-enum { SPAN = 2, LEVELS = 6, REACHES = 4, LONG_RUN = 32 };
+enum { SPAN = 2, LEVELS = 6, REACHES = 4 };
 
 static const int joint_reaches[REACHES] = {2, 4, 8, 16};
 
 /* The numbers of each station; `cost` is that of the step to the next one. */
 typedef struct Speeds {
     double *clearance;            /* m, the least of the station and the step after it */
-    double *left, *right;         /* m, of the station */
     double *heading;              /* rad */
-    double *bend;                 /* rad/m, curvature */
     double *limit, *back, *speed; /* m/s */
     double *cost;                 /* s */
 } Speeds;
@@ -57,15 +56,7 @@ typedef struct Hasten {
 } Hasten;
 
 static Speeds speeds_in(double *room, size_t count) {
-    return (Speeds){room,
-                    room + count,
-                    room + 2 * count,
-                    room + 3 * count,
-                    room + 4 * count,
-                    room + 5 * count,
-                    room + 6 * count,
-                    room + 7 * count,
-                    room + 8 * count};
+    return (Speeds){room, room + count, room + 2 * count, room + 3 * count, room + 4 * count, room + 5 * count};
 }
 
 static double body_clearance(const Hasten *hasten, const Station *station, double reach) {
@@ -91,13 +82,11 @@ static double mean_curvature(const Hasten *hasten, const double *heading, size_t
 }
 
 static double limit_at(const Hasten *hasten, const Speeds *speeds, size_t s) {
-    speeds->bend[s] = 0;
     if (rests(hasten->way, s))
         return 0;
     const WayPiece *piece = &hasten->way->pieces[hasten->way->stations[s].piece];
     size_t low, high, none;
     double bend = mean_curvature(hasten, speeds->heading, s, &low, &high);
-    speeds->bend[s] = bend;
     double first = mean_curvature(hasten, speeds->heading, low, &none, &none);
     double last = mean_curvature(hasten, speeds->heading, high, &none, &none);
     double bending = (last - first) / ((double)(high - low) * piece->step);
@@ -109,34 +98,21 @@ static double step_cost(const Hasten *hasten, const Speeds *speeds, size_t s) {
     const WayPiece *piece = &hasten->way->pieces[hasten->way->stations[s].piece];
     double step = vec2_distance(hasten->way->stations[s].at, hasten->way->stations[s + 1].at);
     double time = 2 * step / real_max(speeds->speed[s] + speeds->speed[s + 1], 1e-6);
-    double price = pace_price(hasten->profile, speeds->left[s], speeds->right[s]) +
-                   pace_price(hasten->profile, speeds->left[s + 1], speeds->right[s + 1]);
+    double clearance = real_min(speeds->clearance[s], speeds->clearance[s + 1]);
     double rough = 0;
     if (s > piece->first)
         rough = turn_between(speeds->heading, s, s + 1) - turn_between(speeds->heading, s - 1, s);
-    return time + step * price / 2 + ROUGHNESS * rough * rough;
+    return time * (1 + PRICE * (field_discomfort(clearance) - 1)) + ROUGHNESS * rough * rough;
 }
 
 static double reachable(double speed, double acceleration, double step) {
     return sqrt(speed * speed + 2 * acceleration * step);
 }
 
-/* Return what a driver brakes and speeds up with at a station, m/s2. */
-static double braking_at(const Profile *profile, const Speeds *speeds, size_t s) {
-    return real_min(pace_braking(profile, speeds->clearance[s]), pace_in_bend(profile, speeds->bend[s]));
-}
-
-static double starting_at(const Profile *profile, const Speeds *speeds, size_t s) {
-    return real_min(pace_starting(profile, speeds->clearance[s]), pace_in_bend(profile, speeds->bend[s]));
-}
-
 /* Takes over what a trial has not changed. */
 static void take_over(Speeds *to, const Speeds *from, size_t s) {
     to->clearance[s] = from->clearance[s];
-    to->left[s] = from->left[s];
-    to->right[s] = from->right[s];
     to->heading[s] = from->heading[s];
-    to->bend[s] = from->bend[s];
     to->limit[s] = from->limit[s];
 }
 
@@ -156,7 +132,7 @@ static void run_through(const Hasten *hasten, const Speeds *from, Speeds *to, si
         size_t piece = way->stations[s].piece;
         double next = s == high ? s + 1 < count ? from->back[s + 1] : limit : to->back[s + 1];
         if (s < way->pieces[piece].last)
-            limit = real_min(limit, reachable(next, braking_at(profile, to, s), way->pieces[piece].step));
+            limit = real_min(limit, reachable(next, PACE_PLANNED * profile->deceleration, way->pieces[piece].step));
         to->back[s] = limit;
         if (s < low && limit == from->back[s])
             break;
@@ -170,8 +146,7 @@ static void run_through(const Hasten *hasten, const Speeds *from, Speeds *to, si
         double back = to->back[s];
         const WayPiece *piece = &way->pieces[way->stations[s].piece];
         double before = s == *first ? s > 0 ? from->speed[s - 1] : 0 : to->speed[s - 1];
-        to->speed[s] =
-            s > piece->first ? real_min(back, reachable(before, starting_at(profile, to, s), piece->step)) : back;
+        to->speed[s] = s > piece->first ? real_min(back, reachable(before, profile->acceleration, piece->step)) : back;
         if (s > high && to->speed[s] == from->speed[s])
             break;
     }
@@ -196,9 +171,7 @@ static bool look_at(const Hasten *hasten, Speeds *to, size_t low, size_t high) {
     const Way *way = hasten->way;
     for (size_t s = low; s <= high; s++) {
         const Station *station = &way->stations[s];
-        Vec2 middle = vec2_along(station->at, hasten->body->ahead, station->axis);
-        to->clearance[s] = freespace_sides(hasten->space, middle, station->axis, hasten->body->half_length,
-                                           hasten->body->half_width, hasten->sight, &to->left[s], &to->right[s]);
+        to->clearance[s] = body_clearance(hasten, station, hasten->sight);
         if (to->clearance[s] < hasten->margin)
             return false;
     }
@@ -223,10 +196,7 @@ static bool look_at(const Hasten *hasten, Speeds *to, size_t low, size_t high) {
 static void copy_speeds(Speeds *to, const Speeds *from, size_t low, size_t high) {
     size_t size = (high - low + 1) * sizeof(double);
     memcpy(to->clearance + low, from->clearance + low, size);
-    memcpy(to->left + low, from->left + low, size);
-    memcpy(to->right + low, from->right + low, size);
     memcpy(to->heading + low, from->heading + low, size);
-    memcpy(to->bend + low, from->bend + low, size);
     memcpy(to->limit + low, from->limit + low, size);
     memcpy(to->back + low, from->back + low, size);
     memcpy(to->speed + low, from->speed + low, size);
@@ -345,73 +315,13 @@ static bool try_end(Hasten *hasten, int reach, double by) {
     return judge(hasten, low, high, SIZE_MAX, (Joint){0});
 }
 
-/* Returns which side of a station is pressed more: 1 the left, -1 the right, 0 neither. */
-static int pressed_side(const Hasten *hasten, size_t s) {
-    double more = hasten->now.right[s] - hasten->now.left[s];
-    return more > MIDDLE ? 1 : more < -MIDDLE ? -1 : 0;
-}
-
-/* True if a way aside has less of the personal space pressed: in the middle between walls there is none. */
-static bool is_pressed(const Hasten *hasten, size_t s) {
-    return pressed_side(hasten, s) != 0;
-}
-
 /* True if nothing is lost about a station: the way is straight there, and as fast as it can be. */
 static bool is_at_best(const Hasten *hasten, size_t low, size_t high) {
     for (size_t s = low; s <= high; s++)
-        if (is_pressed(hasten, s) || hasten->now.limit[s] < hasten->profile->free_speed ||
+        if (hasten->now.clearance[s] < hasten->sight || hasten->now.limit[s] < hasten->profile->free_speed ||
             (s > low && fabs(turn_between(hasten->now.heading, s - 1, s)) > STRAIGHT * 0.05))
             return false;
     return true;
-}
-
-/* Moves the stations low to high by `by`, fading over `fade` stations on either side. */
-static bool try_shift(Hasten *hasten, size_t low, size_t high, size_t fade, double by) {
-    Way *way = hasten->way;
-    const WayPiece *piece = &way->pieces[way->stations[low].piece];
-    bool ends = high == way->count - 1;
-    size_t begin = low > piece->first + fade ? low - fade : piece->first + 1;
-    size_t end = ends ? high : high + fade < piece->last ? high + fade : piece->last - 1;
-    double before = (double)(low > begin ? low - begin + 1 : 1), after = (double)(end > high ? end - high + 1 : 1);
-    keep(hasten, begin, end);
-    for (size_t s = begin; s <= end; s++) {
-        double shape = s < low ? faded((double)(low - s), before) : s > high ? faded((double)(s - high), after) : 1;
-        Vec2 move = vec2_scale(vec2_left(hasten->kept[s].axis), by * shape);
-        if (ends && s == high) { /* along the exit's line */
-            Vec2 line = vec2_unit(vec2_sub(way->exit->to, way->exit->from));
-            double least, most, at = vec2_dot(vec2_sub(hasten->kept[s].at, way->exit->from), line);
-            way_exit_range(way, &least, &most);
-            move = vec2_scale(line, real_clamp(at + vec2_dot(move, line), least, most) - at);
-        }
-        way->stations[s].at = vec2_add(hasten->kept[s].at, move);
-    }
-    return judge(hasten, begin, end, SIZE_MAX, (Joint){0});
-}
-
-/* Moves the long parts of the way that are nearer to one side than to the other towards the middle: a bump is too short
- * for that, since its slopes press the body's corners to both sides. */
-static void sweep_shifts(Hasten *hasten) {
-    const Way *way = hasten->way;
-    for (size_t low = 0; low < way->count;) {
-        const WayPiece *piece = &way->pieces[way->stations[low].piece];
-        int side = pressed_side(hasten, low);
-        size_t high = low;
-        double least = HUGE_VAL;
-        for (; high <= piece->last && side && pressed_side(hasten, high) == side; high++)
-            least = real_min(least, fabs(hasten->now.left[high] - hasten->now.right[high]) / 2);
-        if (high - low < LONG_RUN) {
-            low = high > low ? high : low + 1;
-            continue;
-        }
-        for (size_t fade = LONG_RUN / 2; fade <= 2 * LONG_RUN; fade *= 2) {
-            size_t from = low > piece->first + fade ? low : piece->first + fade;
-            bool ends = high == way->count;
-            size_t to = ends ? high - 1 : high + fade < piece->last ? high - 1 : piece->last - fade;
-            if (piece->last - piece->first > 3 * fade && from < to && try_shift(hasten, from, to, fade, -side * least))
-                break;
-        }
-        low = high;
-    }
 }
 
 /* Tries a step in its direction, then the opposite one; adapts it. */
@@ -497,10 +407,10 @@ static void hasten_begin(Hasten *hasten, Way *way, const FreeSpace *space, const
                          const Profile *profile) {
     size_t count = way->count, first, last;
     *hasten = (Hasten){.way = way, .space = space, .body = body, .profile = profile, .margin = -HUGE_VAL};
-    hasten->sight = fmax(pace_enough(profile), profile->space_reach);
-    hasten->rooms = memory_zeroed(18 * count, sizeof(double));
+    hasten->sight = fmax(pace_enough(profile), FIELD_COMFORT);
+    hasten->rooms = memory_zeroed(12 * count, sizeof(double));
     hasten->now = speeds_in(hasten->rooms, count);
-    hasten->tried = speeds_in(hasten->rooms + 9 * count, count);
+    hasten->tried = speeds_in(hasten->rooms + 6 * count, count);
     hasten->kept = memory_zeroed(count, sizeof *hasten->kept);
     look_at(hasten, &hasten->now, 0, count - 1);
     run_through(hasten, &hasten->now, &hasten->now, 0, count - 1, &first, &last);
@@ -528,18 +438,6 @@ double hasten_time(const Way *way, const FreeSpace *space, const Rectangle *body
     return time;
 }
 
-double hasten_cost(const Way *way, const FreeSpace *space, const Rectangle *body, const Profile *profile) {
-    Way copy = way_copy(way);
-    Hasten hasten;
-    hasten_begin(&hasten, &copy, space, body, profile);
-    double cost = hasten.sum;
-    for (size_t k = 0; k < copy.piece_count; k++)
-        cost += joint_time(&hasten, k);
-    hasten_end(&hasten);
-    way_free(&copy);
-    return cost;
-}
-
 bool hasten_way(Way *way, const FreeSpace *space, const Rectangle *body, const Profile *profile, double margin,
                 int sweeps, const Stop *stop) {
     Hasten hasten;
@@ -558,7 +456,6 @@ bool hasten_way(Way *way, const FreeSpace *space, const Rectangle *body, const P
     bool whole = true;
     for (int round = 0; round < sweeps && whole; round++) {
         double before = hasten.sum;
-        sweep_shifts(&hasten);
         sweep_bumps(&hasten, &steps, round);
         sweep_joints(&hasten, &steps);
         sweep_end(&hasten, &steps);

@@ -14,6 +14,3 @@ bool hasten_way(Way *way, const FreeSpace *space, const Rectangle *body, const P
 
 /* Returns the time of a way from rest, s, by the speed law, with the planned deceleration. */
 double hasten_time(const Way *way, const FreeSpace *space, const Rectangle *body, const Profile *profile);
-
-/* Returns that time with the prices, s: what hasten_way lowers, and by which ways are compared. */
-double hasten_cost(const Way *way, const FreeSpace *space, const Rectangle *body, const Profile *profile);
