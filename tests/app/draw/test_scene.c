@@ -486,7 +486,7 @@ TEST(a_place_that_stops_several_is_told_once_with_the_widest_need) {
     PersonObservation observed[PEOPLE];
     House house = {.plan = {.name = "a house", .note = ""}, .people = people, .person_count = PEOPLE};
     house.outline = (Outline){.box = {{0, 0}, {6, 4}}, .broadphase = broadphase_create()};
-    static char names[PEOPLE][4];
+    static char names[PEOPLE][16];
     for (int i = 0; i < PEOPLE; i++) {
         snprintf(names[i], sizeof names[i], "p%d", i + 1);
         people[i] = (Inhabitant){.id = names[i], .profile = &chair, .at = {1 + i, 1}};

@@ -191,7 +191,7 @@ check(now["sheet"] == "none" and now["selected"] == selected, "13: a click outsi
 screen.point_to(126, 15)
 screen.press()
 check(screen.state()["sheet"] == "menu", "13: a press opens it")
-screen.point_to(200, 30 + 6 + 28 * 8 + 2 * 9 + 14)  # eight rows and the lines of two groups above it
+screen.point_to(200, 30 + 6 + 28 * 9 + 2 * 9 + 14)  # nine rows and the lines of two groups above it
 screen.release()
 now = screen.until(lambda s: s["sheet"] == "none")
 check(now["sheet"] == "none" and width(now["frame"]["panel"]) == 0, "13: press, drag, release chooses a row",
