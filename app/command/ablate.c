@@ -54,7 +54,7 @@ static void print_answer(const Ablation *ablation, const Population *population)
     if (!any)
         text_format(&text, "nobody in this house has its profile, %s\n", population->profile);
     result_text_take(&text, "", result_ablation_variants(population));
-    fputs(text.text, stdout);
+    output_text(&text);
     memory_free(text.text);
 }
 

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/file_write.h"
+#include "command/output.h"
 #include "result/house.h"
 #include "result/headline.h"
 #include "result/json.h"
@@ -85,6 +86,6 @@ void answer_text_add(Text *text, const House *house, const Observation *observat
 void answer_text_print(const House *house, const Observation *observation) {
     Text text = {0};
     answer_text_add(&text, house, observation);
-    fputs(text.text, stdout);
+    output_text(&text);
     memory_free(text.text);
 }

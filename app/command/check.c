@@ -4,6 +4,7 @@
 #include "command/answer.h"
 #include "command/command.h"
 #include "command/house_file.h"
+#include "command/output.h"
 #include "command/progress.h"
 #include "command/suggestions.h"
 #include "house/journey.h"
@@ -24,7 +25,7 @@ static void print_answer(const House *house, const Journeys *journeys) {
     if (many)
         result_text_take(&text, "", result_check_parties(house, &observation, &census));
     result_text_take(&text, "", result_check_people(house, journeys, many ? &census : NULL));
-    fputs(text.text, stdout);
+    output_text(&text);
     memory_free(text.text);
     arena_clear(&arena);
     census_clear(&census);
@@ -83,9 +84,14 @@ static void grade(const Options *options, const House *house, json_t *answer, bo
     json_object_set_new(answer, "grades", result_json_take_list(result_check_grades(house, grades)));
     json_object_set_new(answer, "grade_places", result_json_take_list(result_check_grade_places(house, grades)));
     if (!options->json) {
+        bool any = *interrupted;
+        for (size_t i = 0; i < house->person_count; i++)
+            any |= house->people[i].profile->driving == DRIVING_DRIVER;
+        if (!any)
+            text_add(&text, "\nno chair in this house is moved by the model \"driver\", so that nothing has a grade\n");
         result_text_take(&text, "", result_check_grades(house, grades));
         result_text_take(&text, "", result_check_grade_places(house, grades));
-        fputs(text.text, stdout);
+        output_text(&text);
     }
     memory_free(text.text);
     memory_free(grades);
@@ -111,7 +117,7 @@ static void share(const Options *options, const House *house, const Population *
         if (!any)
             text_format(&text, "nobody in this house has its profile, %s\n", population->profile);
         result_text_take(&text, "", result_shares_table(house, shares));
-        fputs(text.text, stdout);
+        output_text(&text);
     }
     memory_free(text.text);
     memory_free(shares);

@@ -108,7 +108,7 @@ static bool compare_drivers(const House houses[2], const Population *population,
         Text text = {0};
         text_format(&text, "\nthe same %d drivers of the population %s in both:\n", options->drivers, population->id);
         result_text_take(&text, "", result_drivers_paired(houses, drivers));
-        fputs(text.text, stdout);
+        output_text(&text);
         memory_free(text.text);
     }
     for (int h = 0; h < 2; h++)

@@ -381,7 +381,7 @@ static void print_answer(const Job *job) {
         for (size_t i = 0; i < count; i++)
             text_format(&text, "%s%s\n", i ? "" : "\n", remarks[i]);
     }
-    fputs(text.text, stdout);
+    output_text(&text);
     memory_free(text.text);
     arena_clear(&arena);
 }

@@ -1,4 +1,5 @@
 /* `clearance help`: topics are the text files of the folder help of the assets; the first line of each is its title. */
+#include "command/output.h"
 #include "options/help.h"
 
 #include <dirent.h>
@@ -82,7 +83,7 @@ static void list_topics(const Topics *topics) {
         memory_free(topic);
     }
     text_add(&text, "\n`clearance help VERB` prints the help of a verb, `clearance --help` the verbs.\n");
-    fputs(text.text, stdout);
+    output_text(&text);
     memory_free(text.text);
 }
 

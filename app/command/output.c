@@ -16,6 +16,11 @@ void output_warn_of_fonts(void) {
                         "apt-get install fonts-dejavu-core\n");
 }
 
+void output_text(const Text *text) {
+    if (text->text)
+        fputs(text->text, stdout);
+}
+
 bool output_directory(const char *path) {
     int error = strlen(path) + OUTPUT_NAME < OUTPUT_PATH ? text_make_folder(path) : ENAMETOOLONG;
     if (error)

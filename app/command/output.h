@@ -1,8 +1,9 @@
-/* The directory of --out. */
+/* The directory of --out, and standard output. */
 #pragma once
 
 #include <stdbool.h>
 
+#include "base/text.h"
 #include "options/options.h"
 #include "draw/scene.h"
 
@@ -13,6 +14,9 @@ enum {
 
 /* Prints on standard error that no font is installed, if that is so, before pictures are made. */
 void output_warn_of_fonts(void);
+
+/* Prints a text, which may be empty, on standard output. */
+void output_text(const Text *text);
 
 /* Makes the directory and those above it, before the work begins. False: an error was printed. */
 bool output_directory(const char *path);

@@ -25,7 +25,7 @@ static void print_answer(const House *house, const RuleSets *sets, const Inspect
                          result_rules_findings(inspection, group));
     for (size_t s = 0; s < sets->count; s++)
         text_format(&text, "%s%s: %s\n", s ? "" : "\n", sets->sets[s].id, sets->sets[s].note);
-    fputs(text.text, stdout);
+    output_text(&text);
     memory_free(text.text);
     arena_clear(&arena);
 }

@@ -123,7 +123,7 @@ static void print_drivers(const House *house, const Observation *observation, co
     result_drivers_say(&text, house, observation, drivers);
     result_text_take(&text, "", result_drivers_table(house, observation, drivers));
     result_text_take(&text, "", result_drivers_routes(house, drivers));
-    fputs(text.text, stdout);
+    output_text(&text);
     memory_free(text.text);
 }
 
@@ -132,7 +132,7 @@ static void print_grades(const House *house, const Grade *grades) {
     result_text_take(&text, "how tight the ways are\n", result_check_grades(house, grades));
     result_text_take(&text, "", result_check_grade_places(house, grades));
     if (text.text)
-        fputs(text.text, stdout);
+        output_text(&text);
     memory_free(text.text);
 }
 

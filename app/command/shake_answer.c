@@ -129,7 +129,7 @@ void shake_answer_print(const ShakeFindings *findings, const char *file) {
     add_table(&text, result_shake_people(findings));
     if (findings->shakes)
         add_table(&text, result_shake_furniture(findings));
-    fputs(text.text, stdout);
+    output_text(&text);
     if (findings->worst)
         printf(*findings->made_by ? "\nFewest people are out in the shake with seed %" PRIu64
                                     ": clearance run HOUSE %s\n"

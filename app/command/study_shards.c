@@ -10,6 +10,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "command/answer.h"
+#include "command/output.h"
 
 bool study_shards_check(const Options *options, Fault *fault) {
     const StudyRequest *asked = &options->study;
@@ -255,7 +256,7 @@ int study_shards_print(const Options *options, const Study *study) {
                 "# parallel -q --joblog log --retries 3 %s --shard {}/%zu --jobs 1 --quiet ::: $(seq %zu); %s\n"
                 "exec %s --shard $SLURM_ARRAY_TASK_ID/%zu --jobs $SLURM_CPUS_PER_TASK --quiet\n",
                 command.text, shards, shards, merge.text, command.text, shards);
-    fputs(text.text, stdout);
+    output_text(&text);
     memory_free(command.text);
     memory_free(merge.text);
     memory_free(text.text);

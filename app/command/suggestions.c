@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "base/stopwatch.h"
+#include "command/output.h"
 #include "command/progress.h"
 #include "platform/terminal.h"
 #include "laboratory/shipped.h"
@@ -61,7 +62,7 @@ void suggestions_print(const SuggestList *list) {
         text_format(&text, "\n%s\n", result_suggest_tried(list, &arena));
     for (size_t i = 0; i < list->note_count; i++)
         text_format(&text, "note: %s\n", list->notes[i]);
-    fputs(text.text, stdout);
+    output_text(&text);
     memory_free(text.text);
     arena_clear(&arena);
 }

@@ -63,6 +63,7 @@ def small_rooms(door, profile="manual-chair"):
 
 wide = written("wide.json", two_rooms(0.9))
 tight = written("tight.json", small_rooms(0.55))
+snug = written("snug.json", small_rooms(0.8))
 walker = written("walker.json", small_rooms(0.9, "adult"))
 walkers = written("walkers.json", small_rooms(0.3, "adult"))
 crowd = written("crowd.json", two_rooms(0.9, ', "crowds": [{"id": "c1", "profile": "adult", "count": 3,'
@@ -90,6 +91,8 @@ verbs = {
     "check, corner": ["check", house("corner-0.85-0.85"), "--set", "run.reversals=0", "--json"],
     "check, flat": ["check", house("ube-techno-house"), "--json"],
     "check, walkers": ["check", walkers, "--json"],
+    "check, grades": ["check", snug, "--grades"],
+    "check, grades of nobody": ["check", walker, "--grades"],
     "check, suggest": ["check", tight, "--suggest"],
     "check, suggest, json": ["check", tight, "--suggest", "--json"],
     "run": ["run", crowd],
