@@ -77,7 +77,7 @@ static void report_unknown(const char *name, Fault *fault) {
         free(entries[i]); /* of scandir */
     }
     free(entries);
-    fault_add(fault, "clearance: there is no population \"%s\"; there are %s, or name a file of your own", name,
+    fault_add(fault, "clearance: unknown population \"%s\"; known are %s, or name a file of your own", name,
               known.text ? known.text : "none");
     memory_free(known.text);
 }

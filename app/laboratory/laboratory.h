@@ -282,8 +282,8 @@ typedef struct Laboratory {
     /* Returns the editor; NULL: the open file cannot be edited. */
     Editor *(*editor)(void *session);
 
-    /* Opens a session of the same plan with a proposal of the editor, closed as others are; NULL: there is no such
-     * proposal, or the fault says why not. The function is NULL if there are no proposals. */
+    /* Opens a session of the same plan with a proposal of the editor, closed as others are; NULL: the
+     * index is invalid, or the fault says why not. The function is NULL without proposals. */
     void *(*open_proposal)(void *session, size_t proposal, Fault *fault);
 } Laboratory;
 

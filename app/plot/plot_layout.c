@@ -103,7 +103,7 @@ static Caption *add_text(PlotLayout *layout, const char *text, double size, bool
     return caption_add(sheet, arena_text(&sheet->arena, text), size, bold, centre);
 }
 
-/* What stands in the rows above the frame besides title and note. */
+/* The parts of the rows above the frame, besides title and note. */
 typedef struct Above {
     bool names;  /* of the series */
     bool across; /* the title of the x axis, */
@@ -197,9 +197,9 @@ static void add_names(Rows *rows, const Plot *plot) {
 }
 
 /* Adds the titles and, if they stand above, the names of the series; returns how far down they reach. */
-static double add_rows(PlotLayout *layout, const Plot *plot, Above above_it) {
+static double add_rows(PlotLayout *layout, const Plot *plot, Above wanted) {
     char title[PLOT_TICKS_TITLE], across[PLOT_TICKS_TITLE];
-    bool names = above_it.names;
+    bool names = wanted.names;
     plot_ticks_title(&layout->y, plot->y.title, plot->y.unit, title);
     Rows rows = {layout, MARGIN, ROW_HEIGHT / 2 + 2};
     bool low = layout->sheet.page.y < LOW;
@@ -207,7 +207,7 @@ static double add_rows(PlotLayout *layout, const Plot *plot, Above above_it) {
         add_item(&rows, plot->title, TITLE_TEXT, true, 0);
     if (*title && (low || !plot->title))
         add_item(&rows, title, plot->title ? AXIS_TEXT : TITLE_TEXT - 2, !plot->title, 0);
-    if (above_it.across && !above_it.bare && plot->x.title) {
+    if (wanted.across && !wanted.bare && plot->x.title) {
         plot_ticks_title(&layout->x, plot->x.title, plot->x.unit, across);
         add_item(&rows, text_in_arena(&layout->sheet.arena, "over %s", across), AXIS_TEXT, false, 0);
     }

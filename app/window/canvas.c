@@ -23,7 +23,7 @@
 
 enum { NOTE_LINES = 4, RING_POINTS = 36 };
 
-/* What a fix changes. */
+/* The changes that a fix makes. */
 #define CHANGE_LINE 3.0
 #define CHANGE_ASIDE 18.0
 #define CHANGE_TICK 6.0

@@ -16,7 +16,7 @@ typedef struct BeamFollow {
     size_t count;
     FollowCurve curves[BEAM_FOLLOW_CURVES]; /* (curve_count) */
     size_t curve_count;
-    size_t left_out; /* located points whose curves there is no room for */
+    size_t left_out; /* located points whose curves do not fit into `curves` */
     bool interrupted;
 } BeamFollow;
 

@@ -59,11 +59,11 @@ Journeys journey_plan_all(const House *house, const bool *part, int jobs, const 
 Journeys journey_plan_briefly(const House *house, const bool *part, int jobs, const Stop *stop);
 void journey_free_all(Journeys *journeys);
 
-/* Does the same briefly, on one thread, for the question whether there is any way: each chair's path is the first free
+/* Plans on one thread, with fewer searches, to decide whether there is any way: each chair's path is the first free
  * one that is found, and the journeys after the first person without one are ROUTE_INTERRUPTED. */
 Journeys journey_plan_any(const House *house, const bool *part, const Stop *stop);
 
-/* Does the same for the drivers of another house on the same plan: each follows the route that `known` has, planned for
+/* Plans for the drivers of another house on the same plan: each follows the route that `known` has, planned for
  * a body that is at least as large, at a speed of their own. Paper's chairs and walkers are planned for. */
 Journeys journey_follow(const Journeys *known, const House *house, const bool *part, int jobs, const Stop *stop);
 

@@ -286,7 +286,7 @@ const Proposal *editor_proposals(Editor *editor, size_t *count, const char **doi
 bool editor_accept(Editor *editor, size_t proposal, Fault *fault);
 
 /* Chooses the proposal that is shown beside the plan. Returns a number that is the same for one proposal of one search
- * only; 0: there are no proposals. */
+ * only; 0: none. */
 void editor_choose_proposal(Editor *editor, size_t proposal);
 uint64_t editor_chosen_proposal(Editor *editor, size_t *proposal);
 

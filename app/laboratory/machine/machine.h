@@ -61,7 +61,7 @@ typedef struct MachineFacts {
 
 /* An axis of a map: steps values from `from` to `to`, in the parameter's unit. */
 typedef struct MachineMapAxis {
-    const char *name; /* of the parameter; NULL: there is no map */
+    const char *name; /* of the parameter; NULL: without a map */
     const char *word; /* for display */
     double from, to;
     size_t steps;

@@ -72,7 +72,7 @@ def check_maps_and_runs(folder):
     words = expect(0, "study", flat, "--drivers", "2").stdout
     check(": 2 drivers\n2 of 2 drivers out: 100.0 %" in words and "seeds" not in words, "drivers of a study", words)
     missing = expect(2, "run", flat, "--drivers", "2", "--population", "nobody").stderr
-    check('there is no population "nobody"; there are manual-jp, whm, or' in missing, "known populations", missing)
+    check('unknown population "nobody"; known are manual-jp, whm, or' in missing, "known populations", missing)
     answer = json.loads(expect(0, "study", flat, *spread, "--json").stdout)
     time_of = answer["distribution"]["observables"]["time"]
     check(time_of["count"] == 12 and time_of["q05"] < time_of["q50"] < time_of["q95"], f"distribution {time_of}")

@@ -7,14 +7,18 @@
 #include "case.h"
 #include "check.h"
 
-static Grade grade_corridor(double width) {
+/* Releases the plan. */
+static Grade grade_chair(json_t *plan, double x) {
     House house;
-    json_t *plan = case_corridor(width);
-    case_add_person(plan, "manual-chair", 14, 0, 0);
+    case_add_person(plan, "manual-chair", x, 0, 0);
     case_made(&house, plan, -1, NULL);
     Grade grade = grade_person(&house, 0, NULL);
     house_free(&house);
     return grade;
+}
+
+static Grade grade_corridor(double width) {
+    return grade_chair(case_corridor(width), 14);
 }
 
 /* In a corridor c* is half of what is wider than the chair, 0.63 m. */
@@ -91,13 +95,7 @@ static json_t *two_doors(double first) {
 }
 
 static Grade grade_two_doors(double first) {
-    House house;
-    json_t *plan = two_doors(first);
-    case_add_person(plan, "manual-chair", 1.8, 0, 0);
-    case_made(&house, plan, -1, NULL);
-    Grade grade = grade_person(&house, 0, NULL);
-    house_free(&house);
-    return grade;
+    return grade_chair(two_doors(first), 1.8);
 }
 
 /* A straight door gives (its width - 0.63) / 2 on each side; B needs 0.05, A 0.138. */
