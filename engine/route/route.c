@@ -290,7 +290,7 @@ static bool ask_for_driving(Route *route, const RouteQuery *query, const Legs *l
 /* Estimates where a chair sticks, and how much width it needs there. Returns false if interrupted. */
 static bool estimate(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
                      const FitPlace *tightest) {
-    if (route->fits && !query->brief)
+    if (route->fits)
         return explain_not_drivable(route, query, legs, body, tightest->margin, tightest);
     FitPlace place = *tightest;
     if (!(place.margin > -HUGE_VAL)) {

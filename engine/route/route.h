@@ -85,8 +85,8 @@ typedef struct RouteQuery {
                         where that does not clear it, it begins ROUTE_EASED away from nearby obstacles if there is
                         room, without a turn */
     int most_reversals;
-    bool brief; /* True if the blockage is computed only for carrying the chair: the extra width for driving takes long
-                   to find */
+    bool brief; /* True if the blockage of a chair that does not fit is computed only for carrying it: the extra width
+                   for driving takes long to find */
     bool any;   /* True if any way will do: the first free one is the answer, which is sooner there than the quickest. A
                    yes or no is the same */
     const Stop *stop; /* requested: end with ROUTE_INTERRUPTED; NULL: never */

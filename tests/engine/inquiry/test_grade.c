@@ -79,6 +79,9 @@ LONG_TEST(a_corner_is_as_tight_turned_and_no_tighter_when_wider) {
            1000 * wide.tightness);
     CHECK_NEAR(slanted.tightness, narrow.tightness, 0.005);
     CHECK(wide.tightness >= narrow.tightness && wide.letter <= narrow.letter);
+    /* the body fits there and cannot be driven: the place is where it sticks */
+    CHECK(vec2_distance(narrow.at, vec2(4, 0.94)) < 1);
+    CHECK(vec2_distance(vec2_turn(slanted.at, vec2_heading(-M_PI / 6)), vec2(4, 0.94)) < 1);
 }
 
 /* Two openings one after the other, `first` and 0.80 m wide, in a closed corridor of 1.40 m. */
@@ -113,6 +116,8 @@ LONG_TEST(each_tight_place_has_its_grade_and_the_change_that_buys_the_next) {
     CHECK(strcmp(places[1].what, "door d2") == 0 && places[1].letter == GRADE_B && places[1].changes);
     CHECK_NEAR(places[1].to_next, 0.138 - 0.085, 0.005);
     CHECK_NEAR(places[1].by, 0.906 - 0.80, 0.011);
+    Grade limit = grade_two_doors(0.66); /* C needs 0.015 m, which is all there is */
+    CHECK(limit.place_count >= 1 && strcmp(limit.places[0].what, "door d1") == 0 && limit.places[0].changes);
     Grade wider = grade_two_doors(0.70 + places[0].by);
     CHECK(wider.letter == GRADE_B && wider.place_count >= 1);
     for (size_t p = 0; p < wider.place_count; p++)
