@@ -29,7 +29,7 @@ typedef struct SettingsPreferences {
     bool sound;          /* off at first */
     bool reduced_motion; /* only the simulation moves */
     bool single_keys;    /* single letters are shortcut keys */
-    int width, height;   /* pixels of the window; 0: not known yet */
+    int width, height;   /* pixels of the window, at most SETTINGS_SIDE_MOST; below the least: not known yet */
     bool full_screen;
 } SettingsPreferences;
 

@@ -29,7 +29,7 @@ static void note_blockage(Grading *grading, double growth, const Blockage *block
 }
 
 static GradeTry try_growth(Grading *grading, double growth, int reversals) {
-    GradeTry tried = grade_try(grading->house, grading->person, growth, reversals, grading->stop);
+    GradeTry tried = grade_try_growth(grading->house, grading->person, growth, reversals, grading->stop);
     if (tried.blocked)
         note_blockage(grading, growth, &tried.blockage);
     return tried;

@@ -110,7 +110,7 @@ static GradeTry try_eased(const Listing *listing, const GradeLevel *level, doubl
         apply(&copy, more);
     GradeTry tried = {0};
     if (build(&copy))
-        tried = grade_try(&copy, listing->person, growth, level->reversals, listing->stop);
+        tried = grade_try_growth(&copy, listing->person, growth, level->reversals, listing->stop);
     free_copy(&copy);
     return tried;
 }

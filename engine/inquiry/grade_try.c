@@ -8,7 +8,7 @@
 /* 1: a body that is grown by 1 all round reaches sqrt(2) at its corners. */
 #define CORNER M_SQRT1_2
 
-GradeTry grade_try(const House *house, size_t person, double growth, int reversals, const Stop *stop) {
+GradeTry grade_try_growth(const House *house, size_t person, double growth, int reversals, const Stop *stop) {
     House grown = *house;
     Profile body = *house->people[person].profile;
     body.width += 2 * growth;

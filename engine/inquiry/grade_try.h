@@ -14,4 +14,4 @@ typedef struct GradeTry {
 
 /* Plans a person's way with the body grown by `growth` m and at most `reversals` changes of direction; the axle stays
  * where it is. */
-GradeTry grade_try(const House *house, size_t person, double growth, int reversals, const Stop *stop);
+GradeTry grade_try_growth(const House *house, size_t person, double growth, int reversals, const Stop *stop);

@@ -29,8 +29,8 @@ static void check_values(const Settings *settings) {
     const SettingsPreferences *preferences = &settings->preferences;
     fuzz_expect(preferences->text >= 1 && preferences->text <= SETTINGS_TEXT_MOST, "a size of text is in range");
     fuzz_expect(preferences->theme >= 0, "a theme is in range");
-    fuzz_expect(preferences->width >= SETTINGS_WIDTH_LEAST && preferences->width <= SETTINGS_SIDE_MOST &&
-                    preferences->height >= SETTINGS_HEIGHT_LEAST && preferences->height <= SETTINGS_SIDE_MOST,
+    fuzz_expect(preferences->width >= 0 && preferences->width <= SETTINGS_SIDE_MOST && preferences->height >= 0 &&
+                    preferences->height <= SETTINGS_SIDE_MOST,
                 "a window's size is in range");
     fuzz_expect(settings->recent_count <= SETTINGS_RECENT_MOST, "recent files have room");
     for (size_t i = 0; i < settings->state.laboratory_count; i++)
