@@ -53,11 +53,24 @@ static double line_height(const Card *card, UiTextStyle style) {
     return SPACING * ui_extent(card->ui, style, "x").y;
 }
 
+/* True if the blank between two parts of a text keeps a number and its unit together, "1 %", "0.63 m". */
+static bool binds_unit(const char *text, size_t blank) {
+    static const char *const units[] = {"%", "m", "cm", "mm", "s", "N", "Hz"};
+    if (!blank || text[blank - 1] < '0' || text[blank - 1] > '9')
+        return false;
+    const char *word = text + blank + 1;
+    size_t length = strcspn(word, " .,;:?!)");
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+        if (strlen(units[i]) == length && strncmp(units[i], word, length) == 0)
+            return true;
+    return false;
+}
+
 /* Returns the bytes of the text that fit into the width, up to a blank; at least one word. */
 static size_t fitting(const Card *card, UiTextStyle style, const char *text, double width) {
     size_t good = 0, length = strlen(text);
     for (size_t at = 0; at <= length; at++) {
-        if (at < length && text[at] != ' ')
+        if (at < length && (text[at] != ' ' || binds_unit(text, at)))
             continue;
         const char *part = text_in_arena(card->arena, "%.*s", (int)at, text);
         if (good && ui_extent(card->ui, style, part).x > width)

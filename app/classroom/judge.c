@@ -25,7 +25,9 @@ struct Judge {
     Question *asked; /* NULL: nothing new */
     Question *done;  /* its goals are judged, or a fault says why not */
     Fault fault;     /* of `done` */
-    bool good, working, closing, numbers_new;
+    bool good, working, closing;
+    size_t known, taken; /* numbers that were computed, and taken over */
+    bool numbered;       /* all were computed */
 };
 
 static void question_free(Question *question) {
@@ -48,14 +50,25 @@ static bool answer(Judge *judge, const Question *question, Fault *fault) {
     return attempt_goal(&judge->lesson, &judge->lesson.steps[question->step], &state, fault);
 }
 
+static void note_known(void *context, size_t known) {
+    Judge *judge = context;
+    pthread_mutex_lock(&judge->lock);
+    judge->known = known;
+    pthread_mutex_unlock(&judge->lock);
+}
+
 static void *find_numbers(void *context) {
     Judge *judge = context;
-    AttemptState state = {.profiles = judge->profiles, .jobs = judge->jobs, .stop = &judge->counter_stop};
+    AttemptState state = {.profiles = judge->profiles,
+                          .jobs = judge->jobs,
+                          .stop = &judge->counter_stop,
+                          .note = note_known,
+                          .context = judge};
     Fault fault = {0};
     bool good = attempt_numbers(&judge->numbers, &state, &fault);
     fault_clear(&fault);
     pthread_mutex_lock(&judge->lock);
-    judge->numbers_new = good;
+    judge->numbered = good;
     pthread_mutex_unlock(&judge->lock);
     return NULL;
 }
@@ -176,18 +189,16 @@ static void copy_goals(Judge *judge, Lesson *lesson, size_t step) {
     }
 }
 
-bool judge_take(Judge *judge, Lesson *lesson, size_t *step, uint64_t *state, bool *numbered, Fault *fault) {
+JudgeNews judge_take(Judge *judge, Lesson *lesson, Fault *fault) {
     pthread_mutex_lock(&judge->lock);
-    if (judge->numbers_new) {
-        for (size_t n = 0; n < lesson->number_count; n++)
-            copy_condition(&lesson->numbers[n].condition, &judge->numbers.numbers[n].condition);
-        *numbered = true;
-        judge->numbers_new = false;
-    }
+    JudgeNews news = {.counted = judge->taken < judge->known, .numbered = judge->numbered};
+    for (; judge->taken < judge->known; judge->taken++)
+        copy_condition(&lesson->numbers[judge->taken].condition, &judge->numbers.numbers[judge->taken].condition);
     Question *done = judge->working ? NULL : judge->done; /* the thread may be writing into the goals */
     if (done) {
-        *step = done->step;
-        *state = done->state;
+        news.judged = true;
+        news.step = done->step;
+        news.state = done->state;
         copy_goals(judge, lesson, done->step);
         for (size_t i = 0; i < judge->fault.count; i++)
             fault_add(fault, "%s", judge->fault.lines[i]);
@@ -196,7 +207,7 @@ bool judge_take(Judge *judge, Lesson *lesson, size_t *step, uint64_t *state, boo
         judge->done = NULL;
     }
     pthread_mutex_unlock(&judge->lock);
-    return done;
+    return news;
 }
 
 bool judge_works(Judge *judge) {

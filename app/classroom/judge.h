@@ -18,10 +18,18 @@ void judge_destroy(Judge *judge);
  * or NULL; `settings` (count) NAME=VALUE. Work on an earlier question ends. */
 void judge_ask(Judge *judge, size_t step, uint64_t state, const char *text, const char *const *settings, size_t count);
 
-/* Takes over finished work into `lesson`, the caller's copy: true if its goals were judged, for `step` and `state`. If
- * the numbers have come, *numbered becomes true. What cannot be run leaves its goals without verdicts and a reason in
- * `fault`. */
-bool judge_take(Judge *judge, Lesson *lesson, size_t *step, uint64_t *state, bool *numbered, Fault *fault);
+/* What has been taken over. */
+typedef struct JudgeNews {
+    bool judged;   /* the goals of `step` in the state `state` */
+    bool counted;  /* numbers of the texts, which come one by one */
+    bool numbered; /* all of them are known */
+    size_t step;   /* from 0 */
+    uint64_t state;
+} JudgeNews;
+
+/* Takes over finished work into `lesson`, the caller's copy. What cannot be run leaves its goals without verdicts and a
+ * reason in `fault`. */
+JudgeNews judge_take(Judge *judge, Lesson *lesson, Fault *fault);
 
 /* True while it works. */
 bool judge_works(Judge *judge);

@@ -25,29 +25,44 @@ bool play_asks(const Play *play) {
     return step->kind == LESSON_OBSERVE && step->options.count && !play->steps[play->step].chosen;
 }
 
-bool play_takes_digits(const Play *play) {
-    return play_step(play)->options.count > 0;
+bool play_takes(const Play *play, PlayKey key) {
+    bool predicts = play_step(play)->kind == LESSON_PREDICT;
+    return key == PLAY_DIGIT ? play_step(play)->options.count > 0 : (key != PLAY_VOTE && key != PLAY_UNDO) || predicts;
 }
 
 bool play_is_begun(const Play *play) {
     return play->step > 0 || play_hands(&play->steps[0], 0) > 0;
 }
 
+static const struct {
+    const char *name;
+    PlayKey key;
+    int digit;
+} keys[] = {
+    {"PageDown", PLAY_NEXT, 0},  {"PageUp", PLAY_BACK, 0},    {"?", PLAY_HINT, 0},         {"0", PLAY_VOTE, 0},
+    {"Keypad 0", PLAY_VOTE, 0},  {"Backspace", PLAY_UNDO, 0}, {"1", PLAY_DIGIT, 1},        {"2", PLAY_DIGIT, 2},
+    {"3", PLAY_DIGIT, 3},        {"4", PLAY_DIGIT, 4},        {"5", PLAY_DIGIT, 5},        {"6", PLAY_DIGIT, 6},
+    {"7", PLAY_DIGIT, 7},        {"8", PLAY_DIGIT, 8},        {"9", PLAY_DIGIT, 9},        {"Keypad 1", PLAY_DIGIT, 1},
+    {"Keypad 2", PLAY_DIGIT, 2}, {"Keypad 3", PLAY_DIGIT, 3}, {"Keypad 4", PLAY_DIGIT, 4}, {"Keypad 5", PLAY_DIGIT, 5},
+    {"Keypad 6", PLAY_DIGIT, 6}, {"Keypad 7", PLAY_DIGIT, 7}, {"Keypad 8", PLAY_DIGIT, 8}, {"Keypad 9", PLAY_DIGIT, 9}};
+enum { KEYS = sizeof keys / sizeof *keys };
+
+const char *const *play_key_names(size_t *count) {
+    static const char *names[KEYS];
+    for (size_t k = 0; k < KEYS; k++)
+        names[k] = keys[k].name;
+    *count = KEYS;
+    return names;
+}
+
 bool play_read_key(const char *name, PlayKey *key, int *digit) {
-    static const struct {
-        const char *name;
-        PlayKey key;
-    } keys[] = {
-        {"PageDown", PLAY_NEXT}, {"PageUp", PLAY_BACK}, {"?", PLAY_HINT}, {"0", PLAY_VOTE}, {"Backspace", PLAY_UNDO}};
-    const char *last = strncmp(name, "Keypad ", 7) == 0 ? name + 7 : name;
-    *digit = *last >= '1' && *last <= '9' && !last[1] ? *last - '0' : 0;
-    *key = PLAY_DIGIT;
-    for (size_t k = 0; k < sizeof keys / sizeof *keys; k++)
+    for (size_t k = 0; k < KEYS; k++)
         if (strcmp(name, keys[k].name) == 0) {
             *key = keys[k].key;
+            *digit = keys[k].digit;
             return true;
         }
-    return *digit;
+    return false;
 }
 
 void play_judge(Play *play) {

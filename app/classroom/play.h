@@ -49,16 +49,19 @@ bool play_hides(const Play *play);
 /* True if a result may be seen, but not be said: the class says first what it has seen. */
 bool play_asks(const Play *play);
 
-/* True if the step has a use for the key of an option. */
-bool play_takes_digits(const Play *play);
-
-/* True if ending the lesson would lose something: counted hands, or the way through the steps. */
+/* True if the lesson has begun: hands were counted, or it is past its first step. */
 bool play_is_begun(const Play *play);
+
+/* True if the key belongs to the lesson in this step; otherwise it is the window's. */
+bool play_takes(const Play *play, PlayKey key);
 
 /* Carries out a key; `digit` from 1. False: the step has no use for it. */
 bool play_key(Play *play, PlayKey key, int digit);
 
-/* Reads the name of a key as scripts and the window's table write it: "PageDown", "?", "3". False: it is none. */
+/* Returns the names of all keys, of which some have two: "PageDown", "?", "3", "Keypad 3". */
+const char *const *play_key_names(size_t *count);
+
+/* Reads such a name; `digit` of an option. False: it is none. */
 bool play_read_key(const char *name, PlayKey *key, int *digit);
 
 /* Sets the goal of the step by the verdicts of its conditions. */

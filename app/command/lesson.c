@@ -106,6 +106,7 @@ static int check(Lesson *lesson, const Options *options, Arena *arena) {
     for (size_t t = 0; t < result.task_count; t++)
         printf("    the goal of step %zu: not reached in %zu, reached in %zu\n", result.tasks[t].step + 1,
                result.tasks[t].no, result.tasks[t].yes);
+    fflush(stdout); /* all lessons take minutes */
     return EXIT_ANSWERED;
 }
 

@@ -142,6 +142,10 @@ typedef struct PanelChoice {
 
 enum { LABORATORY_LAYERS_MOST = 10, LABORATORY_OUTLINE_MOST = 128 };
 
+/* A bit of layers: names that are shown stand next to their pieces where there is no room within, instead of being left
+ * out. */
+enum { LABORATORY_ALL_NAMES = 1 << LABORATORY_LAYERS_MOST };
+
 /* The runs that the parts of the window show: equal numbers are the same run, 0 is none. */
 typedef struct LaboratoryRuns {
     uint64_t answer, picture, rows, plots;
@@ -183,7 +187,7 @@ typedef struct Laboratory {
     const Scene *(*added)(const void *session);
     const Scene *(*moving)(const void *session);
 
-    /* Set the camera and the bits of the shown layers. */
+    /* Set the camera and the bits of the shown layers, with LABORATORY_ALL_NAMES or without. */
     void (*set_camera)(void *session, Camera camera);
     void (*set_layers)(void *session, unsigned layers);
 

@@ -49,20 +49,23 @@ void dialog_leave_show_lesson(Window *window) {
     bool last = lesson_is_last(window);
     dialog_pane_begin(window, dialog_pane_centred(window, LESSON_WIDTH, LESSON_HEIGHT, EDGE));
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, last ? "End the lesson?" : "Leave the lesson?");
+    bool kept = lesson_is_kept(window) && !last;
+    const char *guesses = kept   ? "The guesses of the class and the place in the lesson are kept for the next time."
+                          : last ? "The guesses of the class are forgotten; the next time, it begins anew."
+                                 : "The guesses of the class and the place in the lesson are lost.";
     ui_text(window->ui, UI_BODY, ROLE_TEXT,
-            leave ? "The guesses of the class and the place in the lesson are lost."
-                  : "The guesses of the class and the place in the lesson are lost. What is open stays open, with its "
-                    "changes.");
+            text_in_arena(&window->arena, "%s%s", guesses, leave ? "" : " What is open stays open, with its changes."));
     ui_row(window->ui, 2);
     bool stays = ui_button(window->ui, &(UiButton){.label = "Stay", .help = "Stay (Escape): Return to the lesson"});
     bool leaves =
-        ui_button(window->ui, &(UiButton){.label = last ? "End" : "Leave", .help = "Leave: Forget the guesses"});
+        ui_button(window->ui, &(UiButton){.label = last ? "End" : "Leave",
+                                          .help = kept ? "Leave: Keep the guesses" : "Leave: Forget the guesses"});
     ui_pane_end(window->ui);
     if (stays || leaves)
         dialog_pane_close(window);
     if (!leaves)
         return;
-    lesson_close(window);
+    lesson_end(window);
     window->leave = leave;
     if (leave)
         files_finish_leaving(window);
@@ -78,6 +81,32 @@ static const char *when_text(Window *window, int64_t when) {
     bool same = then.tm_year == today.tm_year && then.tm_yday == today.tm_yday;
     strftime(text, sizeof text, same ? "%H:%M" : "%Y-%m-%d %H:%M", &then);
     return text_in_arena(&window->arena, "%s", text);
+}
+
+void dialog_leave_show_kept(Window *window) {
+    const Progress *kept = lesson_kept(window);
+    if (!kept) {
+        dialog_pane_close(window);
+        return;
+    }
+    int hands = progress_hands(kept);
+    const char *counted = !hands       ? ""
+                          : hands == 1 ? " 1 hand was counted."
+                                       : text_in_arena(&window->arena, " %d hands were counted.", hands);
+    dialog_pane_begin(window, dialog_pane_centred(window, LESSON_WIDTH, LESSON_HEIGHT, EDGE));
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Go on with this lesson?");
+    ui_text(window->ui, UI_BODY, ROLE_TEXT,
+            text_in_arena(&window->arena, "It was left at step %zu, %s.%s The house or machine is as the step begins.",
+                          kept->step + 1, when_text(window, kept->when), counted));
+    ui_row(window->ui, 2);
+    bool goes =
+        ui_button(window->ui, &(UiButton){.label = "Go on", .help = "Go on (Escape): From the step where it was left"});
+    bool begins = ui_button(window->ui, &(UiButton){.label = "Begin anew", .help = "Begin anew: Forget the guesses"});
+    ui_pane_end(window->ui);
+    if (goes || begins)
+        dialog_pane_close(window);
+    if (begins)
+        lesson_begin_anew(window);
 }
 
 /* Shows a recovered file; true if it was opened or discarded, which changes the list. */

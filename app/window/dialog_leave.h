@@ -4,6 +4,7 @@
 #include "window/window_state.h"
 
 void dialog_leave_show(Window *window);
+void dialog_leave_show_kept(Window *window);
 void dialog_leave_show_recovered(Window *window);
 
 /* Asks before a lesson is left whose guesses would be lost. */

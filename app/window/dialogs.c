@@ -288,6 +288,7 @@ void dialogs_show(Window *window) {
         [DIALOG_HISTORY] = show_history,
         [DIALOG_LEAVE] = dialog_leave_show,
         [DIALOG_LESSON] = dialog_leave_show_lesson,
+        [DIALOG_KEPT] = dialog_leave_show_kept,
         [DIALOG_RECOVERED] = dialog_leave_show_recovered,
         [DIALOG_UNIT] = dialog_unit_show,
     };

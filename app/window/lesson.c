@@ -1,13 +1,15 @@
 #include "window/lesson.h"
 
+#include <errno.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
-#include "base/choice.h"
 #include "base/digest.h"
+#include "base/file_write.h"
 #include "classroom/card.h"
 #include "classroom/judge.h"
+#include "classroom/progress.h"
 #include "laboratory/shipped.h"
 #include "window/autosave.h"
 #include "window/dialog_pane.h"
@@ -21,34 +23,27 @@
 #define CARD_MOST 432.0
 #define PRESENT_WIDTH 0.42
 #define PRESENT_MACHINE 0.37 /* whose view is wide */
-#define LEAVE_WIDTH 560.0
-#define LEAVE_HEIGHT 200.0
-#define CARD_LINE 52.0 /* a folded card */
-#define EDGE 24.0
+#define CARD_LINE 52.0       /* a folded card */
 
 enum { LONGEST = 1 << 20 /* bytes of a lesson */ };
 
 /* The laboratories of lessons. */
 static const char *const words[] = {[LESSON_HOUSE] = "house", [LESSON_BEAM] = "beam", [LESSON_CRANK] = "crank"};
 
-/* How a house or machine was when a step was left. */
-typedef struct Left {
-    char *text;     /* of a house, as file text */
-    size_t edits;   /* of a house, in its history */
-    double *values; /* (value_count) of a machine's parameters */
-    size_t value_count;
-} Left;
-
 struct GivenLesson {
     Play play;
     Judge *judge;
     size_t tab;
-    void *session; /* of the tab; another one means that something else was opened there */
-    Left left[LESSON_STEPS_MOST];
-    bool waits;     /* a step has begun, and its run shall play once it is there */
-    bool folded;    /* the card is one line */
-    uint64_t asked; /* digest of the state and step that were asked about; 0: none */
-    bool judged;    /* that goal is known */
+    void *session;                    /* of the tab; another one means that something else was opened there */
+    TabState left[LESSON_STEPS_MOST]; /* how the house or machine was when a step was left */
+    bool waits;                       /* a step has begun, and its run shall play once it is there */
+    bool restarted;                   /* the machine has begun anew for it */
+    bool folded;                      /* the card is one line */
+    Progress *kept;                   /* of the last time, until the class goes on with it or begins anew; NULL: none */
+    bool offered;                     /* the choice was shown */
+    int unkept;                       /* errno of the last writing; the guesses live only here */
+    uint64_t asked;                   /* digest of the state and step that were asked about; 0: none */
+    bool judged;                      /* that goal is known */
 };
 
 static Tab *tab_of(Window *window) {
@@ -64,36 +59,8 @@ static bool is_answered(Tab *tab) {
 
 /* States ----------------------------------------------------------------------------------------------------------- */
 
-static void left_clear(Left *left) {
-    memory_free(left->text);
-    memory_free(left->values);
-    *left = (Left){0};
-}
-
-static size_t edits_in_effect(Editor *editor) {
-    EditStep steps[EDITOR_STEPS_MOST];
-    size_t count = editor_steps(editor, steps), now = count ? steps[0].number - 1 : 0;
-    for (size_t i = 0; i < count; i++)
-        now = steps[i].done ? steps[i].number : now;
-    return now;
-}
-
-static void keep_state(Left *left, Tab *tab) {
-    left_clear(left);
-    Editor *editor = tab_editor(tab);
-    if (editor) {
-        left->text = text_copy(editor_text(editor));
-        left->edits = edits_in_effect(editor);
-        return;
-    }
-    const PanelParameter *parameters = tab->laboratory->parameters(tab->session, &left->value_count);
-    left->values = memory_zeroed(left->value_count + 1, sizeof *left->values);
-    for (size_t i = 0; i < left->value_count; i++)
-        left->values[i] = parameters[i].value;
-}
-
 /* Reopens a kept house, without the history of its edits. */
-static void reopen(Window *window, const Left *left) {
+static void reopen(Window *window, const TabState *left) {
     Tab *tab = tab_of(window);
     RecoveryAbout about = {.origin = tab->path, .name = tab->laboratory->title(tab->session)};
     if (window->recovery && !recovery_write(window->recovery, left->text, &about))
@@ -101,58 +68,55 @@ static void reopen(Window *window, const Left *left) {
     window->lesson->session = tab->session;
 }
 
-static void restore_state(Window *window, const Left *left) {
-    Tab *tab = tab_of(window);
-    Editor *editor = tab_editor(tab);
-    if (editor && left->text) {
-        if (strcmp(editor_text(editor), left->text) != 0)
-            editor_go_to_step(editor, left->edits);
-        if (strcmp(editor_text(editor), left->text) != 0)
-            reopen(window, left);
-        return;
-    }
-    Fault none = {0};
-    size_t count;
-    for (size_t i = 0; i < left->value_count; i++) {
-        const PanelParameter *parameters = tab->laboratory->parameters(tab->session, &count);
-        if (i < count && parameters[i].value != left->values[i])
-            tab_set(tab, parameters[i].name, left->values[i], &none);
-    }
-    fault_clear(&none);
+static void restore_state(Window *window, const TabState *left) {
+    if (!tab_restore(tab_of(window), left))
+        reopen(window, left);
 }
 
 /* Settings --------------------------------------------------------------------------------------------------------- */
-
-/* Returns the number that a setting's words mean for a parameter. */
-static double value_of(const PanelParameter *parameter, const char *words) {
-    const Parameter *row = parameter->row;
-    if (row->kind == PARAMETER_CHOICE)
-        return choice_place(row->choices, words);
-    if (row->kind == PARAMETER_FLAG)
-        return strcmp(words, "true") == 0;
-    return strtod(words, NULL);
-}
-
-static void apply_setting(Window *window, Tab *tab, const char *setting) {
-    size_t count, length = strcspn(setting, "=");
-    Fault fault = {0};
-    const PanelParameter *parameters = tab->laboratory->parameters(tab->session, &count);
-    for (size_t i = 0; i < count; i++)
-        if (strncmp(parameters[i].name, setting, length) == 0 && !parameters[i].name[length]) {
-            tab_set(tab, parameters[i].name, value_of(&parameters[i], setting + length + 1), &fault);
-            notice_fault(window, &fault, NAN);
-            return;
-        }
-    notice_post(window, "This lesson sets %.*s, which cannot be changed here.", (int)length, setting);
-}
 
 static void apply_settings(Window *window, const char *set) {
     const char *settings[LESSON_SETTINGS_MOST];
     Arena arena = {0};
     size_t count = lesson_add_settings(set, settings, 0, &arena);
-    for (size_t i = 0; i < count; i++)
-        apply_setting(window, tab_of(window), settings[i]);
+    for (size_t i = 0; i < count; i++) {
+        Fault fault = {0};
+        tab_set_words(tab_of(window), settings[i], &fault);
+        notice_fault(window, &fault, NAN);
+    }
     arena_clear(&arena);
+}
+
+/* Progress --------------------------------------------------------------------------------------------------------- */
+
+/* Writes the guesses and the place, or forgets those of a lesson that begins anew; says once that this cannot be done.
+ */
+static void keep_progress(Window *window, bool forgets) {
+    GivenLesson *given = window->lesson;
+    char *folder = settings_state_folder();
+    int error = !folder   ? EACCES
+                : forgets ? progress_forget(&given->play.lesson, folder)
+                          : progress_write(&given->play, folder, (int64_t)time(NULL));
+    if (error && !given->unkept)
+        notice_post(window, "The guesses cannot be kept%s%s: %s. They are lost when the lesson is closed.",
+                    folder ? " in " : "", folder ? folder : "",
+                    folder ? file_write_reason(error) : "no folder is writable");
+    given->unkept = error;
+    memory_free(folder);
+}
+
+static void read_progress(Window *window) {
+    GivenLesson *given = window->lesson;
+    char *folder = settings_state_folder();
+    Progress *kept = memory_zeroed(1, sizeof *kept);
+    Fault notes = {0};
+    bool found = folder && progress_read(kept, &given->play.lesson, folder, &notes);
+    notice_fault(window, &notes, NAN);
+    memory_free(folder);
+    if (found)
+        given->kept = kept;
+    else
+        memory_free(kept);
 }
 
 /* Opening and closing ---------------------------------------------------------------------------------------------- */
@@ -165,10 +129,11 @@ static bool is_lesson_file(const char *path) {
     return is;
 }
 
-/* Hides the result, or only its tight places. */
-static void cover(Tab *tab, bool covered, bool unsaid) {
-    tab->covered = covered;
-    tab->unsaid = unsaid;
+/* Hides of the result what must not be seen or said yet, and names all pieces; of no lesson, neither. */
+static void cover(Tab *tab, const Play *play) {
+    tab->covered = play && play_hides(play);
+    tab->unsaid = play && play_asks(play);
+    tab->asked = play;
     if (tab->session)
         tab->laboratory->set_layers(tab->session, tab_layers(tab));
 }
@@ -177,11 +142,12 @@ void lesson_close(Window *window) {
     GivenLesson *given = window->lesson;
     if (!given)
         return;
-    cover(tab_of(window), false, false);
+    cover(tab_of(window), NULL);
     window->lesson = NULL;
     judge_destroy(given->judge);
+    memory_free(given->kept);
     for (size_t s = 0; s < LESSON_STEPS_MOST; s++)
-        left_clear(&given->left[s]);
+        tab_state_clear(&given->left[s]);
     lesson_free(&given->play.lesson);
     memory_free(given);
     window->dirty = true;
@@ -204,16 +170,16 @@ static void begin_playing(Window *window) {
     player_pause(&tab->player, &span);
     player_seek(&tab->player, span.begin, &span);
     given->waits = step->kind == LESSON_OBSERVE;
+    given->restarted = false;
 }
 
 static void show_step(Window *window) {
     GivenLesson *given = window->lesson;
     Tab *tab = tab_of(window);
     forget(given);
-    bool hides = play_hides(&given->play);
-    if (hides)
+    if (play_hides(&given->play))
         tab_select(tab, (Item){0});
-    cover(tab, hides, play_asks(&given->play));
+    cover(tab, &given->play);
     window->drawer = false;
     begin_playing(window);
     tab->plot_panes_stale = true;
@@ -250,7 +216,46 @@ static bool open_lesson(Window *window, const char *path) {
     ui_focus(window->ui, "view");
     apply_settings(window, play_step(&given->play)->set);
     show_step(window);
+    read_progress(window);
     return true;
+}
+
+const Progress *lesson_kept(const Window *window) {
+    return window->lesson ? window->lesson->kept : NULL;
+}
+
+void lesson_begin_anew(Window *window) {
+    GivenLesson *given = window->lesson;
+    memory_free(given->kept);
+    given->kept = NULL;
+    keep_progress(window, true);
+}
+
+/* Goes to the step where the lesson was left; the house or machine is as each step begins it. */
+static void go_on_with(Window *window) {
+    GivenLesson *given = window->lesson;
+    Play *play = &given->play;
+    Progress *kept = given->kept;
+    given->kept = NULL;
+    memcpy(play->steps, kept->steps, sizeof play->steps);
+    for (; play->step < kept->step; apply_settings(window, play_step(play)->set)) {
+        tab_keep(tab_of(window), &given->left[play->step]);
+        play->step++;
+    }
+    memory_free(kept);
+    show_step(window);
+}
+
+/* Offers what was kept, once no other dialog is shown; a choice that was not made goes on with it. */
+static void offer_kept(Window *window) {
+    GivenLesson *given = window->lesson;
+    if (!given->kept || window->dialog != DIALOG_NONE)
+        return;
+    if (given->offered)
+        go_on_with(window);
+    else
+        dialog_pane_show(window, DIALOG_KEPT);
+    given->offered = true;
 }
 
 bool lesson_open_any(Window *window, const char *path) {
@@ -303,11 +308,10 @@ void lesson_press(Window *window, PlayKey key, int digit) {
     GivenLesson *given = window->lesson;
     Play *play = &given->play;
     size_t step = play->step;
-    Left *left = &given->left[step];
     plan_input_reset(window);
     window->echo[0] = 0;
     if (key == PLAY_NEXT || key == PLAY_BACK)
-        keep_state(left, tab_of(window));
+        tab_keep(tab_of(window), &given->left[step]);
     if (!play_key(play, key, digit) && key == PLAY_NEXT)
         lesson_leave(window);
     window->dirty = true;
@@ -318,7 +322,8 @@ void lesson_press(Window *window, PlayKey key, int digit) {
     if (play->step != step)
         show_step(window);
     else
-        cover(tab_of(window), play_hides(play), play_asks(play));
+        cover(tab_of(window), play);
+    keep_progress(window, !play_is_begun(play));
 }
 
 static void fold(Window *window) {
@@ -333,33 +338,23 @@ static bool is_question_mark(const SdlWindowEvent *event) {
 }
 
 bool lesson_key(Window *window, const SdlWindowEvent *event) {
-    static const struct {
-        const char *name;
-        PlayKey key;
-        bool always; /* also while the focus is elsewhere: remotes send it */
-    } keys[] = {{"PageDown", PLAY_NEXT, true}, {"PageUp", PLAY_BACK, true},    {"?", PLAY_HINT, false},
-                {"0", PLAY_VOTE, false},       {"Keypad 0", PLAY_VOTE, false}, {"Backspace", PLAY_UNDO, false}};
     if (!lesson_is_shown(window) || window->dialog != DIALOG_NONE || ui_types(window->ui) ||
         (event->mods && !is_question_mark(event)))
         return false;
-    const Play *play = &window->lesson->play;
-    bool predicts = play_step(play)->kind == LESSON_PREDICT;
     if (is_question_mark(event)) {
         lesson_press(window, PLAY_HINT, 0);
         return true;
     }
-    for (size_t k = 0; k < sizeof keys / sizeof *keys; k++)
-        if (event->key == sdl_window_key(keys[k].name) && (keys[k].always || keys[k].key == PLAY_HINT || predicts)) {
-            lesson_press(window, keys[k].key, 0);
-            return true;
-        }
-    for (int digit = 1; digit <= LESSON_OPTIONS_MOST && play_takes_digits(play); digit++) {
-        char name[] = {(char)('0' + digit), 0}, pad[] = "Keypad 0";
-        pad[7] = name[0];
-        if (event->key == sdl_window_key(name) || event->key == sdl_window_key(pad)) {
-            lesson_press(window, PLAY_DIGIT, digit);
-            return true;
-        }
+    size_t count;
+    const char *const *names = play_key_names(&count);
+    for (size_t k = 0; k < count; k++) {
+        PlayKey key;
+        int digit;
+        if (event->key != sdl_window_key(names[k]) || !play_read_key(names[k], &key, &digit) ||
+            !play_takes(&window->lesson->play, key))
+            continue;
+        lesson_press(window, key, digit);
+        return true;
     }
     return false;
 }
@@ -431,11 +426,21 @@ size_t lesson_tab_of(const char *path) {
 
 bool lesson_would_lose(const Window *window, Leave leave, const char *path) {
     const GivenLesson *given = window->lesson;
-    if (!given || !play_is_begun(&given->play))
+    if (!given || !given->unkept || !play_is_begun(&given->play))
         return false;
     if (leave == LEAVE_OPEN)
         return is_lesson_file(path) || laboratory_of(path) == given->tab;
     return leave == LEAVE_QUIT || (leave == LEAVE_NEW && tab_editor(&window->tabs[given->tab]));
+}
+
+bool lesson_is_kept(const Window *window) {
+    return !window->lesson->unkept;
+}
+
+void lesson_end(Window *window) {
+    if (lesson_is_last(window))
+        keep_progress(window, true);
+    lesson_close(window);
 }
 
 bool lesson_is_last(const Window *window) {
@@ -471,12 +476,11 @@ static void ask(Window *window, Tab *tab) {
 static void take(Window *window) {
     GivenLesson *given = window->lesson;
     Play *play = &given->play;
-    size_t step;
-    uint64_t state;
-    bool numbered = play->numbered;
     Fault fault = {0};
-    if (judge_take(given->judge, &play->lesson, &step, &state, &play->numbered, &fault) && state == given->asked &&
-        step == play->step) {
+    JudgeNews news = judge_take(given->judge, &play->lesson, &fault);
+    window->dirty |= news.counted;
+    play->numbered = news.numbered;
+    if (news.judged && news.state == given->asked && news.step == play->step) {
         play_judge(play);
         given->judged = true;
         window->dirty = true;
@@ -485,22 +489,26 @@ static void take(Window *window) {
         notice_fault(window, &fault, NAN);
     }
     fault_clear(&fault);
-    window->dirty |= play->numbered != numbered;
 }
 
-/* Plays the run that shall be watched, as soon as it is there. */
+/* Plays the run that shall be watched, as soon as it is there; a machine is computed further until its time comes. */
 static void play_on(Window *window, Tab *tab) {
     GivenLesson *given = window->lesson;
+    const LessonStep *step = play_step(&given->play);
     if (!given->waits || !is_answered(tab))
         return;
-    given->waits = false;
-    if (!tab_editor(tab) && *play_step(&given->play)->set)
+    if (!given->restarted && !tab_editor(tab) && *step->set)
         tab->laboratory->restart(tab->session); /* what it did with the numbers before is not to be watched */
+    given->restarted = true;
+    if (tab->laboratory->span(tab->session).endless && tab->laboratory->reach(tab->session, step->from) < step->from) {
+        window->dirty = true;
+        return;
+    }
+    given->waits = false;
     RecordSpan span = tab->laboratory->span(tab->session);
-    double speed = play_step(&given->play)->speed;
     player_normal_speed(&tab->player);
-    player_change_speed(&tab->player, speed > 0 ? (int)lround(log2(speed)) : 0, &span);
-    player_seek(&tab->player, span.begin, &span);
+    player_change_speed(&tab->player, step->speed > 0 ? (int)lround(log2(step->speed)) : 0, &span);
+    player_seek(&tab->player, fmax(step->from, span.begin), &span);
     tab->player.playing = true;
     window->dirty = true;
 }
@@ -517,6 +525,7 @@ void lesson_update(Window *window) {
     take(window);
     if (!tab->session || !lesson_is_shown(window))
         return;
+    offer_kept(window);
     if (play_hides(&given->play) && tab->player.playing) {
         RecordSpan span = tab->laboratory->span(tab->session);
         player_pause(&tab->player, &span);

@@ -4,7 +4,7 @@
 
 #include <jansson.h>
 
-#include "classroom/play.h"
+#include "classroom/progress.h"
 #include "window/window_state.h"
 
 /* Opens a file: a lesson, by its contents, in place of the present one; otherwise as opening_file. False: faults were
@@ -36,16 +36,27 @@ void lesson_close_panel(Window *window);
 void lesson_press(Window *window, PlayKey key, int digit);
 bool lesson_do(Window *window, Action action);
 
-/* Leaves the lesson, and asks first if something would be lost. */
+/* Leaves the lesson, and asks first if it has begun. */
 void lesson_leave(Window *window);
 
-/* True if the last step is shown. */
+/* Ends the lesson; after its last step, the guesses are forgotten. */
+void lesson_end(Window *window);
+
+/* True if the last step is shown; if the guesses and the place are kept for the next time. */
 bool lesson_is_last(const Window *window);
+bool lesson_is_kept(const Window *window);
+
+/* Returns what was kept of the open lesson, while it is not chosen whether to go on with it; NULL: nothing. */
+const Progress *lesson_kept(const Window *window);
+
+/* Forgets it. */
+void lesson_begin_anew(Window *window);
 
 /* Returns the tab that a file opens in: that of a lesson's house or machine, or that of its own kind. */
 size_t lesson_tab_of(const char *path);
 
-/* True if quitting, or opening this file (LEAVE_OPEN), would lose guesses or the place in the lesson. */
+/* True if quitting, or opening this file (LEAVE_OPEN), would lose guesses or the place in the lesson, because they cannot
+ * be kept. */
 bool lesson_would_lose(const Window *window, Leave leave, const char *path);
 
 /* Takes over verdicts, and asks for the goal of a new state. */

@@ -1,8 +1,10 @@
 #include "window/tab.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "base/choice.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "laboratory/edit/editor.h"
@@ -275,7 +277,7 @@ unsigned tab_layers(const Tab *tab) {
     for (size_t i = 0; i < tab->laboratory->layer_count && tab->cramped; i++)
         if (is_names(tab, i))
             layers = tab->named ? layers | 1u << i : layers & ~(1u << i);
-    return layers;
+    return tab->asked ? layers | LABORATORY_ALL_NAMES : layers;
 }
 
 void tab_toggle_layer(Tab *tab, size_t layer) {
@@ -379,6 +381,74 @@ const char *tab_title(const Tab *tab, Arena *arena) {
 
 bool tab_set(Tab *tab, const char *name, double value, Fault *fault) {
     return tab->session && tab->laboratory->set(tab->session, name, value, fault);
+}
+
+/* Returns the number that a setting's words mean for a parameter. */
+static double value_of(const PanelParameter *parameter, const char *words) {
+    const Parameter *row = parameter->row;
+    if (row->kind == PARAMETER_CHOICE)
+        return choice_place(row->choices, words);
+    if (row->kind == PARAMETER_FLAG)
+        return strcmp(words, "true") == 0;
+    return strtod(words, NULL);
+}
+
+bool tab_set_words(Tab *tab, const char *setting, Fault *fault) {
+    size_t count, length = strcspn(setting, "=");
+    const PanelParameter *parameters = tab->laboratory->parameters(tab->session, &count);
+    for (size_t i = 0; i < count; i++)
+        if (strncmp(parameters[i].name, setting, length) == 0 && !parameters[i].name[length])
+            return tab_set(tab, parameters[i].name, value_of(&parameters[i], setting + length + 1), fault);
+    fault_add(fault, "%.*s cannot be changed here", (int)length, setting);
+    return false;
+}
+
+/* Keeping a state -------------------------------------------------------------------------------------------------- */
+
+static size_t edits_in_effect(Editor *editor) {
+    EditStep steps[EDITOR_STEPS_MOST];
+    size_t count = editor_steps(editor, steps), now = count ? steps[0].number - 1 : 0;
+    for (size_t i = 0; i < count; i++)
+        now = steps[i].done ? steps[i].number : now;
+    return now;
+}
+
+void tab_keep(const Tab *tab, TabState *state) {
+    tab_state_clear(state);
+    Editor *editor = tab_editor(tab);
+    if (editor) {
+        state->text = text_copy(editor_text(editor));
+        state->edits = edits_in_effect(editor);
+        return;
+    }
+    const PanelParameter *parameters = tab->laboratory->parameters(tab->session, &state->value_count);
+    state->values = memory_zeroed(state->value_count + 1, sizeof *state->values);
+    for (size_t i = 0; i < state->value_count; i++)
+        state->values[i] = parameters[i].value;
+}
+
+bool tab_restore(Tab *tab, const TabState *state) {
+    Editor *editor = tab_editor(tab);
+    if (editor && state->text) {
+        if (strcmp(editor_text(editor), state->text) != 0)
+            editor_go_to_step(editor, state->edits);
+        return strcmp(editor_text(editor), state->text) == 0;
+    }
+    Fault none = {0};
+    size_t count;
+    for (size_t i = 0; i < state->value_count; i++) {
+        const PanelParameter *parameters = tab->laboratory->parameters(tab->session, &count);
+        if (i < count && parameters[i].value != state->values[i])
+            tab_set(tab, parameters[i].name, state->values[i], &none);
+    }
+    fault_clear(&none);
+    return true;
+}
+
+void tab_state_clear(TabState *state) {
+    memory_free(state->text);
+    memory_free(state->values);
+    *state = (TabState){0};
 }
 
 const PanelRow *tab_first_place(const Tab *tab) {

@@ -25,6 +25,7 @@ typedef struct Tab {
     bool fits;         /* the camera shows everything: it has not been moved */
     bool covered;      /* nothing of the result is shown: a class guesses first */
     bool unsaid;       /* tight places are not marked: a class says first what it has seen */
+    bool asked;        /* each piece has its name, since a lesson asks about it */
     bool handled;      /* it has been edited, so the view stays still */
     const char *plots; /* names of the plots shown, separated by commas; not owned */
     ViewLayers view_layers;
@@ -37,6 +38,14 @@ typedef struct Tab {
     bool plot_panes_stale; /* the panes must be chosen again */
     double worked;         /* s of wall time spent simulating */
 } Tab;
+
+/* How a house or machine was at a moment. */
+typedef struct TabState {
+    char *text;     /* of a house, as file text */
+    size_t edits;   /* of a house, in its history */
+    double *values; /* (value_count) of a machine's parameters */
+    size_t value_count;
+} TabState;
 
 /* Makes an empty tab of a laboratory; tab_close releases what it holds. */
 Tab tab_make(const Laboratory *kind);
@@ -95,6 +104,15 @@ const char *tab_title(const Tab *tab, Arena *arena);
 
 /* Changes a number. False: nothing is open, or a fault says why not. */
 bool tab_set(Tab *tab, const char *name, double value, Fault *fault);
+
+/* Changes a number as "NAME=VALUE" says. False as above. */
+bool tab_set_words(Tab *tab, const char *setting, Fault *fault);
+
+/* Keeps how what is open is now, in place of what `state` held; brings it back, false: the text of the house must be
+ * opened again, since its history does not reach that far; releases it. */
+void tab_keep(const Tab *tab, TabState *state);
+bool tab_restore(Tab *tab, const TabState *state);
+void tab_state_clear(TabState *state);
 
 /* Returns the first row that has a place, the most dangerous one; NULL: none has. */
 const PanelRow *tab_first_place(const Tab *tab);

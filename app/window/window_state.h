@@ -35,6 +35,7 @@ typedef enum Dialog {
     DIALOG_HISTORY,   /* of the edits */
     DIALOG_LEAVE,     /* edits are not saved */
     DIALOG_LESSON,    /* the lesson shall be left */
+    DIALOG_KEPT,      /* a lesson was left before its end */
     DIALOG_RECOVERED, /* a program that crashed has left edits */
     DIALOG_UNIT,      /* the unit of an imported plan is in doubt */
     DIALOGS,

@@ -20,14 +20,44 @@ typedef struct Settings {
     Arena arena;
 } Settings;
 
+/* Adds settings; an earlier one of the same name counts no more. */
+static void add_settings(Settings *settings, const char *const *more, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        size_t length = strcspn(more[i], "="), kept = 0;
+        for (size_t s = 0; s < settings->count; s++)
+            if (strncmp(settings->at[s], more[i], length + 1) != 0)
+                settings->at[kept++] = settings->at[s];
+        settings->count = kept;
+        if (settings->count < LESSON_SETTINGS_MOST)
+            settings->at[settings->count++] = more[i];
+    }
+}
+
+static void add_set(Settings *settings, const char *set) {
+    const char *more[LESSON_SETTINGS_MOST];
+    size_t count = lesson_add_settings(set, more, 0, &settings->arena);
+    add_settings(settings, more, count);
+}
+
 static Settings settings_of(const Lesson *lesson, const AttemptState *state, const char *set, const char *than) {
     Settings settings = {.count = 0};
-    settings.count = lesson_add_settings(lesson->set, settings.at, 0, &settings.arena);
-    for (size_t i = 0; i < state->setting_count && settings.count < LESSON_SETTINGS_MOST; i++)
-        settings.at[settings.count++] = state->settings[i];
-    settings.count = lesson_add_settings(set, settings.at, settings.count, &settings.arena);
-    settings.count = lesson_add_settings(than, settings.at, settings.count, &settings.arena);
+    add_set(&settings, lesson->set);
+    add_settings(&settings, state->settings, state->setting_count);
+    add_set(&settings, set);
+    add_set(&settings, than);
     return settings;
+}
+
+/* True if both hold the same settings, in any order: no name occurs twice in either. */
+static bool are_same(const Settings *a, const Settings *b) {
+    for (size_t i = 0; i < a->count; i++) {
+        size_t other = 0;
+        while (other < b->count && strcmp(a->at[i], b->at[other]) != 0)
+            other++;
+        if (other == b->count)
+            return false;
+    }
+    return a->count == b->count;
 }
 
 /* What was run of one set of settings; each part only once something needs it. */
@@ -38,7 +68,7 @@ typedef struct Shown {
     House house;
     Observation observation;
     bool read, ran, shaken;
-    double share;
+    double shakes_out; /* earthquakes after which all are out */
     double observed[OBSERVABLES_MOST];
     Experiment experiment;
 } Shown;
@@ -105,7 +135,7 @@ static bool shake_shown(Shown *shown, Fault *fault) {
     for (size_t i = 0; i < ATTEMPT_SHAKES; i++) {
         if (shakes.failed[i])
             return false;
-        shown->share += shakes.out[i] / (double)ATTEMPT_SHAKES;
+        shown->shakes_out += shakes.out[i];
     }
     return shown->shaken = true;
 }
@@ -117,9 +147,9 @@ static double parameter_value(const Parameter *row, const void *object) {
 
 static bool house_value(double *value, Shown *shown, Condition *condition, Fault *fault) {
     const char *name = condition->measure_name;
-    if (strcmp(name, NAMES_SHAKE_SHARE) == 0) {
+    if (strcmp(name, NAMES_SHAKES_OUT) == 0) {
         bool good = shake_shown(shown, fault);
-        *value = shown->share;
+        *value = shown->shakes_out;
         return good;
     }
     if (condition->measure) {
@@ -182,11 +212,6 @@ static bool value_of(double *value, Shown *shown, Condition *condition, Fault *f
                                                      : machine_value(value, shown, condition, fault);
 }
 
-static void shown_begin(Shown *shown, const Lesson *lesson, const AttemptState *state, const char *set,
-                        const char *than) {
-    *shown = (Shown){.lesson = lesson, .state = state, .settings = settings_of(lesson, state, set, than)};
-}
-
 static void shown_end(Shown *shown) {
     if (shown->lesson->laboratory != LESSON_HOUSE) {
         if (shown->read)
@@ -197,60 +222,77 @@ static void shown_end(Shown *shown) {
         house_free(&shown->house);
     }
     arena_clear(&shown->settings.arena);
+    memory_free(shown);
 }
 
-/* Divides the value by that of the same measure with the settings `than`, if there are any. */
-static bool compare(double *value, const Lesson *lesson, const AttemptState *state, const char *set, const char *than,
-                    Condition *condition, Fault *fault) {
+/* What was run so far, so that equal settings run once. */
+typedef struct Runs {
+    const Lesson *lesson;
+    const AttemptState *state;
+    Shown **at; /* (count) */
+    size_t count, capacity;
+} Runs;
+
+static Shown *runs_find(Runs *runs, const char *set, const char *than) {
+    Settings settings = settings_of(runs->lesson, runs->state, set, than);
+    for (size_t i = 0; i < runs->count; i++)
+        if (are_same(&runs->at[i]->settings, &settings)) {
+            arena_clear(&settings.arena);
+            return runs->at[i];
+        }
+    Shown *shown = memory_zeroed(1, sizeof *shown);
+    *shown = (Shown){.lesson = runs->lesson, .state = runs->state, .settings = settings};
+    runs->at = memory_reserve(runs->at, &runs->capacity, runs->count + 1, sizeof *runs->at);
+    return runs->at[runs->count++] = shown;
+}
+
+static void runs_clear(Runs *runs) {
+    for (size_t i = 0; i < runs->count; i++)
+        shown_end(runs->at[i]);
+    memory_free(runs->at);
+}
+
+/* Takes the value of a condition with the settings `set`; with `than`, divided by that with these settings, too. */
+static bool take_value(double *value, Runs *runs, const char *set, const char *than, Condition *condition,
+                       Fault *fault) {
+    *condition->note = 0;
+    if (!value_of(value, runs_find(runs, set, ""), condition, fault))
+        return false;
     if (!*than)
         return true;
-    Shown other;
     double divisor = 0;
     char note[sizeof condition->note];
     memcpy(note, condition->note, sizeof note);
-    shown_begin(&other, lesson, state, set, than);
-    bool good = value_of(&divisor, &other, condition, fault);
-    shown_end(&other);
+    bool good = value_of(&divisor, runs_find(runs, set, than), condition, fault);
     memcpy(condition->note, *note ? note : condition->note, sizeof note);
     *value /= divisor;
     return good;
 }
 
 bool attempt_goal(const Lesson *lesson, LessonStep *step, const AttemptState *state, Fault *fault) {
-    Shown shown;
+    Runs runs = {.lesson = lesson, .state = state};
     double values[LESSON_OPTIONS_MOST];
     bool good = true;
-    shown_begin(&shown, lesson, state, "", "");
-    for (size_t g = 0; g < step->goal_count && good; g++) {
-        Condition *condition = &step->goals[g].condition;
-        *condition->note = 0;
-        good = value_of(&values[g], &shown, condition, fault) &&
-               compare(&values[g], lesson, state, "", step->goals[g].than, condition, fault);
-    }
-    shown_end(&shown);
+    for (size_t g = 0; g < step->goal_count && good; g++)
+        good = take_value(&values[g], &runs, "", step->goals[g].than, &step->goals[g].condition, fault);
+    runs_clear(&runs);
     for (size_t g = 0; g < step->goal_count && good; g++)
         condition_judge(&step->goals[g].condition, values[g]);
     return good;
 }
 
 bool attempt_numbers(Lesson *lesson, const AttemptState *state, Fault *fault) {
-    Shown shown;
-    bool good = true, open = false;
+    Runs runs = {.lesson = lesson, .state = state};
+    bool good = true;
     for (size_t n = 0; n < lesson->number_count && good; n++) {
         LessonNumber *number = &lesson->numbers[n];
         double value;
-        bool same = open && strcmp(number->set, lesson->numbers[n - 1].set) == 0;
-        if (open && !same)
-            shown_end(&shown);
-        if (!same)
-            shown_begin(&shown, lesson, state, number->set, "");
-        open = true;
-        good = value_of(&value, &shown, &number->condition, fault) &&
-               compare(&value, lesson, state, number->set, number->than, &number->condition, fault);
+        good = take_value(&value, &runs, number->set, number->than, &number->condition, fault);
         if (good)
             condition_judge(&number->condition, value);
+        if (good && state->note)
+            state->note(state->context, n + 1);
     }
-    if (open)
-        shown_end(&shown);
+    runs_clear(&runs);
     return good;
 }

@@ -1,8 +1,8 @@
 /* What a state of a lesson's house, beam or crank shows: the values of conditions, computed by a run of its own that
  * gives the same bits as the window's or `clearance run`.
  *
- * Measures of a house: those of measure.h; those of difference.h, against the beginning of the lesson; shake_share, the
- * share of the earthquakes of seeds 1 to ATTEMPT_SHAKES after which all people are out; and any number that --set
+ * Measures of a house: those of measure.h; those of difference.h, against the beginning of the lesson; shakes_out,
+ * the number of the earthquakes of seeds 1 to ATTEMPT_SHAKES after which all people are out; and any number that --set
  * takes, "door.d3.width". Of a beam or a crank: the observables of its experiment (beam_experiment.h), "period",
  * "regular", "peak_max", and any of its numbers. */
 #pragma once
@@ -22,6 +22,10 @@ typedef struct AttemptState {
     const char *profiles; /* directory of the shipped profiles */
     int jobs;             /* threads */
     const Stop *stop;
+
+    /* NULL, or told by attempt_numbers how many numbers are known, after each; later calls leave those as they are. */
+    void (*note)(void *context, size_t known);
+    void *context;
 } AttemptState;
 
 /* Judges the conditions of a step's goal. False: interrupted, or a fault says why the state cannot be run; then no

@@ -66,6 +66,8 @@ static const Parameter step_rows[] = {
     TEXT(LessonStep, set, "set", PARAMETER_TEXT, false, "settings with which the step begins"),
     WHOLE(LessonStep, truth, "truth", 0, LESSON_OPTIONS_MOST, 0, "right option, from 1; 0: there is none"),
     CONDITION_NUMBER(LessonStep, speed, "speed", "1", 0.0625, 64, 1, "speed of playback"),
+    CONDITION_NUMBER(LessonStep, from, "from", "s", 0, 3600, 0, "time from which it is watched"),
+    WHOLE(LessonStep, minutes, "minutes", 0, 240, 0, "time that a class needs for the step; 0: not said"),
 };
 static const Parameter goal_rows[] = {
     CONDITION_ROWS(LessonGoal, condition),
@@ -392,10 +394,16 @@ static void read_steps(Reader *reader, const JsonNode *root) {
     }
     lesson->steps = arena_allocate(&lesson->arena, (lesson->step_count + 1) * sizeof *lesson->steps);
     memset(lesson->steps, 0, (lesson->step_count + 1) * sizeof *lesson->steps);
+    int minutes = 0;
     for (size_t s = 0; s < lesson->step_count; s++) {
         JsonNode element = json_element(&list, s);
         read_step(reader, &lesson->steps[s], &element);
+        minutes += lesson->steps[s].minutes;
     }
+    JsonNode whole = json_member(root, "minutes");
+    if (minutes && minutes != lesson->minutes)
+        json_fault(whole.value ? &whole : root, reader->fault,
+                   "minutes is %d, must be the sum of those of the steps, %d", lesson->minutes, minutes);
 }
 
 static void read_lesson(Reader *reader, const JsonNode *root) {

@@ -11,7 +11,7 @@
  *      "numbers": [{"name": "wide", "set": "door.d3.width=0.9", "measure": "time", "unit": "s", "digits": 1}],
  *      "steps": [{"kind": "predict", "ask": "Does the driver get out?", "options": ["yes", "no"], "truth": 2}, ...],
  *      "pictures": [{"caption": "...", "set": "..."}],
- *      "teacher": {"before": ["..."], "questions": ["..."], "mistakes": ["..."], "minutes": [3, 4]}}
+ *      "teacher": {"before": ["..."], "questions": ["..."], "mistakes": ["..."]}}
  *
  * A text may hold numbers by their names, "out in {wide}": the program fills them in (words.h). */
 #pragma once
@@ -74,6 +74,8 @@ typedef struct LessonStep {
     const char *set;     /* settings with which the step begins, "" as the lesson */
     int truth;           /* right option, from 1; 0: none */
     double speed;        /* of playback, 1 */
+    double from;         /* s, time from which it is watched */
+    int minutes;         /* that a class needs for it; 0: not said */
     LessonTexts options; /* at most LESSON_OPTIONS_MOST */
     LessonTexts wrong;   /* what is said to each option that is wrong; "" to the right one; or none */
     LessonTexts hints;   /* LESSON_HINTS, or none */

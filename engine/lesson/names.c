@@ -64,14 +64,14 @@ static const char *plan_unit(const Plan *plan, const char *name) {
 
 static const char *house_unit(const Names *checker, Condition *condition, const JsonNode *node, Fault *fault) {
     const char *name = condition->measure_name, *names[NAMES_MOST];
-    const char *unit = strcmp(name, NAMES_SHAKE_SHARE) == 0 ? "1" : difference_unit(name);
+    const char *unit = strcmp(name, NAMES_SHAKES_OUT) == 0 ? "1" : difference_unit(name);
     unit = unit ? unit : plan_unit(&checker->plan, name);
     if (unit)
         return unit;
     size_t count;
     const char *const *differences = difference_names(&count);
     memcpy(names, differences, count * sizeof *names);
-    names[count++] = NAMES_SHAKE_SHARE;
+    names[count++] = NAMES_SHAKES_OUT;
     return condition_find(condition, names, count, node, fault) ? condition->measure->unit : NULL;
 }
 

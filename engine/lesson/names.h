@@ -5,7 +5,7 @@
 #include "plan/plan.h"
 #include "study/experiment.h"
 
-#define NAMES_SHAKE_SHARE "shake_share"
+#define NAMES_SHAKES_OUT "shakes_out"
 
 /* What names are checked against. */
 typedef struct Names {

@@ -58,7 +58,8 @@ void house_picture_make_film(HouseSession *session, double time) {
     FilmOptions options = {
         .camera = session->camera,
         .bare = true,
-        .shown = session->layers & 1u << LAYER_CIRCLES ? FILM_CIRCLES : 0,
+        .shown = (session->layers & 1u << LAYER_CIRCLES ? FILM_CIRCLES : 0) |
+                 (session->layers & LABORATORY_ALL_NAMES ? FILM_ALL_NAMES : 0),
         .hidden = hidden_of(session->layers) | (rests ? FILM_RINGS | FILM_LOCI | FILM_DANGER | FILM_FORCES : 0),
         .before = is_crowd ? (Before){.house = NULL} : ghost,
         .live = true,

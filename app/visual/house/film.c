@@ -160,7 +160,7 @@ static void make_still(Film *film) {
         people_scene_ghost_label(scene, film->options.before.observation, film->trails, house->person_count,
                                  house_scene_before_name(film->options.before));
     if (!(hidden & FILM_NAMES) && scene->camera.kind == VIEW_PLAN && !film->crowd)
-        plan_scene_names(scene, house);
+        (film->options.shown & FILM_ALL_NAMES ? plan_scene_all_names : plan_scene_names)(scene, house);
 }
 
 Film *film_create(const House *house, const Observation *observation, const FilmOptions *options) {

@@ -10,9 +10,10 @@
 
 /* Shown on request. */
 enum {
-    FILM_CIRCLES = 1, /* discs that cover the chairs */
-    FILM_ROUTES = 2,  /* the planned routes */
-    FILM_WIDTHS = 4,  /* W1 and W2, the widths before and behind each corner of a route */
+    FILM_CIRCLES = 1,   /* discs that cover the chairs */
+    FILM_ROUTES = 2,    /* the planned routes */
+    FILM_WIDTHS = 4,    /* W1 and W2, the widths before and behind each corner of a route */
+    FILM_ALL_NAMES = 8, /* names next to pieces that have no room for them; no word names it */
 };
 
 /* Returns the sum of the FILM_... that a text like "circles,routes" names; -1 on an unknown name, at which *unknown

@@ -384,16 +384,18 @@ static size_t count_alike(const Plan *plan, const char *name) {
     return count;
 }
 
-static void add_furniture_name(Scene *scene, const Furniture *piece) {
+/* Adds the name of a piece; `close`: only where there is room within or right next to it. */
+static void add_furniture_name(Scene *scene, const Furniture *piece, bool close) {
     Primitive *label = scene_add_label(scene, ROLE_TEXT, NAME_TEXT, piece->centre, piece->name);
     label->fill = ROLE_FURNITURE;
-    label->close = true;
+    label->close = close;
+    label->leader = !close;
     Furniture standing = *piece;
     standing.toppled = false;
     bind_to_furniture(scene, label, &standing);
 }
 
-void plan_scene_names(Scene *scene, const House *house) {
+static void add_names(Scene *scene, const House *house, bool close) {
     const Plan *plan = &house->plan;
     for (size_t i = 0; i < plan->room_count; i++) {
         const Points *outline = &plan->rooms[i].outline;
@@ -403,5 +405,13 @@ void plan_scene_names(Scene *scene, const House *house) {
     }
     for (size_t i = 0; i < plan->furniture_count; i++)
         if (*plan->furniture[i].name && count_alike(plan, plan->furniture[i].name) <= ALIKE_MOST)
-            add_furniture_name(scene, &plan->furniture[i]);
+            add_furniture_name(scene, &plan->furniture[i], close);
+}
+
+void plan_scene_names(Scene *scene, const House *house) {
+    add_names(scene, house, true);
+}
+
+void plan_scene_all_names(Scene *scene, const House *house) {
+    add_names(scene, house, false);
 }

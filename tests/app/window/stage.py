@@ -127,7 +127,8 @@ class Screen:
         self.log_read, self.log_count, self.last = 0, 0, {}  # bytes and lines read so far, last state
         self.sent = 0  # number of presses and releases sent
         script = self.place / "script"
-        script.write_text(f"wait 1\nstate {self.log.name}\n" * int(minutes * 60 * 30) + "quit\n")
+        frames = 1 + minutes // 20  # a script has at most 1 MiB
+        script.write_text(f"wait {frames}\nstate {self.log.name}\n" * int(minutes * 60 * 30 / frames) + "quit\n")
         self.env = environment(self.place / "home", DISPLAY=self.display, SDL_MOUSE_DOUBLE_CLICK_TIME="0")
         if (width, height) != (1280, 720) and whole:
             arguments = ("--size", f"{width}x{height}", *arguments)
