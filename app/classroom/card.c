@@ -253,7 +253,8 @@ static void add_guesses(Card *card) {
     size_t at = play_guessed(card->play);
     const LessonStep *asked = at == SIZE_MAX ? NULL : &card->play->lesson.steps[at];
     const PlayStep *guesses = asked ? &card->play->steps[at] : NULL;
-    if (!guesses || !asked->truth || !play_hands(guesses, 0) || !card->whole)
+    bool compares = card->step->kind == LESSON_COMPARE;
+    if (!guesses || !asked->truth || (!compares && (!play_hands(guesses, 0) || !card->whole)))
         return;
     double height = line_height(card, UI_BODY);
     card->y += GAP;

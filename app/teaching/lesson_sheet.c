@@ -190,8 +190,11 @@ static void add_answers(Sheet *sheet, const LessonStep *step) {
 }
 
 static void add_step(Sheet *sheet, const LessonStep *step, size_t number) {
+    const char *title = lesson_kind_title((LessonKind)step->kind);
+    bool timed = sheet->options->answers && step->minutes;
     document_add_heading(&sheet->document, 2,
-                         document_text(&sheet->document, "%zu  %s", number, lesson_kind_title((LessonKind)step->kind)));
+                         timed ? document_text(&sheet->document, "%zu  %s (%d min)", number, title, step->minutes)
+                               : document_text(&sheet->document, "%zu  %s", number, title));
     if (*step->text)
         add_line(sheet, "", step->text);
     if (*step->ask)

@@ -11,6 +11,7 @@
 #include "window/dialog_pane.h"
 #include "window/files.h"
 #include "window/lesson.h"
+#include "window/menu_reason.h"
 #include "window/notice.h"
 #include "window/opening.h"
 #include "window/plan_input.h"
@@ -339,7 +340,12 @@ static Action without_selection(Action action) {
 
 void act_do(Window *window, Action action, int32_t key, int mods) {
     Tab *tab = window_tab(window);
+    const char *reason = menu_reason_to_guess(window, action);
     window->dirty = true;
+    if (reason) {
+        notice_post(window, "%s.", reason);
+        return;
+    }
     if (do_dialog(window, action) || do_window(window, action) || !tab->session || act_plot_do(window, action, mods) ||
         plan_input_do(window, action, mods))
         return;

@@ -46,10 +46,22 @@ static const char *why_no_edit(const Tab *tab, Editor *editor, Action action) {
     }
 }
 
+const char *menu_reason_to_guess(Window *window, Action action) {
+    bool edits = action > ACTION_TOOL_SELECT && action <= ACTION_UNDO_ALL && action != ACTION_COPY;
+    bool nudges =
+        action >= ACTION_NUDGE_LEFT && action <= ACTION_NUDGE_DOWN; /* which pan the view without a selection */
+    if (!lesson_hides(window) || !edits || (nudges && !is_selected(window_tab(window))))
+        return NULL;
+    return "The class guesses first: nothing changes until you go on with PgDn";
+}
+
 const char *menu_reason_of(Window *window, Action action) {
     const Tab *tab = window_tab(window);
+    const char *guess = menu_reason_to_guess(window, action);
     if (action >= ACTION_LESSON_NEXT && action <= ACTION_LESSON_LEAVE)
         return lesson_reason(window, action);
+    if (guess)
+        return guess;
     if (!tab->session)
         return needs_file(action) ? "No file is open" : NULL;
     Editor *editor = tab_editor(tab);
