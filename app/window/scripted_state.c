@@ -357,9 +357,9 @@ static void add_menu(json_t *state, Window *window) {
 }
 
 json_t *scripted_state_of(Window *window) {
-    static const char *const dialogs[DIALOGS] = {"none",    "menu",   "keys",     "gallery",   "open",
-                                                 "save",    "export", "messages", "explain",   "about",
-                                                 "history", "leave",  "lesson",   "recovered", "unit"};
+    static const char *const dialogs[DIALOGS] = {"none",   "menu",     "keys",      "gallery", "open",    "save",
+                                                 "export", "messages", "explain",   "about",   "history", "leave",
+                                                 "lesson", "kept",     "recovered", "unit"};
     const Message *last = messages_last(&window->messages);
     json_t *state = json_object();
     json_object_set_new(state, "laboratory", json_string(window_tab(window)->laboratory->word));
