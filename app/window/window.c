@@ -306,7 +306,7 @@ static void draw(Window *window, double seconds) {
     Tab *tab = window_tab(window);
     arena_clear(&window->arena);
     make_frame(window);
-    tab_set_cramped(tab, window->frame.compact && !lesson_is_shown(window));
+    tab_set_cramped(tab, window->frame.compact && !(lesson_is_shown(window) && tab_editor(tab)));
     canvas_paint(window);
     paint_gl_screen_begin(window->screen, window->width, window->height, palette_colour(window->theme, ROLE_PAPER));
     if (tab->session && tab->view_layers.paint)

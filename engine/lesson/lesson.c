@@ -1,8 +1,10 @@
 #include "lesson/lesson.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/parameters_schema.h"
 #include "base/text.h"
@@ -365,12 +367,24 @@ static void read_teacher(Reader *reader, const JsonNode *root) {
     reader->lesson->mistakes = read_texts(reader, &teacher, "mistakes");
 }
 
+static void report_unknown(Reader *reader, const JsonNode *node, const char *unknown) {
+    const Lesson *lesson = reader->lesson;
+    const char **names = arena_allocate(&reader->lesson->arena, (lesson->number_count + 1) * sizeof *names);
+    for (size_t n = 0; n < lesson->number_count; n++)
+        names[n] = lesson->numbers[n].name;
+    const char *nearest = text_nearest(unknown, names, lesson->number_count);
+    if (nearest)
+        json_fault(node, reader->fault, "the lesson has no number \"%.40s\", did you mean \"%s\"?", unknown, nearest);
+    else
+        json_fault(node, reader->fault, "the lesson has no number \"%.40s\"; give it in \"numbers\"", unknown);
+}
+
 /* Adds a fault for every number in a text, at any depth, that the lesson does not have. */
 static void check_numbers(Reader *reader, const JsonNode *node) {
     const char *text = json_string_value(node->value);
     const char *unknown = text ? words_unknown(reader->lesson, text, &reader->lesson->arena) : NULL;
     if (unknown)
-        json_fault(node, reader->fault, "the lesson has no number \"%.40s\"", unknown);
+        report_unknown(reader, node, unknown);
     for (size_t i = 0; i < json_array_size(node->value); i++) {
         JsonNode element = json_element(node, i);
         check_numbers(reader, &element);
@@ -406,6 +420,14 @@ static void read_steps(Reader *reader, const JsonNode *root) {
                    "minutes is %d, must be the sum of those of the steps, %d", lesson->minutes, minutes);
 }
 
+/* Adds a fault if the house or machine cannot be read, at the place that names it. */
+static void check_file(Reader *reader, const JsonNode *root) {
+    JsonNode name = json_member(root, "file");
+    if (json_is_string(name.value) && access(reader->lesson->file, R_OK) != 0)
+        json_fault(&name, reader->fault, "%s cannot be read: %s; the path begins at the lesson's folder",
+                   reader->lesson->file, text_read_reason(errno));
+}
+
 static void read_lesson(Reader *reader, const JsonNode *root) {
     static const char *const more[] = {"format", "version", "learn", "numbers", "steps", "pictures", "teacher", NULL};
     Lesson *lesson = reader->lesson;
@@ -415,6 +437,7 @@ static void read_lesson(Reader *reader, const JsonNode *root) {
     lesson->file = beside(lesson, lesson->file);
     lesson->script = beside(lesson, lesson->script);
     lesson->learn = read_texts(reader, root, "learn");
+    check_file(reader, root);
     if (reader->fault->total == before) {
         size_t count = lesson_add_settings(lesson->set, settings, 0, &lesson->arena);
         reader->checks = names_open(&reader->checker, lesson, settings, count, reader->fault);

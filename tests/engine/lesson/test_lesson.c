@@ -1,5 +1,7 @@
 /* Tests lessons: shipped ones, bad ones, differences of plans, numbers in texts, and goals. */
 
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -35,6 +37,7 @@ TEST(every_shipped_lesson_is_read_and_asks_before_it_shows) {
         for (size_t s = lesson.step_count; s-- > 0;) {
             predicts = lesson.steps[s].kind == LESSON_PREDICT ? s : predicts;
             observes = lesson.steps[s].kind == LESSON_OBSERVE ? s : observes;
+            CHECK(lesson.steps[s].minutes > 0); /* their sum is checked by the reader */
         }
         CHECK(predicts < observes);
         CHECK(lesson.before.count && lesson.mistakes.count);
@@ -81,6 +84,47 @@ TEST(numbers_stand_in_texts_once_they_are_known) {
     CHECK_TEXT(words_unknown(&lesson, "{wide} {narrow}", &arena), "narrow");
     CHECK(!words_unknown(&lesson, "a { and {wide}", &arena) || words_has_number("a { and {wide}"));
     arena_clear(&arena);
+}
+
+static void note_known(void *context, size_t known) {
+    size_t *last = context;
+    CHECK(known == *last + 1);
+    *last = known;
+}
+
+/* A ratio whose two runs differ only in the order of their settings, or in one that is overridden, is exactly 1. */
+TEST(numbers_come_one_by_one_and_a_later_setting_replaces_an_earlier_one) {
+    LessonNumber numbers[] = {
+        {.name = "a", .set = "", .than = "", .condition = {.measure_name = "door.d3.width", .unit = "m"}},
+        {.name = "b",
+         .set = "door.d3.width=0.9 door.d1.width=0.8 door.d3.width=0.83",
+         .than = "",
+         .condition = {.measure_name = "door.d3.width", .unit = "m"}},
+        {.name = "c",
+         .set = "door.d1.width=0.8 door.d3.width=0.9",
+         .than = "door.d1.width=0.95 door.d3.width=0.83",
+         .condition = {.measure_name = "door.d3.width", .unit = "1"}}};
+    Lesson lesson = {.file = scratch_source("houses/flat-0.910-module.json"),
+                     .set = "door.d3.width=0.7",
+                     .numbers = numbers,
+                     .number_count = 3};
+    char profiles[4096], file[4096];
+    snprintf(file, sizeof file, "%s", lesson.file);
+    lesson.file = file;
+    snprintf(profiles, sizeof profiles, "%s", scratch_source("assets/profiles"));
+    for (size_t n = 0; n < 3; n++) {
+        numbers[n].condition.low = -HUGE_VAL;
+        numbers[n].condition.high = HUGE_VAL;
+    }
+    size_t known = 0;
+    AttemptState state = {.profiles = profiles, .jobs = 1, .note = note_known, .context = &known};
+    Fault fault = {0};
+    CHECK(attempt_numbers(&lesson, &state, &fault));
+    check_say(&fault);
+    CHECK(known == 3);
+    CHECK_NEAR(numbers[0].condition.value, 0.7, 0);
+    CHECK_NEAR(numbers[1].condition.value, 0.83, 0);
+    CHECK_NEAR(numbers[2].condition.value, 0.9 / 0.83, 1e-15);
 }
 
 LONG_TEST(a_goal_holds_where_all_its_conditions_hold) {
