@@ -107,7 +107,9 @@ static bool advance(CrankPeer *peer, double end, double *time) {
 void crank_peer_set_state(CrankPeer *peer, const double *state) {
     for (size_t i = 0; i < 2 * peer->tree->coordinates; i++)
         N_VGetArrayPointer(peer->state)[i] = state[i];
-    peer->place = BALL_OPEN;
+    TreePose pose = tree_pose(peer->tree, 0, state);
+    BallReading reading = ball_read(peer->tree, &pose);
+    peer->place = ball_place(peer->tree, &reading);
     must(CVodeReInit(peer->cvode, 0, peer->state) == CV_SUCCESS);
 }
 

@@ -10,7 +10,7 @@ typedef struct CrankPeer CrankPeer;
 CrankPeer *crank_peer_create(const Tree *tree, double tolerance);
 void crank_peer_destroy(CrankPeer *peer);
 
-/* Begins at time 0 with a state (2 x coordinates) of a ball in flight. */
+/* Begins at time 0 with a state (2 x coordinates), in the place that the state determines. */
 void crank_peer_set_state(CrankPeer *peer, const double *state);
 
 /* Advances to a time, s since the start. */
