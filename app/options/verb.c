@@ -4,18 +4,20 @@
 #include <string.h>
 
 const Verb verb_rows[VERBS] = {
-    [VERB_OPEN] = {"open", 0, 1, "[HOUSE|BEAM]", ".json", "",
+    [VERB_OPEN] = {"open", 0, 1, "[HOUSE|BEAM|CRANK]", ".json", "",
                    "Open the interactive window; `clearance` alone does so, too.",
                    "clearance\n"
                    "clearance open houses/ube-techno-house.json\n"
-                   "clearance open assets/beams/ibs.json --set drive.frequency=290 --theme board\n"},
-    [VERB_RUN] = {"run", 1, 1, "HOUSE|BEAM", ".json", "",
-                  "Simulate an evacuation to its end, or a beam in its clearance, and print the answer.",
+                   "clearance open assets/beams/ibs.json --set drive.frequency=290 --theme board\n"
+                   "clearance open assets/cranks/ssc.json\n"},
+    [VERB_RUN] = {"run", 1, 1, "HOUSE|BEAM|CRANK", ".json", "",
+                  "Simulate an evacuation to its end, or a beam or a crank in its clearance, and print the answer.",
                   "clearance run houses/ube-techno-house.json --out out\n"
                   "clearance run houses/ube-techno-house.json --route C --driving miura --json\n"
                   "clearance run houses/ube-techno-house.json --report --out out\n"
                   "clearance run houses/corner-0.90-0.90.json --set profile.manual-chair.width=0.70\n"
-                  "clearance run assets/beams/ibs.json --set drive.frequency=290 --out out\n"},
+                  "clearance run assets/beams/ibs.json --set drive.frequency=290 --out out\n"
+                  "clearance run assets/cranks/ssc.json --set drive.frequency=10 --out out\n"},
     [VERB_CHECK] =
         {"check", 1, 1, "HOUSE", ".json", "",
          "List the errors of a house, then say for each person whether there is a way out, and if not, why. A "
@@ -33,13 +35,14 @@ const Verb verb_rows[VERBS] = {
                      "clearance ablate houses/straight-corridor.json --drivers 100\n"
                      "clearance ablate houses/ube-techno-house.json --population manual-jp --out out\n"},
     [VERB_STUDY] =
-        {"study", 1, 1, "HOUSE|BEAM", ".json", "",
+        {"study", 1, 1, "HOUSE|BEAM|CRANK", ".json", "",
          "Repeat runs over a range of one or two parameters, or by chance, and say where the answer changes.",
          "clearance study houses/flat-0.910-module.json --vary door.d3.width=0.7:1:31 --out out\n"
          "clearance study houses/ube-techno-house.json --runs 100 \\\n"
          "    --spread profile.manual-chair.free_speed=0.1\n"
          "clearance study houses/ube-techno-house.json --shake 100 --report --out out\n"
-         "clearance study assets/beams/ibs.json --vary drive.frequency=20:320:301 --out out\n"},
+         "clearance study assets/beams/ibs.json --vary drive.frequency=20:320:301 --out out\n"
+         "clearance study assets/cranks/ssc.json --vary drive.frequency=5:25:121 --out out\n"},
     [VERB_LOCI] = {"loci", 1, SIZE_MAX, "HOUSE ...", ".json", "",
                    "Run each house with both driving models, miura and driver: times, and how far the loci are apart.",
                    "clearance loci houses/corner-*.json\n"},
