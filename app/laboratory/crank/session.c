@@ -88,15 +88,13 @@ static bool change_record(MachineSession *machine_session, const Machine *machin
     return true;
 }
 
-static const char *const sights[CRANK_SIGHTS] = {"from the side", "along the coupler", "from above"};
-
 enum { CHOICE_SIGHT = MACHINE_CHOICES };
 
 static void show_sight(CrankSession *session) {
     session->machine.choices[CHOICE_SIGHT] =
         (PanelChoice){.name = "Loupe",
                       .meaning = "the direction in which the loupe shows the socket",
-                      .options = sights,
+                      .options = crank_scene_sights,
                       .count = CRANK_SIGHTS,
                       .chosen = session->view.sight};
 }

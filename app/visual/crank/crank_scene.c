@@ -243,14 +243,16 @@ static Vec2 through_loupe(const Drawing *d, double along, double across, double 
     return vec2(d->scale->socket.x + factor * x, d->scale->socket.y + factor * y);
 }
 
+const char *const crank_scene_sights[CRANK_SIGHTS] = {"from the side", "along the coupler", "from above"};
+
 static void add_loupe_still(const Drawing *d) {
-    static const char *const sights[CRANK_SIGHTS] = {"from the side", "along the coupler", "from above"};
     const CrankScale *scale = d->scale;
     add_ring(d->scene, ROLE_FURNITURE_LINE, MIDDLE, LINE_SOLID, scale->socket, scale->loupe);
     add_name(d, vec2(scale->socket.x, scale->socket.y - 1.38 * scale->loupe),
              scene_text(d->scene, "clearance %g mm, overlap x %g", MILLI * d->tree->clearance, CRANK_SCENE_OVERLAP));
     add_name_with_room(d, vec2(scale->socket.x, scale->socket.y - 1.17 * scale->loupe),
-                       scene_text(d->scene, "ball in its socket, %s", sights[scale->sight]));
+                       scene_text(d->scene, "seen %s", crank_scene_sights[scale->sight]));
+    add_name_with_room(d, vec2(scale->socket.x, scale->socket.y + 1.17 * scale->loupe), "ball in its socket");
 }
 
 /* Returns the colour of a share of the largest force. */

@@ -27,6 +27,9 @@ enum {
 /* The direction in which the loupe is looked through. */
 typedef enum CrankSight { CRANK_SIGHT_SIDE, CRANK_SIGHT_ALONG, CRANK_SIGHT_ABOVE, CRANK_SIGHTS } CrankSight;
 
+/* (CRANK_SIGHTS) "from the side", ... */
+extern const char *const crank_scene_sights[CRANK_SIGHTS];
+
 /* Overlap of ball and wall is magnified by this more than the clearance, so that it can be seen. */
 #define CRANK_SCENE_OVERLAP 3.0
 
