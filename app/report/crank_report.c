@@ -73,11 +73,14 @@ static void add_method(Document *document) {
         "known to 1e-9 N.");
     document_add_paragraph(
         document,
-        document_text(document,
-                      "Periodic: Newton's iteration has found a stable orbit, whose largest multiplier is below 1. "
-                      "Chaotic: the largest Lyapunov exponent is above 0 by three standard errors, K of the 0-1 test "
-                      "is above %.1f, and of the motions that were started on it and watched none settled.",
-                      RESPONSE_ZERO_ONE_LEAST));
+        document_text(
+            document,
+            "Periodic: Newton's iteration has found a stable orbit, whose largest multiplier is below 1. "
+            "Chaotic: the largest Lyapunov exponent is above 0 by three standard errors, K of the 0-1 test "
+            "is above %.1f, and of the motions that were started on it and watched none settled. Transient: "
+            "one that was chaotic for %d revolutions or more before it settled on a stable orbit, or on which "
+            "motions were started that settled.",
+            RESPONSE_ZERO_ONE_LEAST, RESPONSE_TRANSIENT_LEAST));
 }
 
 Document crank_report_make(const CrankReport *report, const Making *making) {

@@ -36,38 +36,9 @@ static const double *natural_frequencies(Arena *arena, const Rig *rig) {
 
 ResultTable result_beam_forces(const Rig *rig, const Response *response) {
     ResultTable table = {.numbers = RESULT_SHORTEST};
-    const SectionPeaks *peaks = &response->peaks;
-    bool periodic = response->orbit.period > 0, touches = peaks->count > 0;
+    bool touches = response->peaks.count > 0;
     double free_amplitude = rig_free_amplitude(rig), lacking = fmax(0, rig->modes.residual * rig->stiffness);
-    result_add(&table, (ResultRow){.key = "multiplier",
-                                   .label = "largest multiplier",
-                                   .kind = RESULT_NUMBER,
-                                   .number = periodic ? response->orbit.largest : NAN,
-                                   .decimals = 3});
-    result_add(&table, (ResultRow){.key = "peaks.min",
-                                   .label = "smallest peak",
-                                   .kind = RESULT_NUMBER,
-                                   .number = peaks->min,
-                                   .unit = "N",
-                                   .significant = 4,
-                                   .unknown = !touches});
-    result_add(&table, (ResultRow){.key = "peaks.max",
-                                   .label = "largest peak",
-                                   .kind = RESULT_NUMBER,
-                                   .number = peaks->max,
-                                   .unit = "N",
-                                   .significant = 4,
-                                   .unknown = !touches});
-    result_add(&table, (ResultRow){.key = "peaks.mean",
-                                   .label = "mean peak",
-                                   .kind = RESULT_NUMBER,
-                                   .number = peaks->mean,
-                                   .unit = "N",
-                                   .significant = 4,
-                                   .unknown = !touches});
-    result_add(
-        &table,
-        (ResultRow){.key = "peaks.count", .label = "peaks", .kind = RESULT_COUNT, .number = (double)peaks->count});
+    result_verdict_add_peaks(&table, response);
     result_add(&table, (ResultRow){.key = "switches",
                                    .label = "switches per cycle",
                                    .kind = RESULT_NUMBER,

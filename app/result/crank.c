@@ -42,19 +42,8 @@ ResultTable result_crank_motion(const Crank *crank, const Response *response) {
 
 ResultTable result_crank_forces(const Tree *tree, const Response *response, double ideal) {
     ResultTable table = {.numbers = RESULT_SHORTEST};
-    const SectionPeaks *peaks = &response->peaks;
-    bool periodic = response->orbit.period > 0, touches = peaks->count > 0;
-    result_add(&table, (ResultRow){.key = "multiplier",
-                                   .label = "largest multiplier",
-                                   .kind = RESULT_NUMBER,
-                                   .number = periodic ? response->orbit.largest : NAN,
-                                   .decimals = 3});
-    add_number(&table, "peaks.min", "smallest peak", peaks->min, "N", 4, !touches);
-    add_number(&table, "peaks.max", "largest peak", peaks->max, "N", 4, !touches);
-    add_number(&table, "peaks.mean", "mean peak", peaks->mean, "N", 4, !touches);
-    result_add(
-        &table,
-        (ResultRow){.key = "peaks.count", .label = "peaks", .kind = RESULT_COUNT, .number = (double)peaks->count});
+    bool touches = response->peaks.count > 0;
+    result_verdict_add_peaks(&table, response);
     add_number(&table, "ideal_force", "largest force without clearance", ideal, "N", 4, !isfinite(ideal));
     result_add(&table, (ResultRow){.key = "switches",
                                    .label = "switches per revolution",

@@ -116,6 +116,30 @@ void result_verdict_add(ResultTable *table, const Response *response, const char
     add_count(table, "cycles", text_in_arena(arena, "%ss analysed", cycle), response->cycles, false);
 }
 
+static void add_peak(ResultTable *table, const char *key, const char *label, double peak, bool touches) {
+    result_add(table, (ResultRow){.key = key,
+                                  .label = label,
+                                  .kind = RESULT_NUMBER,
+                                  .number = peak,
+                                  .unit = "N",
+                                  .significant = 4,
+                                  .unknown = !touches});
+}
+
+void result_verdict_add_peaks(ResultTable *table, const Response *response) {
+    const SectionPeaks *peaks = &response->peaks;
+    bool touches = peaks->count > 0;
+    result_add(table, (ResultRow){.key = "multiplier",
+                                  .label = "largest multiplier",
+                                  .kind = RESULT_NUMBER,
+                                  .number = response->orbit.period ? response->orbit.largest : NAN,
+                                  .decimals = 3});
+    add_peak(table, "peaks.min", "smallest peak", peaks->min, touches);
+    add_peak(table, "peaks.max", "largest peak", peaks->max, touches);
+    add_peak(table, "peaks.mean", "mean peak", peaks->mean, touches);
+    add_count(table, "peaks.count", "peaks", peaks->count, false);
+}
+
 /* Words -------------------------------------------------------------------------------------------------------------
  */
 

@@ -9,6 +9,9 @@
 /* Adds the rows to those of the motion. */
 void result_verdict_add(ResultTable *table, const Response *response, const char *cycle);
 
+/* Adds the multiplier of an orbit and the peaks of the recorded cycles. */
+void result_verdict_add_peaks(ResultTable *table, const Response *response);
+
 /* Adds sentences, one per line. */
 void result_verdict_say(Text *text, const Response *response, const char *cycle);
 

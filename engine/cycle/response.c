@@ -367,6 +367,14 @@ void response_confirm(Response *response, Cycle cycle, const SurvivalTask *task)
         response->verdict = RESPONSE_TRANSIENT;
 }
 
+Spectrum response_spectrum(const Response *response, size_t column, size_t samples, double frequency) {
+    const Trace *trace = &response->trace;
+    size_t cycles = trace->rows / samples, period = response->orbit.period;
+    if (period && cycles >= period)
+        cycles -= cycles % period;
+    return spectrum_make(trace->values + column, cycles * samples, trace->width, 1 / (frequency * (double)samples));
+}
+
 void response_clear(Response *response) {
     memory_free(response->start);
     section_clear(&response->section);

@@ -21,6 +21,7 @@
 #include "cycle/section.h"
 #include "cycle/shape.h"
 #include "cycle/survival.h"
+#include "mechanics/spectrum.h"
 #include "mechanics/trace.h"
 
 typedef enum ResponseVerdict {
@@ -92,5 +93,9 @@ const char *response_name(const Response *response);
 
 /* True if the motion is known: neither undetermined nor one that could not be followed or was interrupted. */
 bool response_is_told(ResponseVerdict verdict);
+
+/* Returns the spectrum of a column of the trace, of `samples` rows a cycle of `frequency` Hz: over whole periods of the
+ * motion, so that its lines are not smeared. spectrum_clear releases it. */
+Spectrum response_spectrum(const Response *response, size_t column, size_t samples, double frequency);
 
 void response_clear(Response *response);

@@ -261,16 +261,6 @@ static void make_velocity(Plot *plot, const Given *given) {
     make_against_time(plot, given, BEAM_VELOCITY);
 }
 
-/* Uses whole periods of the motion, so that its lines are not smeared. */
-static Spectrum deflection_spectrum(const Given *given) {
-    const Trace *trace = &given->response->trace;
-    size_t cycles = trace->rows / BEAM_SAMPLES, period = given->response->orbit.period;
-    if (period && cycles >= period)
-        cycles -= cycles % period;
-    double interval = 1 / (given->beam->frequency * BEAM_SAMPLES);
-    return spectrum_make(trace->values + BEAM_DEFLECTION, cycles * BEAM_SAMPLES, trace->width, interval);
-}
-
 static void add_multiples(Plot *plot, const Given *given) {
     for (int m = 1; m <= MULTIPLES; m++) {
         char name[16];
@@ -284,7 +274,7 @@ static void add_multiples(Plot *plot, const Given *given) {
 }
 
 static void make_spectrum(Plot *plot, const Given *given) {
-    Spectrum spectrum = deflection_spectrum(given);
+    Spectrum spectrum = response_spectrum(given->response, BEAM_DEFLECTION, BEAM_SAMPLES, given->beam->frequency);
     double end = (MULTIPLES + 0.5) * given->beam->frequency, largest = 0;
     double *values = arena_allocate(given->arena, 2 * (spectrum.count + 1) * sizeof *values);
     size_t count = 0;

@@ -223,16 +223,6 @@ static void make_slider(Plot *plot, const Given *given) {
     make_against_angle(plot, given, CRANK_SLIDER_OFF);
 }
 
-/* Uses whole periods of the motion, so that its lines are not smeared. */
-static Spectrum force_spectrum(const Given *given) {
-    const Trace *trace = &given->response->trace;
-    size_t turns = trace->rows / CRANK_SAMPLES, period = given->response->orbit.period;
-    if (period && turns >= period)
-        turns -= turns % period;
-    double interval = 1 / (given->crank->frequency * CRANK_SAMPLES);
-    return spectrum_make(trace->values + CRANK_FORCE, turns * CRANK_SAMPLES, trace->width, interval);
-}
-
 static void mark_frequency(Plot *plot, double frequency, double end, const char *name) {
     if (frequency < end)
         add_guide(
@@ -241,7 +231,7 @@ static void mark_frequency(Plot *plot, double frequency, double end, const char 
 }
 
 static void make_spectrum(Plot *plot, const Given *given) {
-    Spectrum spectrum = force_spectrum(given);
+    Spectrum spectrum = response_spectrum(given->response, CRANK_FORCE, CRANK_SAMPLES, given->crank->frequency);
     Tree tree = tree_of(given->crank);
     double end = fmax((MULTIPLES + 0.5) * given->crank->frequency, 1.2 * tree_bending_frequency(&tree, 0)), largest = 0;
     double *values = arena_allocate(given->arena, 2 * (spectrum.count + 1) * sizeof *values);
@@ -253,8 +243,7 @@ static void make_spectrum(Plot *plot, const Given *given) {
     }
     spectrum_clear(&spectrum);
     plot->title = "Spectrum of the force";
-    plot->x = (PlotAxis){
-        .title = "frequency (dashed: natural frequencies of supports and coupler)", .unit = "Hz", .high = end};
+    plot->x = (PlotAxis){.title = "frequency (dashed: natural)", .unit = "Hz", .high = end};
     plot->y = (PlotAxis){.title = "amplitude", .unit = "N", .logarithmic = true};
     if (largest > 0) {
         plot->y.high = pow(10, ceil(log10(largest)));
