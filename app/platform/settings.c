@@ -63,6 +63,10 @@ static const Parameter state_rows[] = {
      .low = 0,
      .high = 7,
      .meaning = "first things that were tried, as bits"},
+    {.name = "folds",
+     .kind = PARAMETER_TEXT,
+     .offset = offsetof(SettingsState, folds),
+     .meaning = "sections of the panel that were opened (+) or closed (-), a line each"},
 };
 static const ParameterTable state_table = {"state", state_rows, sizeof state_rows / sizeof *state_rows};
 

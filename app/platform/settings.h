@@ -45,6 +45,7 @@ typedef struct SettingsLaboratory {
 typedef struct SettingsState {
     const char *folder;               /* of the last file that was opened, or "" */
     int tried;                        /* bits: the first things to try that were done */
+    const char *folds;                /* of the panel, as they were left: see panel.c */
     SettingsLaboratory *laboratories; /* (laboratory_count) in the order in which they were asked for or read */
     size_t laboratory_count, laboratory_capacity;
 } SettingsState;

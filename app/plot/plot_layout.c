@@ -1,5 +1,7 @@
 #include "plot/plot_layout.h"
 
+#include <string.h>
+
 #include "base/text.h"
 #include "draw/caption.h"
 #include "plot/plot_frame.h"
@@ -107,7 +109,7 @@ static Caption *add_text(PlotLayout *layout, const char *text, double size, bool
 typedef struct Above {
     bool names;  /* of the series */
     bool across; /* the title of the x axis, */
-    bool bare;   /* which is left out */
+    bool bare;   /* which is left out: its unit stands with the last tick */
 } Above;
 
 /* Rows of text above the frame, filled from left to right. */
@@ -121,11 +123,20 @@ static void begin_row(Rows *rows) {
     rows->middle += ROW_HEIGHT;
 }
 
+/* Returns a text, or what stands before its colon if only that fits. */
+static const char *shorter_title(Layout *sheet, const char *text, double size, bool bold, double width) {
+    const char *colon = strstr(text, ": ");
+    return colon && text_extent(text, size, bold).x > width
+               ? text_in_arena(&sheet->arena, "%.*s", (int)(colon - text), text)
+               : text;
+}
+
 /* Adds a text, `before` design points to its left kept free, to this row or the next. */
 static Caption *add_item(Rows *rows, const char *text, double size, bool bold, double before) {
     Layout *sheet = &rows->layout->sheet;
     double right = sheet->page.x - MARGIN, rounding = 0.5;
-    const char *label = caption_shortened(sheet, text, size, bold, right - MARGIN - before);
+    const char *whole = shorter_title(sheet, text, size, bold, right - MARGIN - before);
+    const char *label = caption_shortened(sheet, whole, size, bold, right - MARGIN - before);
     double width = before + text_extent(label, size, bold).x;
     if (rows->left > MARGIN && rows->left + width > right + rounding)
         begin_row(rows);
@@ -250,6 +261,22 @@ static void add_upright_labels(PlotLayout *layout) {
     }
 }
 
+/* Writes the unit behind the label of the last tick, if it has room there. */
+static void add_unit(PlotLayout *layout, const Plot *plot, const char *label, Caption *last, const Caption *before) {
+    Layout *sheet = &layout->sheet;
+    const char *unit = plot->x.unit;
+    if (!unit || !*unit || strcmp(unit, "1") == 0 || layout->x.power != 0)
+        return;
+    const char *text = text_in_arena(&sheet->arena, "%s %s", label, unit);
+    double width = text_extent(text, AXIS_TEXT, false).x, left = last->centre.x - last->extent.x / 2;
+    left = fmin(left, sheet->page.x - MARGIN / 2 - width);
+    if (before && left < before->centre.x + before->extent.x / 2 + LABEL_APART / 2)
+        return;
+    last->text = text;
+    last->centre.x = left + width / 2;
+    last->extent.x = width;
+}
+
 /* In a low plot the title takes the end of the labels' row. False: labels need that place. */
 static bool add_across_labels(PlotLayout *layout, const Plot *plot, Above above) {
     char title[PLOT_TICKS_TITLE];
@@ -271,7 +298,9 @@ static bool add_across_labels(PlotLayout *layout, const Plot *plot, Above above)
         plot_ticks_label(&layout->x, i, label);
         double x = plot_frame_point(layout, vec2(plot_ticks_at(&layout->x, i), 0)).x;
         complete = complete && x + text_extent(label, AXIS_TEXT, false).x / 2 <= end;
-        add_text(layout, label, AXIS_TEXT, false, vec2(x, row));
+        Caption *caption = add_text(layout, label, AXIS_TEXT, false, vec2(x, row));
+        if (above.bare && i + 1 == layout->x.count)
+            add_unit(layout, plot, label, caption, i ? caption - 1 : NULL);
     }
     return complete;
 }

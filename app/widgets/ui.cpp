@@ -88,6 +88,9 @@ struct Ground {
 
 struct UiPainter {
     PaintGlScreen *screen;
+    std::vector<UiPainted> painted; /* of this frame; their texts begin in `letters` at `begins` */
+    std::vector<size_t> begins;
+    std::vector<char> letters;
     ImGuiContext *context;
     std::vector<ImDrawList *> lists;
     ImDrawList *list;
@@ -249,6 +252,22 @@ size_t ui_painter_wrap(UiPainter *painter, UiTextStyle style, const char *text, 
     return static_cast<size_t>((blank > text && end < text + line ? blank : end) - text);
 }
 
+namespace {
+
+/* Notes a text for ui_painted. */
+void note_painted(UiPainter *painter, const ImFont *font, ImVec2 corner, const char *text, size_t bytes) {
+    ImVec2 size = font->CalcTextSizeA(font->FontSize, HUGE_VALF, 0, text, text + bytes);
+    ImVec2 low = painter->list->GetClipRectMin(), high = painter->list->GetClipRectMax();
+    Box clip = {vec2(low.x, low.y), vec2(high.x, high.y)};
+    Box box = {vec2(corner.x, corner.y), vec2(corner.x + size.x, corner.y + size.y)};
+    painter->begins.push_back(painter->letters.size());
+    painter->letters.insert(painter->letters.end(), text, text + bytes);
+    painter->letters.push_back(0);
+    painter->painted.push_back({nullptr, box, clip});
+}
+
+} // namespace
+
 void ui_painter_text(UiPainter *painter, UiTextStyle style, UiInk ink, Vec2 at, const char *text, size_t bytes) {
     const ImFont *font = font_of(painter, style);
     want(painter, text, text + bytes);
@@ -256,6 +275,14 @@ void ui_painter_text(UiPainter *painter, UiTextStyle style, UiInk ink, Vec2 at, 
     double base = std::round(at.y * painter->unit + capital / 2);
     ImVec2 corner(pixel(painter, at.x), static_cast<float>(base) - font->Ascent);
     painter->list->AddText(font, font->FontSize, corner, ink_of(ink), text, text + bytes);
+    note_painted(painter, font, corner, text, bytes);
+}
+
+const UiPainted *ui_painter_painted(UiPainter *painter, size_t *count) {
+    *count = painter->painted.size();
+    for (size_t i = 0; i < *count; i++)
+        painter->painted[i].text = painter->letters.data() + painter->begins[i];
+    return painter->painted.data();
 }
 
 /* Shapes ----------------------------------------------------------------------------------------------------------- */
@@ -368,6 +395,9 @@ void ui_painter_begin(UiPainter *painter, int width, int height, double unit, do
         list->PushClipRect(ImVec2(0, 0), io.DisplaySize);
     }
     painter->list = painter->lists[UI_LAYER_PANES];
+    painter->painted.clear();
+    painter->begins.clear();
+    painter->letters.clear();
 }
 
 namespace {

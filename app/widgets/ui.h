@@ -134,6 +134,9 @@ const char *ui_focus_help(const Ui *ui);
 /* Returns width and height of a text, design points. */
 Vec2 ui_extent(Ui *ui, UiTextStyle style, const char *text);
 
+/* Returns the height of a text in a box of that width, design points. */
+double ui_text_height(Ui *ui, UiTextStyle style, const char *text, double width);
+
 /* The flow: widgets stand below each other in the pane; ui_at puts the next one into a box of the window; ui_row puts
  * the next `count` side by side, equally wide. ui_gap leaves a gap. */
 void ui_at(Ui *ui, Box box);
@@ -236,6 +239,16 @@ void ui_draw_diamond(Ui *ui, Vec2 middle, double radius, Role role);
 /* Adds one line: at.y is the middle of the capitals; at.x the left end (aligned 0), the middle (0.5) or the right one
  * (1). */
 void ui_draw_text(Ui *ui, UiTextStyle style, Role role, Vec2 at, double aligned, const char *text);
+
+/* A text as it was painted, and the box that it is clipped to, pixels of the window. Each line of a wrapped text is
+ * one. */
+typedef struct UiPainted {
+    const char *text;
+    Box box, clip;
+} UiPainted;
+
+/* Lists the texts of the last frame in the order of painting, for tests; valid until the next frame. */
+const UiPainted *ui_painted(const Ui *ui, size_t *count);
 
 /* A box that the mouse can drag: its state, in design points of the window. */
 typedef struct UiGrab {

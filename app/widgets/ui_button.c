@@ -12,9 +12,8 @@
 #define LINE 19.0 /* of several lines in a button */
 #define FLAG_BOX 20.0
 #define ROW_HEIGHT 32.0
-#define ROW_PAD 8.0    /* above and below a name of several lines */
-#define ROW_LEAST 70.0 /* room for a name that may break */
-#define ROW_MARK 34.0  /* a disc or a line sample, and some room */
+#define ROW_PAD 8.0   /* above and below a name of several lines */
+#define ROW_MARK 34.0 /* a disc or a line sample, and some room */
 #define ROW_DISC_RADIUS 11.0
 #define ROW_GAP 14.0
 #define CHOICE_GAP 4.0
@@ -302,17 +301,38 @@ static UiTextStyle style_of(const UiRow *row) {
     return row->selected ? UI_BOLD : UI_BODY;
 }
 
-/* Returns the height of a row: a name that is too long for its column breaks between words. */
-static double row_height(Ui *ui, const UiRow *row) {
-    double room = ui_pane_width(ui) - (is_marked(row) ? ROW_MARK : 0);
+/* How a row is laid out. */
+typedef struct RowFit {
+    double height, cells; /* of the row, and of its cells to the right, at its foot */
+} RowFit;
+
+static double widest_word(Ui *ui, UiTextStyle style, const char *text) {
+    double widest = 0;
+    for (size_t length; *text; text += length + strspn(text + length, " ")) {
+        length = strcspn(text, " ");
+        widest = fmax(widest, ui_painter_extent(ui->painter, style, text, length).x);
+    }
+    return widest;
+}
+
+/* A name that is too long for its column breaks between words; where a word is longer, the name has lines of its own
+ * above the other cells. */
+static RowFit fit_row(Ui *ui, const UiRow *row) {
+    double all = ui_pane_width(ui) - (is_marked(row) ? ROW_MARK : 0), room = all;
+    UiTextStyle style = style_of(row);
     int count = !row->cells[0] ? 0 : !row->cells[1] ? 1 : !row->cells[2] ? 2 : 3;
     for (int column = 1; column < count; column++) {
-        double width = ui_extent(ui, style_of(row), row->cells[column]).x;
+        double width = ui_extent(ui, style, row->cells[column]).x;
         room -= (count > 2 && ui->place ? fmax(width, ui->place->columns[0][column - 1]) : width) + ROW_GAP;
     }
-    if (!count || room < ROW_LEAST || ui_extent(ui, style_of(row), row->cells[0]).x <= room)
-        return ROW_HEIGHT;
-    return fmax(ROW_HEIGHT, ui_text_wrapped(ui, style_of(row), 0, (Box){{0, 0}, {room, 0}}, row->cells[0]) + ROW_PAD);
+    if (!count || ui_extent(ui, style, row->cells[0]).x <= room)
+        return (RowFit){ROW_HEIGHT, ROW_HEIGHT};
+    bool stacks = count > 1 && widest_word(ui, style, row->cells[0]) > room;
+    double name = ui_text_height(ui, style, row->cells[0], stacks ? all : room);
+    if (stacks)
+        return (RowFit){name + ROW_HEIGHT, ROW_HEIGHT - ROW_PAD / 2};
+    double height = fmax(ROW_HEIGHT, name + ROW_PAD);
+    return (RowFit){height, height};
 }
 
 /* Returns the box of a row: rows of a list have no gap between them. */
@@ -326,18 +346,19 @@ static Box next_row(Ui *ui, double height) {
 
 static void draw_name(Ui *ui, const UiRow *row, Box box) {
     UiInk ink = ui_state_ink(ui, row->dim ? ROLE_DIM_TEXT : ROLE_TEXT, 1);
-    double height = box_height(box) - ROW_PAD;
-    if (box_height(box) <= ROW_HEIGHT) {
+    if (ui_extent(ui, style_of(row), row->cells[0]).x <= box_width(box)) {
         ui_text_in(ui, style_of(row), ink, box, 0, row->cells[0]);
         return;
     }
+    double height = ui_text_height(ui, style_of(row), row->cells[0], box_width(box));
     box.low.y = (box.low.y + box.high.y - height) / 2;
     ui_text_wrapped(ui, style_of(row), ink, box, row->cells[0]);
 }
 
 bool ui_list_row(Ui *ui, const UiRow *row) {
     UiId id = ui_state_id(ui, row->id ? row->id : row->cells[0]);
-    Box box = next_row(ui, row_height(ui, row));
+    RowFit fit = fit_row(ui, row);
+    Box box = next_row(ui, fit.height);
     UiTouch touch = row->usable || row->help ? ui_state_touch(ui, id, box, false) : (UiTouch){0};
     Box wide = {{box.low.x - 6, box.low.y}, {box.high.x + 6, box.high.y}};
     /* keeps the frame of the focus off the neighbouring rows */
@@ -352,7 +373,12 @@ bool ui_list_row(Ui *ui, const UiRow *row) {
         draw_mark(ui, box, row);
         inside.low.x += ROW_MARK;
     }
-    inside.high.x = draw_cells(ui, inside, style_of(row), row->cells);
+    Box foot = {{inside.low.x, inside.high.y - fit.cells}, inside.high};
+    double right = draw_cells(ui, foot, style_of(row), row->cells);
+    if (fit.cells < fit.height)
+        inside.high.y = foot.low.y;
+    else
+        inside.high.x = right;
     if (row->cells[0])
         draw_name(ui, row, inside);
     ui_tip_offer(ui, id, box, row->help, touch.hovered, focused);

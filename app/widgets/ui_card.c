@@ -26,6 +26,21 @@ static void draw_shape(Ui *ui, const UiCard *card, Vec2 middle) {
     ui_draw_polyline(ui, points, 2, false, ROLE_FURNITURE_LINE, THICK);
 }
 
+/* Draws the name; one that is too long for a line takes another one, of the text below or else of the picture. */
+static void draw_name(Ui *ui, const UiCard *card, Box box, Box *text) {
+    double more = ui_text_height(ui, UI_BOLD, card->name, box_width(box)) - UI_SPACING * ui_painter_size(UI_BOLD);
+    UiInk ink = ui_state_ink(ui, ROLE_TEXT, 1);
+    if (more <= 0) {
+        ui_text_in(ui, UI_BOLD, ink, box, 0, card->name);
+        return;
+    }
+    if (card->text_height > 0)
+        text->low.y += more;
+    else
+        box.low.y -= more;
+    ui_text_wrapped(ui, UI_BOLD, ink, box, card->name);
+}
+
 bool ui_card(Ui *ui, const UiCard *card) {
     UiId id = ui_state_id(ui, card->id ? card->id : card->name);
     Box box = ui_pane_next(ui, card->picture_height + NAME_HEIGHT + card->text_height + 3 * EDGE);
@@ -44,8 +59,8 @@ bool ui_card(Ui *ui, const UiCard *card) {
     if (card->picture)
         ui_painter_image(ui->painter, card->picture, fitted(place, card->picture));
     Box name = {{inside.low.x, place.high.y + EDGE / 2}, {inside.high.x, place.high.y + EDGE / 2 + NAME_HEIGHT}};
-    ui_text_in(ui, UI_BOLD, ui_state_ink(ui, ROLE_TEXT, 1), name, 0, card->name);
     Box text = {{inside.low.x, name.high.y}, inside.high};
+    draw_name(ui, card, name, &text);
     ui_painter_clip(ui->painter, text);
     ui_text_wrapped(ui, UI_SMALL, ui_state_ink(ui, ROLE_DIM_TEXT, 1), text, card->text ? card->text : "");
     ui_painter_unclip(ui->painter);

@@ -45,3 +45,7 @@ void ui_draw_text(Ui *ui, UiTextStyle style, Role role, Vec2 at, double aligned,
     at.x -= aligned * ui_extent(ui, style, text).x;
     ui_painter_text(ui->painter, style, ui_state_ink(ui, role, 1), at, text, strlen(text));
 }
+
+const UiPainted *ui_painted(const Ui *ui, size_t *count) {
+    return ui_painter_painted(ui->painter, count);
+}

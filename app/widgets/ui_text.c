@@ -57,6 +57,10 @@ double ui_text_wrapped(Ui *ui, UiTextStyle style, UiInk ink, Box box, const char
     return top - box.low.y;
 }
 
+double ui_text_height(Ui *ui, UiTextStyle style, const char *text, double width) {
+    return ui_text_wrapped(ui, style, 0, (Box){{0, 0}, {width, 0}}, text);
+}
+
 void ui_text(Ui *ui, UiTextStyle style, Role role, const char *text) {
     Box measured = {{0, 0}, {ui_pane_width(ui), 0}};
     Box box = ui_pane_next(ui, ui_text_wrapped(ui, style, 0, measured, text));

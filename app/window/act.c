@@ -273,6 +273,17 @@ static bool selects_texts(const Tab *tab) {
     return false;
 }
 
+/* Takes the tool for what a house lacks, as the button of the answer does; false: it lacks nothing. */
+static bool take_missing(Window *window, Tab *tab) {
+    Editor *editor = tab_editor(tab);
+    Result answer = tab->laboratory->answer(tab->session);
+    bool takes = editor && answer.cure && !answer.stale && !tab->laboratory->selected(tab->session).kind &&
+                 editor_tool(editor) == TOOL_SELECT && !lesson_is_shown(window);
+    if (takes)
+        act_do(window, ACTION_TOOL_SELECT + (Action)answer.tool, 0, 0);
+    return takes;
+}
+
 /* Does an action on the laboratory's files and items; false: it is another action. */
 static bool do_tab(Window *window, Tab *tab, Action action) {
     switch (action) {
@@ -319,6 +330,8 @@ static bool do_tab(Window *window, Tab *tab, Action action) {
         walk_items(window, tab, -1);
         return true;
     case ACTION_EDIT_NUMBERS:
+        if (take_missing(window, tab))
+            return true;
         window->panel = window->drawer = true;
         if (tab->laboratory->selected(tab->session).kind || lesson_is_shown(window) || selects_texts(tab))
             ui_focus_number(window->ui, "panel");

@@ -76,6 +76,20 @@ static double show_laboratories(Window *window, Box bar) {
     return begin;
 }
 
+/* Returns a title that fits: whole, without what stands in brackets at the end of the name, or only that it is edited;
+ * the frame of the system has all of it. */
+static const char *whole_title(Window *window, const char *title, double width) {
+    const char *mark = strstr(title, " (edited)"), *bracket = strstr(title, " (");
+    const char *tries[] = {
+        title,
+        bracket ? text_in_arena(&window->arena, "%.*s%s", (int)(bracket - title), title, mark ? mark : "") : title,
+        mark ? mark + 1 : ""};
+    size_t i = 0;
+    while (i + 1 < sizeof tries / sizeof *tries && ui_extent(window->ui, UI_BOLD, tries[i]).x > width)
+        i++;
+    return tries[i];
+}
+
 void bars_show_menu(Window *window) {
     Box bar = window->frame.menu;
     window->noted_in_title = false;
@@ -85,7 +99,8 @@ void bars_show_menu(Window *window) {
     double left = menu_show_bar(window, bar), right = show_laboratories(window, bar);
     const Tab *tab = window_tab(window);
     if (tab->session) {
-        const char *title = lesson_title(window), *note = tab->laboratory->note(tab->session);
+        const char *title = whole_title(window, lesson_title(window), right - left - 2 * GAP);
+        const char *note = tab->laboratory->note(tab->session);
         double width = ui_extent(window->ui, UI_BOLD, title).x + 2, more = ui_extent(window->ui, UI_BODY, note).x + 2;
         window->noted_in_title = left + width + more + 4 * GAP < right;
         double all = window->noted_in_title && *note ? width + GAP + more : width;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/stopwatch.h"
+#include "draw/caption.h"
 #include "window/act.h"
 #include "window/act_plot.h"
 #include "window/lesson.h"
@@ -17,11 +18,12 @@
 #define LEAST_SIDE 24.0
 #define EDIT_HEIGHT 32.0
 #define SCALE_WIDTH 150.0 /* of the view's scale bar, at the right */
+#define LEAST_NOTE 110.0  /* width of a note */
 
 #define RING 34.0     /* across, of the pointer in presentation mode */
 #define ECHO_STAY 1.5 /* s */
 
-enum { NOTE_LINES = 4, RING_POINTS = 36 };
+enum { RING_POINTS = 36 };
 
 /* The changes that a fix makes. */
 #define CHANGE_LINE 3.0
@@ -121,23 +123,45 @@ static double note_left(Window *window) {
     return has_edit_button(window) ? left + ui_extent(window->ui, UI_BODY, edit_label(window)).x + 4 * MARGIN : left;
 }
 
+/* Returns the box of the plan and its names in the view, design points. */
+static Box picture_box(const Window *window, Tab *tab) {
+    const Layout *still = &tab->view_layers.still;
+    Box floor = tab->laboratory->still(tab->session)->box, box = box_empty();
+    const Vec2 corners[] = {floor.low, {floor.high.x, floor.low.y}, floor.high, {floor.low.x, floor.high.y}};
+    for (size_t i = 0; i < sizeof corners / sizeof *corners; i++)
+        box = box_include(box, layout_point(still, corners[i]));
+    for (size_t i = 0; i < still->caption_count; i++) {
+        Box caption = caption_box(&still->captions[i]);
+        box = box_include(box_include(box, caption.low), caption.high);
+    }
+    return (Box){vec2_add(window->frame.view.low, box.low), vec2_add(window->frame.view.low, box.high)};
+}
+
+/* Shows a line of a note, broken between words where a large text has the plan beside it; returns its height. */
+static double show_note_line(Window *window, Box picture, double left, double top, const char *line) {
+    Vec2 extent = ui_extent(window->ui, UI_BODY, line);
+    bool covers = window->frame.compact && top + extent.y > picture.low.y && left + extent.x > picture.low.x;
+    Box box = {{left, top}, {left + extent.x + 1, top + extent.y}};
+    if (covers)
+        box.high.x = fmax(picture.low.x - MARGIN, left + LEAST_NOTE);
+    box.high.y = top + ui_text_height(window->ui, UI_BODY, line, box_width(box));
+    ui_draw_box(window->ui, (Box){{left - 4, top}, {box.high.x + 4, box.high.y}}, ROLE_PAPER, 0.8);
+    ui_at(window->ui, box);
+    ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT, line);
+    return box_height(box);
+}
+
 /* Shows a note line by line at the top of the view, where the title bar has no room for it. */
-static void show_note(Window *window, const char *note) {
-    Box view = window->frame.view;
-    double height = ui_extent(window->ui, UI_BODY, "x").y, most = fmax(box_width(view) - SCALE_WIDTH, SCALE_WIDTH);
-    const char *lines[NOTE_LINES];
-    int count = 0;
-    for (const char *at = note; *at && count < NOTE_LINES; count++) {
+static void show_note(Window *window, Tab *tab, const char *note) {
+    Box view = window->frame.view, picture = tab->view_layers.painted ? picture_box(window, tab) : view;
+    double left = note_left(window), top = view.low.y + MARGIN / 2;
+    double most = fmax(view.high.x - SCALE_WIDTH - left, SCALE_WIDTH);
+    for (const char *at = note; *at;) {
         const char *end = strstr(at, "; ");
         bool fits = ui_extent(window->ui, UI_BODY, at).x <= most || !end;
-        lines[count] = fits ? at : text_in_arena(&window->arena, "%.*s", (int)(end - at), at);
+        const char *line = fits ? at : text_in_arena(&window->arena, "%.*s", (int)(end - at), at);
+        top += show_note_line(window, picture, left, top, line);
         at = fits ? "" : end + 2;
-    }
-    for (int i = 0; i < count; i++) {
-        double y = view.low.y + MARGIN / 2 + height * (i + 0.5);
-        double left = note_left(window), right = left + ui_extent(window->ui, UI_BODY, lines[i]).x;
-        ui_draw_box(window->ui, (Box){{left - 4, y - height / 2}, {right + 4, y + height / 2}}, ROLE_PAPER, 0.8);
-        ui_draw_text(window->ui, UI_BODY, ROLE_DIM_TEXT, vec2(left, y), 0, lines[i]);
     }
 }
 
@@ -153,12 +177,15 @@ static void show_animation(Window *window, const char *text) {
     ui_draw_text(window->ui, UI_HEADING, ROLE_PAPER, middle_of(strip), 0.5, text);
 }
 
-static void show_view_text(Window *window, const Tab *tab) {
+static void show_view_text(Window *window, Tab *tab) {
     Box view = window->frame.view;
     if (!window->noted_in_title)
-        show_note(window, tab->laboratory->note(tab->session));
+        show_note(window, tab, tab->laboratory->note(tab->session));
     show_animation(window, plan_input_animation(tab));
-    if (lesson_hides(window) || tab->player.playing || (window->plan_input.holds && window->plan_input.plays_on))
+    bool crowded =
+        window->frame.compact && tab->laboratory->numbers_first; /* a machine fills a low view: Play says it */
+    if (crowded || lesson_hides(window) || tab->player.playing ||
+        (window->plan_input.holds && window->plan_input.plays_on))
         return;
     Vec2 size = ui_extent(window->ui, UI_HEADING, "PAUSED");
     Box tag = {{view.high.x - size.x - 3 * MARGIN, view.low.y + MARGIN},

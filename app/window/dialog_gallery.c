@@ -2,12 +2,15 @@
 
 #include <math.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "laboratory/import_file.h"
+#include "window/autosave.h"
 #include "window/dialog_pane.h"
 #include "window/files.h"
 #include "window/notice.h"
+#include "window/opening.h"
 
 /* Design points. */
 #define EDGE 24.0
@@ -124,6 +127,28 @@ static const char *show_tries(Window *window, const GalleryItem *items, size_t c
     return chosen;
 }
 
+/* Offers to go on with the house that is being edited; true if that was chosen. */
+static bool show_continue(Window *window) {
+    const Tab *tab = autosave_tab(window);
+    size_t edits = tab_edit_count(tab);
+    if (!edits)
+        return false;
+    const char *name = text_in_arena(&window->arena, "Continue: %s", tab_title(tab, &window->arena));
+    note(window, name);
+    return ui_list_row(
+        window->ui, &(UiRow){.id = "continue",
+                             .shape = ROW_PLAIN,
+                             .cells = {name, edits == 1 ? "1 edit" : text_in_arena(&window->arena, "%zu edits", edits)},
+                             .help = "Continue: Go back to the house that you were editing",
+                             .usable = true});
+}
+
+/* Returns when a file was changed last, or NULL. */
+static const char *changed_when(Window *window, const char *path) {
+    struct stat status;
+    return stat(path, &status) == 0 ? dialog_pane_when(window, (int64_t)status.st_mtime) : NULL;
+}
+
 /* Shows lessons as lines: they have questions, which no picture tells. */
 static bool show_lesson(Window *window, const GalleryItem *item) {
     return ui_list_row(
@@ -187,11 +212,12 @@ static const char *show_own(Window *window) {
             ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Your files");
             note(window, "# Your files");
         }
-        if (ui_list_row(window->ui, &(UiRow){.id = text_in_arena(&window->arena, "own %s", paths[i]),
-                                             .shape = ROW_PLAIN,
-                                             .cells = {text_in_arena(&window->arena, "%s", name)},
-                                             .help = text_in_arena(&window->arena, "%s", paths[i]),
-                                             .usable = true}))
+        if (ui_list_row(window->ui,
+                        &(UiRow){.id = text_in_arena(&window->arena, "own %s", paths[i]),
+                                 .shape = ROW_PLAIN,
+                                 .cells = {text_in_arena(&window->arena, "%s", name), changed_when(window, paths[i])},
+                                 .help = text_in_arena(&window->arena, "%s", paths[i]),
+                                 .usable = true}))
             chosen = text_in_arena(&window->arena, "%s", paths[i]);
     }
     return chosen;
@@ -201,6 +227,12 @@ static void open_item(Window *window, const char *path) {
     const char *kept = text_in_arena(&window->arena, "%s", path);
     dialog_pane_close(window);
     files_leave(window, LEAVE_OPEN, kept);
+}
+
+/* Closes the start page over the house that is being edited. */
+static void go_on(Window *window) {
+    dialog_pane_close(window);
+    opening_tab(window, (size_t)(autosave_tab(window) - window->tabs));
 }
 
 void dialog_gallery_show(Window *window) {
@@ -218,6 +250,7 @@ void dialog_gallery_show(Window *window) {
             finds                  ? text_in_arena(&window->arena, "Find: %s|", window->field)
             : window->lessons_only ? "Predict, watch, change, explain. Type to find, Return opens, Escape closes."
                                    : "1 2 3 try. Type to find, arrows choose, Return opens, Escape closes.");
+    bool goes_on = !finds && !window->lessons_only && show_continue(window);
     if (!finds && !window->lessons_only)
         chosen = show_tries(window, items, count);
     for (int g = 0; g < (window->lessons_only ? GROUP_LESSONS + 1 : GROUPS); g++) {
@@ -228,7 +261,9 @@ void dialog_gallery_show(Window *window) {
     if (!window->shown_count)
         ui_text(window->ui, UI_BODY, ROLE_TEXT, "Nothing has this in its name.");
     ui_pane_end(window->ui);
-    if (chosen || own)
+    if (goes_on)
+        go_on(window);
+    else if (chosen || own)
         open_item(window, chosen ? chosen : own);
 }
 

@@ -1,7 +1,5 @@
 #include "window/dialog_leave.h"
 
-#include <time.h>
-
 #include "window/dialog_pane.h"
 #include "window/files.h"
 #include "window/lesson.h"
@@ -71,18 +69,6 @@ void dialog_leave_show_lesson(Window *window) {
         files_finish_leaving(window);
 }
 
-/* Returns a time as "14:02", with its date if that is not today. */
-static const char *when_text(Window *window, int64_t when) {
-    time_t moment = (time_t)when, now = time(NULL);
-    struct tm then, today;
-    char text[64];
-    localtime_r(&moment, &then);
-    localtime_r(&now, &today);
-    bool same = then.tm_year == today.tm_year && then.tm_yday == today.tm_yday;
-    strftime(text, sizeof text, same ? "%H:%M" : "%Y-%m-%d %H:%M", &then);
-    return text_in_arena(&window->arena, "%s", text);
-}
-
 void dialog_leave_show_kept(Window *window) {
     const Progress *kept = lesson_kept(window);
     if (!kept) {
@@ -97,7 +83,7 @@ void dialog_leave_show_kept(Window *window) {
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Go on with this lesson?");
     ui_text(window->ui, UI_BODY, ROLE_TEXT,
             text_in_arena(&window->arena, "It was left at step %zu, %s.%s The house or machine is as the step begins.",
-                          kept->step + 1, when_text(window, kept->when), counted));
+                          kept->step + 1, dialog_pane_when(window, kept->when), counted));
     ui_row(window->ui, 2);
     bool goes =
         ui_button(window->ui, &(UiButton){.label = "Go on", .help = "Go on (Escape): From the step where it was left"});
@@ -116,12 +102,12 @@ static bool show_found(Window *window, size_t index) {
                         : found->edits == 1 ? "1 edit"
                                             : text_in_arena(&window->arena, "%zu edits", found->edits);
     ui_heading(window->ui,
-               text_in_arena(&window->arena, "%s, %s, %s", found->name, when_text(window, found->when), edits));
+               text_in_arena(&window->arena, "%s, %s, %s", found->name, dialog_pane_when(window, found->when), edits));
     ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, text_in_arena(&window->arena, "Recovery file: %s", found->path));
     const char *origin = !found->origin ? "It had no file yet."
                          : found->origin_when
                              ? text_in_arena(&window->arena, "Its file: %s, saved %s", found->origin,
-                                             when_text(window, found->origin_when))
+                                             dialog_pane_when(window, found->origin_when))
                              : text_in_arena(&window->arena, "Its file no longer exists: %s", found->origin);
     ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, origin);
     ui_row(window->ui, 2);

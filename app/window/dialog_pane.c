@@ -1,5 +1,7 @@
 #include "window/dialog_pane.h"
 
+#include <time.h>
+
 #include <math.h>
 
 void dialog_pane_begin(Window *window, Box box) {
@@ -22,4 +24,15 @@ void dialog_pane_close(Window *window) {
     window->dialog = DIALOG_NONE;
     window->leave = LEAVE_NOTHING;
     window->dirty = true;
+}
+
+const char *dialog_pane_when(Window *window, int64_t when) {
+    time_t moment = (time_t)when, now = time(NULL);
+    struct tm then, today;
+    char text[64];
+    localtime_r(&moment, &then);
+    localtime_r(&now, &today);
+    bool same = then.tm_year == today.tm_year && then.tm_yday == today.tm_yday;
+    strftime(text, sizeof text, same ? "%H:%M" : "%Y-%m-%d %H:%M", &then);
+    return text_in_arena(&window->arena, "%s", text);
 }

@@ -13,3 +13,6 @@ Box dialog_pane_centred(const Window *window, double width, double height, doubl
 /* Shows a dialog in place of the current one; closes the current one and cancels what was to follow it. */
 void dialog_pane_show(Window *window, Dialog dialog);
 void dialog_pane_close(Window *window);
+
+/* Returns a time, s since 1970, as "14:02", with its date if that is not today; in the frame's arena. */
+const char *dialog_pane_when(Window *window, int64_t when);

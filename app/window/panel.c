@@ -1,11 +1,11 @@
 #include "window/panel.h"
 
 #include <math.h>
-#include <stdint.h>
+#include <stdio.h>
 #include <string.h>
 
-#include "base/digest.h"
 #include "window/act.h"
+#include "window/lesson.h"
 #include "window/notice.h"
 #include "window/panel_edit.h"
 #include "window/plan_input.h"
@@ -15,21 +15,61 @@ enum { DIGITS_MOST = 6, PRESETS_IN_ROW = 2, OPEN_MOST = 3 };
 
 /* Folds ------------------------------------------------------------------------------------------------------------ */
 
-/* Shows the heading of a fold and returns true if it is open. Folds that were touched stay as they were left; of the
- * others the first ones are open, so that at most OPEN_MOST are unless more were opened. Folds are kept by their
- * titles. */
+/* Returns the task that the folds are remembered for. */
+static const char *task_of(const Window *window) {
+    const Tab *tab = &window->tabs[window->current];
+    return lesson_is_shown(window)                ? "lesson"
+           : tab->laboratory->numbers_first       ? tab->laboratory->word
+           : window->editing                      ? "edit"
+           : tab->session && tab_opens_plots(tab) ? "crowd"
+                                                  : "watch";
+}
+
+/* Returns the fold of a title as it was left, or NULL. */
+static Fold *find_fold(Window *window, const char *name) {
+    for (size_t i = 0; i < window->fold_count; i++)
+        if (strcmp(window->folds[i].name, name) == 0)
+            return &window->folds[i];
+    return NULL;
+}
+
+/* Stores the folds: a line each, "+" for an open one. */
+static void store_folds(Window *window) {
+    Text text = {0};
+    for (size_t i = 0; i < window->fold_count; i++)
+        text_format(&text, "%s%c%s", i ? "\n" : "", window->folds[i].open ? '+' : '-', window->folds[i].name);
+    window->settings.state.folds = settings_store(&window->settings, text.text ? text.text : "");
+    memory_free(text.text);
+}
+
+void panel_read_folds(Window *window) {
+    for (const char *line = window->settings.state.folds; *line; line += strcspn(line, "\n"), line += *line == '\n') {
+        size_t length = strcspn(line, "\n");
+        if (length < 2 || length > FOLD_NAME || window->fold_count == FOLDS_MOST || (*line != '+' && *line != '-'))
+            continue;
+        Fold *fold = &window->folds[window->fold_count++];
+        snprintf(fold->name, sizeof fold->name, "%.*s", (int)length - 1, line + 1);
+        fold->open = *line == '+';
+    }
+}
+
+/* Shows the heading of a fold and returns true if it is open. Folds that were touched stay as they were left, for each
+ * task, whatever the file; of the others the first ones are open, so that at most OPEN_MOST are unless more were
+ * opened. */
 static bool show_fold(Window *window, const char *title, const char *summary, bool open_at_first) {
-    uint64_t key = digest_text(DIGEST_START, title);
-    size_t i = 0;
-    while (i < window->fold_count && window->folds[i].key != key)
-        i++;
-    bool touched = i < window->fold_count;
+    char name[FOLD_NAME];
+    snprintf(name, sizeof name, "%s/%s", task_of(window), title);
+    Fold *fold = find_fold(window, name);
     size_t taken = window->folds_open + window->folds_opened; /* by others that were opened, above and in all */
-    bool open = touched ? window->folds[i].open : open_at_first && taken < OPEN_MOST;
+    bool touched = fold, open = touched ? fold->open : open_at_first && taken < OPEN_MOST;
     if (ui_fold(window->ui, title, open ? NULL : summary, &open)) {
-        if (touched || window->fold_count < FOLDS_MOST)
-            window->folds[i] = (Fold){key, open};
-        window->fold_count += !touched && window->fold_count < FOLDS_MOST;
+        if (!fold && window->fold_count < FOLDS_MOST)
+            fold = &window->folds[window->fold_count++];
+        if (fold) {
+            memcpy(fold->name, name, sizeof name);
+            fold->open = open;
+        }
+        store_folds(window);
         touched = true;
         window->dirty = true;
     }

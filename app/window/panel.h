@@ -4,3 +4,6 @@
 #include "window/window_state.h"
 
 void panel_show(Window *window);
+
+/* Reads how the folds of the panel were left, from the settings. */
+void panel_read_folds(Window *window);

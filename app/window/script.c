@@ -86,6 +86,7 @@ static const Row rows[SCRIPT_KINDS] = {
     [SCRIPT_PICTURE] = {"picture", "FILE", {WORD}, 1, 0},
     [SCRIPT_VIEW] = {"view", "FILE", {WORD}, 1, 0},
     [SCRIPT_STATE] = {"state", "FILE", {WORD}, 1, 0},
+    [SCRIPT_TEXTS] = {"texts", "FILE", {WORD}, 1, 0},
     [SCRIPT_EXPECT] = {"expect", "NAME VALUE [TOLERANCE]", {WORD, VALUE, NUMBER(0, 1e300)}, 2, 0},
     [SCRIPT_QUIT] = {"quit", "", {{0}}, 0, 0},
 };

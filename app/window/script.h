@@ -7,6 +7,7 @@
  *     open FILE         laboratory house|beam                  set NAME VALUE
  *     play  pause       seek SECONDS       speed TIMES         resize WIDTH HEIGHT
  *     picture FILE      view FILE          state FILE          expect NAME VALUE [TOLERANCE]       quit
+ *     texts FILE
  */
 #pragma once
 
@@ -41,6 +42,7 @@ typedef enum ScriptKind {
     SCRIPT_PICTURE, /* word: file, of the whole window */
     SCRIPT_VIEW,    /* word: file, of the plan or the beam alone */
     SCRIPT_STATE,   /* word: file, to which a line is added */
+    SCRIPT_TEXTS,   /* word: file, to which a line with the texts of the widgets is added */
     SCRIPT_EXPECT,  /* words: name, value; numbers: value, or NAN, and tolerance */
     SCRIPT_QUIT,
     SCRIPT_KINDS,

@@ -111,8 +111,8 @@ static void write_view(Window *window, const char *path) {
     memory_free(pixels);
 }
 
-static void write_state(Window *window, const char *path) {
-    json_t *state = scripted_state_of(window);
+/* Adds a line to a file, and releases what it says. */
+static void write_line(Window *window, const char *path, json_t *state) {
     FILE *file = fopen(path, "a");
     if (file) {
         json_dumpf(state, file, JSON_COMPACT | JSON_SORT_KEYS);
@@ -227,7 +227,7 @@ static void run_in_tab(Scripted *scripted, Window *window, const ScriptCommand *
 
 static void run(Scripted *scripted, Window *window, const ScriptCommand *command) {
     const double *numbers = command->numbers;
-    window->dirty |= command->kind != SCRIPT_WAIT && command->kind != SCRIPT_STATE;
+    window->dirty |= command->kind != SCRIPT_WAIT && command->kind != SCRIPT_STATE && command->kind != SCRIPT_TEXTS;
     if (run_input(scripted, command))
         return;
     switch (command->kind) {
@@ -271,7 +271,10 @@ static void run(Scripted *scripted, Window *window, const ScriptCommand *command
         write_view(window, command->words[0]);
         break;
     case SCRIPT_STATE:
-        write_state(window, command->words[0]);
+        write_line(window, command->words[0], scripted_state_of(window));
+        break;
+    case SCRIPT_TEXTS:
+        write_line(window, command->words[0], scripted_state_texts(window));
         break;
     case SCRIPT_EXPECT:
         expect(scripted, window, command);

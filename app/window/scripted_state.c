@@ -20,6 +20,10 @@ static json_t *number_or_null(double value) {
     return isfinite(value) ? json_real(value) : json_null();
 }
 
+static json_t *text_or_null(const char *text) {
+    return text ? json_string(text) : json_null();
+}
+
 static json_t *frame_state(const Window *window) {
     const Frame *frame = &window->frame;
     const PlotPanes *panes = &window->tabs[window->current].panes;
@@ -80,6 +84,8 @@ static json_t *plot_panes_state(const PlotPanes *panes) {
         json_object_set_new(one, "texts", plot_texts(pane));
         json_object_set_new(one, "x_ticks", plot_ticks(&layout->x));
         json_object_set_new(one, "y_ticks", plot_ticks(&layout->y));
+        json_object_set_new(one, "x_unit", text_or_null(pane->shown.x.unit));
+        json_object_set_new(one, "x_title", text_or_null(pane->shown.x.title));
         json_object_set_new(one, "cursor", number_or_null(pane->source.cursor));
         if (pane->source.cursor_y_parameter)
             json_object_set_new(one, "cursor_y", number_or_null(pane->source.cursor_y));
@@ -218,10 +224,6 @@ static json_t *selection_state(const Tab *tab, Editor *editor) {
     return state;
 }
 
-static json_t *text_or_null(const char *text) {
-    return text ? json_string(text) : json_null();
-}
-
 /* Returns the fix that is shown beside the plan; null: none. */
 static json_t *split_state(const Window *window, const Tab *tab) {
     if (!tab->trial.session)
@@ -354,6 +356,19 @@ static void add_menu(json_t *state, Window *window) {
     json_object_set_new(state, "menu_box", json_box(window, menu_box(window)));
     json_object_set_new(state, "menu_scrolls", json_boolean(menu_scrolls(window)));
     json_object_set_new(state, "focus_row", json_string(menu_focused(window)));
+}
+
+json_t *scripted_state_texts(const Window *window) {
+    size_t count;
+    const UiPainted *painted = ui_painted(window->ui, &count);
+    json_t *texts = json_array();
+    for (size_t i = 0; i < count; i++) {
+        const Box *box = &painted[i].box, *clip = &painted[i].clip;
+        json_array_append_new(texts, json_pack("{s:s,s:[f,f,f,f],s:[f,f,f,f]}", "string", painted[i].text, "box",
+                                               box->low.x, box->low.y, box->high.x, box->high.y, "clip", clip->low.x,
+                                               clip->low.y, clip->high.x, clip->high.y));
+    }
+    return texts;
 }
 
 json_t *scripted_state_of(Window *window) {

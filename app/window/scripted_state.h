@@ -7,3 +7,6 @@
 
 /* Returns the whole state, to be released by json_decref. */
 json_t *scripted_state_of(Window *window);
+
+/* Returns the texts of the widgets as they were painted last: each with its box and its clip, pixels. */
+json_t *scripted_state_texts(const Window *window);

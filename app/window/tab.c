@@ -349,6 +349,28 @@ void tab_show_selected(Tab *tab) {
     tab_apply_camera(tab);
 }
 
+/* Returns the length of a metre, design points, in a view that the plan is fitted to. */
+static double fitted_metre(Box box, Box view, double margin) {
+    Box place = box_expand(view, -margin);
+    return fmin(box_width(place) / box_width(box), box_height(place) / box_height(box));
+}
+
+void tab_keep_still(Tab *tab, Box from, Box to, bool closed) {
+    Box box = tab->laboratory->still(tab->session)->box;
+    if (!tab->view_layers.painted || tab->camera.kind != VIEW_PLAN || box_width(box) <= 0 || box_height(box) <= 0)
+        return;
+    double margin = tab->view_layers.still.plan.low.x, now = fitted_metre(box, from, margin) * tab->camera.zoom;
+    Vec2 moved = vec2_scale(vec2_sub(middle_of(to), middle_of(from)), 1 / now);
+    Vec2 pan = vec2_add(tab->camera.pan, vec2(moved.x, -moved.y));
+    double room = box_width(to) / 2 - margin - now * (box_width(box) / 2 + fabs(pan.x));
+    if (tab->fits && (closed || room < 0))
+        pan = vec2(0, 0);
+    else
+        tab->camera.zoom = now / fitted_metre(box, to, margin);
+    tab->camera.pan = pan;
+    tab_apply_camera(tab);
+}
+
 RecordSpan tab_span(const Tab *tab) {
     return trial_span(&tab->trial, tab->laboratory->span(tab->session));
 }

@@ -54,6 +54,10 @@ void tab_close(Tab *tab, PaintGlScreen *screen);
 /* Opens a file in place of the present one. False: faults say why not, and the present one stays open. */
 bool tab_open(Tab *tab, const char *path, const LaboratoryOptions *options, PaintGlScreen *screen, Fault *fault);
 
+/* Keeps the plan where it stands on the page while the view changes from one box to another, if it then still fits;
+ * closed: the tools left of the view were put away, and a plan that was not moved stands in the middle again. */
+void tab_keep_still(Tab *tab, Box from, Box to, bool closed);
+
 /* Advances by `seconds` of wall time and takes over new results; returns a sum of LABORATORY_VIEW and the like. */
 unsigned tab_update(Tab *tab, double seconds);
 

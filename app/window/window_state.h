@@ -48,7 +48,8 @@ enum {
     GALLERY_MOST = 64,
     STRIP_KEYS_MOST = 4,
     HEADINGS_MOST = 8,
-    HEADING = 64
+    HEADING = 64,
+    FOLD_NAME = 96,
 };
 
 /* The state of mouse and keys over the plan. */
@@ -105,7 +106,7 @@ typedef struct SelectedName {
 
 /* A fold of the panel as it was left. */
 typedef struct Fold {
-    uint64_t key; /* of its title */
+    char name[FOLD_NAME]; /* task and title, "watch/People" */
     bool open;
 } Fold;
 
@@ -132,6 +133,7 @@ typedef struct Window {
     GivenLesson *lesson;                  /* NULL: none */
     Tab *tabs;                            /* (laboratories_count) */
     size_t current;
+    size_t framed; /* the tab that `frame` was made for last */
 
     Theme theme;
     double text; /* text size, 1 to 3 */

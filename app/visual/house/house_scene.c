@@ -55,7 +55,8 @@ static const char *most_lost(Scene *scene, const House *house, const Observation
     const char *name = names_thing(house, observation->hazards[tight->hazard].what,
                                    observation->hazards[tight->hazard].at, &scene->arena);
     if (tight->peak_force > 0)
-        return scene_text(scene, "touches the %s, %.0f N", name, tight->peak_force);
+        return scene_text(scene, "touches %s%s, %.0f N", name[0] && name[1] ? "the " : "", name, /* "B": a person */
+                          tight->peak_force);
     if (tight->lost_time >= LOST_LEAST)
         return scene_text(scene, "most time lost: %s, %.1f s", name, tight->lost_time);
     const char *gap = to_spare(scene, tight->clearance);
