@@ -26,21 +26,6 @@ static void draw_shape(Ui *ui, const UiCard *card, Vec2 middle) {
     ui_draw_polyline(ui, points, 2, false, ROLE_FURNITURE_LINE, THICK);
 }
 
-/* Draws the name; one that is too long for a line takes another one, of the text below or else of the picture. */
-static void draw_name(Ui *ui, const UiCard *card, Box box, Box *text) {
-    double more = ui_text_height(ui, UI_BOLD, card->name, box_width(box)) - UI_SPACING * ui_painter_size(UI_BOLD);
-    UiInk ink = ui_state_ink(ui, ROLE_TEXT, 1);
-    if (more <= 0) {
-        ui_text_in(ui, UI_BOLD, ink, box, 0, card->name);
-        return;
-    }
-    if (card->text_height > 0)
-        text->low.y += more;
-    else
-        box.low.y -= more;
-    ui_text_wrapped(ui, UI_BOLD, ink, box, card->name);
-}
-
 bool ui_card(Ui *ui, const UiCard *card) {
     UiId id = ui_state_id(ui, card->id ? card->id : card->name);
     Box box = ui_pane_next(ui, card->picture_height + NAME_HEIGHT + card->text_height + 3 * EDGE);
@@ -50,6 +35,10 @@ bool ui_card(Ui *ui, const UiCard *card) {
     ui_tip_offer(ui, id, box, card->help, touch.hovered, focused);
     Box inside = box_expand(box, -EDGE), place = inside;
     place.high.y = inside.low.y + card->picture_height;
+    /* a name of several lines takes them from the picture */
+    double line = UI_SPACING * ui_painter_size(UI_BOLD);
+    double more = ui_text_height(ui, UI_BOLD, card->name, box_width(inside)) - line;
+    place.high.y -= real_clamp(more, 0, box_height(place));
     ui_painter_box(ui->painter, box, ui_state_ink(ui, touch.hovered ? ROLE_SHADE : ROLE_PAPER, 1));
     bool bold = touch.hovered || card->chosen;
     ui_painter_frame(ui->painter, box, bold ? 2 * UI_EDGE : UI_EDGE,
@@ -58,9 +47,10 @@ bool ui_card(Ui *ui, const UiCard *card) {
         draw_shape(ui, card, vec2_scale(vec2_add(place.low, place.high), 0.5));
     if (card->picture)
         ui_painter_image(ui->painter, card->picture, fitted(place, card->picture));
-    Box name = {{inside.low.x, place.high.y + EDGE / 2}, {inside.high.x, place.high.y + EDGE / 2 + NAME_HEIGHT}};
-    Box text = {{inside.low.x, name.high.y}, inside.high};
-    draw_name(ui, card, name, &text);
+    Box text = {{inside.low.x, inside.low.y + card->picture_height + EDGE / 2 + NAME_HEIGHT}, inside.high};
+    Box name = {{inside.low.x, text.low.y - (NAME_HEIGHT + line) / 2 - more}, {inside.high.x, text.low.y}};
+    ui_text_wrapped(ui, UI_BOLD, ui_state_ink(ui, ROLE_TEXT, 1), name, card->name);
+    text.high.y = text.low.y + line * floor((box_height(text) + EDGE) / line); /* whole lines */
     ui_painter_clip(ui->painter, text);
     ui_text_wrapped(ui, UI_SMALL, ui_state_ink(ui, ROLE_DIM_TEXT, 1), text, card->text ? card->text : "");
     ui_painter_unclip(ui->painter);

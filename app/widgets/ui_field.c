@@ -14,8 +14,8 @@ static void draw_text(Ui *ui, Box box, const char *text, UiTouch touch, bool typ
     if (typing)
         ui_editor_draw(ui, box, touch);
     else
-        ui_text_in(ui, UI_BODY, ui_state_ink(ui, ROLE_TEXT, 1),
-                   (Box){{box.low.x + 7, box.low.y}, {box.high.x - 7, box.high.y}}, 0, text);
+        ui_text_start(ui, UI_BODY, ui_state_ink(ui, ROLE_TEXT, 1),
+                      (Box){{box.low.x + 7, box.low.y}, {box.high.x - 7, box.high.y}}, text);
 }
 
 /* Copies as much of the text as has room, in whole characters. */

@@ -40,6 +40,11 @@ void ui_text_in(Ui *ui, UiTextStyle style, UiInk ink, Box box, double aligned, c
     ui_painter_text(ui->painter, style, ink, vec2(box.low.x + width, middle), ELLIPSIS, strlen(ELLIPSIS));
 }
 
+void ui_text_start(Ui *ui, UiTextStyle style, UiInk ink, Box box, const char *text) {
+    size_t bytes = fitting(ui, style, text, strcspn(text, "\n"), box_width(box));
+    ui_painter_text(ui->painter, style, ink, vec2(box.low.x, (box.low.y + box.high.y) / 2), text, bytes);
+}
+
 double ui_text_wrapped(Ui *ui, UiTextStyle style, UiInk ink, Box box, const char *text) {
     double spacing = UI_SPACING * ui_painter_size(style), top = box.low.y;
     while (*text) {

@@ -353,8 +353,8 @@ static const FolderEntry *first_entry(const Window *window) {
 void dialog_gallery_show_open(Window *window) {
     Box box = box_expand((Box){{0, 0}, window->frame.page}, -3 * EDGE);
     dialog_pane_begin(window, box);
-    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Open a house, a beam, a crank or a lesson");
-    ui_line(window->ui, UI_BODY, ROLE_DIM_TEXT, window->folder.path);
+    ui_text(window->ui, UI_HEADING, ROLE_TEXT, "Open a house, a beam, a crank or a lesson");
+    ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT, window->folder.path);
     bool typed = ui_field(window->ui, "path", "type a part of its name, or its path",
                           "Path: Type a part of a name or a path; Return opens the first one that is listed",
                           window->field, sizeof window->field);

@@ -251,7 +251,9 @@ static void format_axis(char *text, size_t size, const PlotAxis *axis, const dou
         snprintf(number, sizeof number, "%.4g", value);
     else
         snprintf(number, sizeof number, "%.*f", digits, value);
-    snprintf(text, size, "%s %s%s%s", axis->title, number, pure ? "" : " ", pure ? "" : axis->unit);
+    const char *minus = *number == '-' ? "\u2212" : "";
+    snprintf(text, size, "%s %s%s%s%s", axis->title, minus, number + (*minus != 0), pure ? "" : " ",
+             pure ? "" : axis->unit);
 }
 
 bool plot_panes_read(const PlotPane *pane, const Laboratory *laboratory, const void *session, size_t index, double time,

@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""Tests that texts fit (check 22, and 28 of the calm window): at two small sizes and two text sizes, in each laboratory
+and on the sheets, no text is cut, none ends in an ellipsis, and none of a pane lies over another. Also what moves: the
+plan stands still while the tools open, and folds are remembered by task."""
+
+import itertools
+
+import stage
+from stage import check
+
+FILES = {"house": stage.house("ube-techno-house"), "blocked": stage.house("flat-0.910-module"),
+         "beam": stage.beam("ibs"), "crank": str(stage.source / "assets" / "cranks" / "ssc.json")}
+FINE = 1.5  # pixels
+EMPTY = 0.2  # of a line: boxes are as high as lines, with empty edges
+
+
+def cut(texts):
+    """Returns the texts that are cut at a side, or shortened by an ellipsis. A pane that scrolls cuts at its foot."""
+    found = []
+    for i, text in enumerate(texts):
+        box, clip = text["box"], text["clip"]
+        seen = box[2] > clip[0] and box[0] < clip[2] and box[3] > clip[1] and box[1] < clip[3]
+        if seen and text["string"] == "\u2026":
+            found.append(texts[i - 1]["string"] + "\u2026")
+        elif seen and text["string"].strip() and (box[0] < clip[0] - FINE or box[2] > clip[2] + FINE):
+            found.append(text["string"])
+    return found
+
+
+def overlapping(texts):
+    """Returns pairs of texts of one pane, that is of one clip, that lie over one another."""
+    found = []
+    for a, b in itertools.combinations([t for t in texts if t["string"].strip()], 2):
+        low = EMPTY * (a["box"][3] - a["box"][1])
+        if a["clip"] == b["clip"] and a["string"] != b["string"] and a["box"][0] < b["box"][2] - 1 and \
+                b["box"][0] < a["box"][2] - 1 and a["box"][1] < b["box"][3] - low and b["box"][1] < a["box"][3] - low:
+            found.append((a["string"], b["string"]))
+    return found
+
+
+for name, path in FILES.items():
+    for size, text in itertools.product(("1024x600", "1280x720"), ("1", "2")):
+        steps = {"at rest": [], "selected": ["key Tab", "key Return"], "gallery": ["key Escape", "key Escape", "key F4"],
+                 "open": ["key Escape", "key Ctrl+O"], "export": ["key Escape", "key Ctrl+E"]}
+        if name == "house":
+            steps["furniture"] = ["key Escape", "key O"]
+        lines = [line for keys in steps.values() for line in [*keys, "wait 8", "texts STATE"]]
+        found = stage.act(f"{name}-{size}-{text}", "until answered", "pause", *lines,
+                          arguments=[path, "--size", size, "--text", text])
+        for step, texts in zip(steps, found):
+            check(not cut(texts), f"22: {name}, {size}, text {text}, {step}: no text is cut", cut(texts))
+            check(not overlapping(texts), f"22: {name}, {size}, text {text}, {step}: none lies over another",
+                  overlapping(texts))
+
+# the plan stands still while the tools come and go
+states = stage.act("still", "until answered", "pause", "wait 3", "state STATE", "key Ctrl+J", "wait 4", "state STATE",
+                   "key Ctrl+J", "wait 4", "state STATE", arguments=[FILES["house"], "--size", "1280x720"])
+moved = [abs(a - b) for state in states[1:] for p, q in zip(states[0]["floor"], state["floor"]) for a, b in zip(p, q)]
+check(states[1]["frame"]["view"][0] > states[0]["frame"]["view"][0] and max(moved) < 0.5,
+      "the plan stands still while the tools open and close", [s["floor"] for s in states])
+
+# folds are remembered by task, from one start to the next: F6 twice is the panel, Return closes its first fold
+PLACE = "washroom door"
+
+
+def is_shown(texts, word):
+    return any(t["string"] == word and t["box"][3] > t["clip"][1] and t["box"][1] < t["clip"][3] for t in texts)
+
+
+lines = ["until answered", "pause", "wait 3", "texts STATE"]
+before = stage.act("folds", *lines, "click 1020 118", "wait 4", "texts STATE", "key Ctrl+J", "wait 4", "texts STATE",
+                   arguments=[FILES["house"], "--size", "1280x720"])
+places = [is_shown([t for t in texts if t["box"][0] > 976], PLACE) for texts in before]
+check(places == [True, False, True], "a fold that was closed while watching is open while editing", places)
+(stage.folder / "folds" / "states").unlink()
+after = stage.act("folds", *lines, arguments=[FILES["house"], "--size", "1280x720"])
+check(not is_shown([t for t in after[0] if t["box"][0] > 976], PLACE), "and is closed at the next start")
+stage.end()
