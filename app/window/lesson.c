@@ -129,11 +129,11 @@ static bool is_lesson_file(const char *path) {
     return is;
 }
 
-/* Hides of the result what must not be seen or said yet, and names all pieces; of no lesson, neither. */
+/* Hides of the result what must not be seen or said yet; without a lesson, nothing. */
 static void cover(Tab *tab, const Play *play) {
     tab->covered = play && play_hides(play);
     tab->unsaid = play && play_asks(play);
-    tab->asked = play;
+    tab->asked = play && play->lesson.names;
     if (tab->session)
         tab->laboratory->set_layers(tab->session, tab_layers(tab));
 }

@@ -58,6 +58,11 @@ static const Parameter lesson_rows[] = {
     TEXT(Lesson, file, "file", PARAMETER_TEXT, true, "house, beam or crank, from the lesson's folder"),
     TEXT(Lesson, set, "set", PARAMETER_TEXT, false, "settings NAME=VALUE NAME=VALUE ..."),
     TEXT(Lesson, script, "script", PARAMETER_TEXT, true, "script that tries the lesson, from the lesson's folder"),
+    {.name = "names",
+     .kind = PARAMETER_FLAG,
+     .offset = offsetof(Lesson, names),
+     .unit = "1",
+     .meaning = "each piece of a house has its name in the view, with a line to it if need be"},
 };
 static const Parameter step_rows[] = {
     CHOICE(LessonStep, kind, "kind", KIND_WORDS, "kind of the step"),
