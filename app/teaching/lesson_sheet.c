@@ -195,7 +195,10 @@ static void add_step(Sheet *sheet, const LessonStep *step, size_t number) {
     document_add_heading(&sheet->document, 2,
                          timed ? document_text(&sheet->document, "%zu  %s (%d min)", number, title, step->minutes)
                                : document_text(&sheet->document, "%zu  %s", number, title));
-    if (*step->text)
+    bool tells = step->kind == LESSON_COMPARE && !sheet->options->answers; /* what the class guesses first */
+    if (tells)
+        document_add_paragraph(&sheet->document, "We guessed: ____________________     It was: ____________________");
+    else if (*step->text)
         add_line(sheet, "", step->text);
     if (*step->ask)
         add_line(sheet, "", step->ask);

@@ -4,6 +4,7 @@
 import json
 import pathlib
 import shutil
+import subprocess
 import tempfile
 
 from program import check, end, expect, source
@@ -12,7 +13,7 @@ listed = expect(0, "lesson", "list").stdout
 names = sorted(path.stem for path in (source / "assets/lessons").glob("*.json"))
 check(len(names) >= 8 and all(name in listed for name in names), f"list: {listed}")
 
-checked = expect(0, "lesson", "check").stdout
+checked = expect(0, "lesson", "check", patience=1800).stdout  # 80 s of processor time
 check(checked.count("expectations of its script are met") == len(names), f"check: {checked}")
 check(checked.count("the goal of step") >= len(names), f"goals: {checked}")
 
@@ -25,6 +26,12 @@ with tempfile.TemporaryDirectory() as folder:
                 expect(0, "lesson", "sheet", name, *more, "--out", str(folder / turn))
         sheets[turn] = {path.name: path.read_bytes() for path in (folder / turn).glob("*.pdf")}
     check(len(sheets["first"]) == 4 and sheets["first"] == sheets["second"], "the sheets differ")
+
+    # A pupil's sheet does not tell what the class guesses first.
+    sheet = folder / "first" / "one-per-cent-faster.pdf"
+    expect(0, "lesson", "sheet", "one-per-cent-faster", "--out", str(sheet.parent), patience=1800)
+    words = subprocess.run(["pdftotext", "-layout", str(sheet), "-"], capture_output=True, text=True).stdout
+    check("We guessed" in words and "51" not in words, f"the sheet for pupils tells the result: {words}")
 
     # A script that expects what is not so is found out.
     copy = folder / "lessons"

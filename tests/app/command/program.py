@@ -19,10 +19,10 @@ def beam(name):
     return str(source / "assets" / "beams" / f"{name}.json")
 
 
-def run(*arguments, cwd=None, limit=None, **environment):
-    """Runs the program; `limit` is the largest size of a file in bytes."""
+def run(*arguments, cwd=None, limit=None, patience=300, **environment):
+    """Runs the program for at most `patience` s; `limit` is the largest size of a file in bytes."""
     size = limit and (lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
-    return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=300, cwd=cwd, preexec_fn=size,
+    return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=patience, cwd=cwd, preexec_fn=size,
                           env={**os.environ, **environment})
 
 
