@@ -55,8 +55,8 @@ void lesson_begin_anew(Window *window);
 /* Returns the tab that a file opens in: that of a lesson's house or machine, or that of its own kind. */
 size_t lesson_tab_of(const char *path);
 
-/* True if quitting, or opening this file (LEAVE_OPEN), would lose guesses or the place in the lesson, because they cannot
- * be kept. */
+/* True if quitting, or opening this file (LEAVE_OPEN), would lose guesses or the place in the lesson, because they
+ * cannot be kept. */
 bool lesson_would_lose(const Window *window, Leave leave, const char *path);
 
 /* Takes over verdicts, and asks for the goal of a new state. */
