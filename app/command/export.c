@@ -42,7 +42,7 @@ static int write_wkt(const char *wkt, const char *path) {
 static int write_picture(const House *house, const Options *options, const char *path) {
     Scene scene = {0};
     output_warn_of_fonts();
-    plan_picture_make(&scene, house);
+    plan_picture_make(&scene, house, false);
     int error = paint_cairo_file(CAIRO_FILE_SVG, &scene, path, options->width, options->height, options->theme);
     scene_clear(&scene);
     return error;

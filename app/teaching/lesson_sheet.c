@@ -77,7 +77,7 @@ static double make_start(Sheet *sheet, Scene *scene) {
     if (sheet->lesson->laboratory == LESSON_HOUSE) {
         House house = {0};
         if (read_house(&house, sheet, "", &arena)) {
-            plan_picture_make(scene, &house);
+            plan_picture_make(scene, &house, sheet->lesson->names);
             scene->title = scene->note = ""; /* the sheet has its own */
             scene->bare = true;
             height = PICTURE_HEIGHT;

@@ -26,7 +26,7 @@ void plan_picture_bare(Scene *scene, const House *house) {
     plan_scene_solids(scene, house);
 }
 
-void plan_picture_make(Scene *scene, const House *house) {
+void plan_picture_make(Scene *scene, const House *house, bool all_names) {
     plan_picture_bare(scene, house);
     scene->grid = HOUSE_SCENE_GRID;
     scene->title_role = ROLE_TEXT;
@@ -35,5 +35,5 @@ void plan_picture_make(Scene *scene, const House *house) {
     for (size_t i = 0; i < house->plan.person_count && i < PICTURE_PEOPLE; i++)
         scene_add_label(scene, ROLE_CHAIR, TEXT_SIZE, house->plan.people[i].at, house->plan.people[i].id)->bold = true;
     plan_scene_tags(scene, house, NULL);
-    plan_scene_names(scene, house);
+    (all_names ? plan_scene_all_names : plan_scene_names)(scene, house);
 }
