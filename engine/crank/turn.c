@@ -22,6 +22,12 @@ static const double PEAK_LOCATED = 1e-8;
 static const double PEAK_NEAR = 0.99;
 /* The revolution of a motor ends within this angle, rad. */
 static const double ANGLE_LOCATED = 1e-14;
+/* Bending or stretch that changes the coupler's length by more than this part of it is beyond what small bending
+ * describes: such a motion does not come back. */
+static const double BENT_MOST = 0.1;
+/* Steps in a revolution are at most STEPS_ANY, and so many per radian of the fastest vibration: a motion that needs
+ * more has numbers so large that it would not end. */
+static const double STEPS_ANY = 1e5, STEPS_PER_RADIAN = 100;
 enum { SAMPLES = 8 /* of the path of a step */, CORRECTIONS_MOST = 20, HALVINGS = 50 };
 
 /* The equations with the ball in its place. */
@@ -317,6 +323,27 @@ static void end_at_angle(Turn *turn, Trial *trial) {
     }
 }
 
+/* True if the coupler is bent or stretched beyond what the equations describe. */
+static bool is_bent(const Tree *tree, const double *state) {
+    const double *stretch = state + 3, *bent = stretch + tree->axial;
+    double shorter = 0;
+    for (size_t n = 0; n < tree->bending; n++) {
+        double eta = bent[n], zeta = bent[tree->bending + n];
+        shorter += tree->slope[n] * tree->slope[n] / 4 * (eta * eta + zeta * zeta);
+    }
+    return shorter > BENT_MOST || (tree->axial && fabs(*stretch) > BENT_MOST * tree->length);
+}
+
+/* Returns how many steps a revolution may take. */
+static double steps_most(const Tree *tree) {
+    double fastest = tree->stiffness / (tree->end_mass + tree->mass / 3);
+    if (tree->axial)
+        fastest = real_max(fastest, tree->axial_stiffness / (tree->end_mass + tree->mass / 3));
+    if (tree->bending)
+        fastest = real_max(fastest, tree->sine_stiffness[tree->bending - 1] / (tree->mass / 2));
+    return STEPS_ANY + STEPS_PER_RADIAN * sqrt(fastest) * tree->period;
+}
+
 static void take(Turn *turn, const Trial *trial) {
     size_t states = 2 * turn->tree->coordinates;
     if (turn->place == BALL_CONTACT)
@@ -328,6 +355,8 @@ static void take(Turn *turn, const Trial *trial) {
     for (size_t i = 0; i < states; i++)
         if (!isfinite(turn->state[i]))
             turn->status = CYCLE_DIVERGED;
+    if (is_bent(turn->tree, turn->state) || ++turn->cycle_steps > turn->steps_most)
+        turn->status = CYCLE_DIVERGED;
 }
 
 static void sample_path(const Turn *turn, const Path *path, const Trial *trial, Signal samples[SAMPLES + 1]) {
@@ -405,6 +434,7 @@ void turn_restore(Turn *turn, const double *state, BallPlace place, double step)
     memmove(turn->state, state, 2 * tree->coordinates * sizeof *state);
     turn->time = 0;
     turn->cycle_switches = 0;
+    turn->cycle_steps = 0;
     turn->place = place;
     turn->step = step;
     rates_of(turn, 0, turn->state, turn->rates);
@@ -419,7 +449,7 @@ void turn_set_state(Turn *turn, const double *state) {
 }
 
 Turn turn_create(const Tree *tree, double tolerance) {
-    Turn turn = {.tree = tree, .tolerance = tolerance};
+    Turn turn = {.tree = tree, .tolerance = tolerance, .steps_most = steps_most(tree)};
     double state[TREE_STATES_MOST];
     set_scales(&turn);
     tree_start(tree, state);

@@ -5,6 +5,9 @@
  * the instant and corrected until |F| or k |gap| is below 1e-9 N; the largest force of a contact is located likewise. A
  * revolution ends at theta = 0 mod 2 pi. At a touch the force jumps by c_d |d|'; the state does not.
  *
+ * A motion has diverged when a number is infinite or NaN, when the coupler's bending or stretch changes its length by a
+ * tenth, which small bending does not describe, or when a revolution takes so many steps that it would not end.
+ *
  * A turn is a plain value: an assignment copies it, and the copy goes on with the same bits. */
 #pragma once
 
@@ -35,7 +38,8 @@ typedef struct Turn {
     double time;  /* s, since the revolution began */
     double state[TREE_STATES_MOST], rates[TREE_STATES_MOST];
     TurnBall ball;
-    double step; /* s, proposed */
+    double step;                    /* s, proposed */
+    double cycle_steps, steps_most; /* in this revolution, and until it counts as diverged */
 
     size_t switches, cycle_switches; /* since the start; in this revolution */
     size_t touches;                  /* since the start */

@@ -13,7 +13,7 @@
 typedef enum CycleStatus {
     CYCLE_GOOD,
     CYCLE_CHATTERS, /* too many switches in one cycle to follow: the motion stops there */
-    CYCLE_DIVERGED, /* a number became infinite or NaN */
+    CYCLE_DIVERGED, /* a number became infinite, NaN or larger than the equations allow */
 } CycleStatus;
 
 enum { CYCLE_SIDES = 2 /* of a joint: upper and lower, or outer and inner */ };

@@ -31,7 +31,7 @@ typedef enum ResponseVerdict {
     RESPONSE_TRANSIENT,
     RESPONSE_UNDETERMINED,
     RESPONSE_CHATTERS, /* too many switches in a cycle to follow */
-    RESPONSE_DIVERGED, /* a number became infinite or NaN */
+    RESPONSE_DIVERGED, /* a number became infinite, NaN or larger than the equations allow */
     RESPONSE_INTERRUPTED,
 } ResponseVerdict;
 

@@ -249,3 +249,29 @@ TEST(a_start_puts_the_ball_where_it_is_told) {
         CHECK_NEAR(pose.apart[i], 1e-4 * straight.along[i] - 5e-5 * straight.across[i] + 2e-5 * straight.up[i], 1e-15);
     CHECK_NEAR(state[tree.coordinates] - ideal[tree.coordinates], 0.1, 1e-15);
 }
+
+/* At 60,000 rpm the joint bends the coupler so far that its equations say nothing. */
+TEST(a_coupler_that_bends_too_far_ends_the_motion) {
+    Tree tree = cranks_tree("drive.frequency=1000");
+    Turn turn = turn_create(&tree, TURN_FINE);
+    for (int i = 0; i < 100 && turn.status == CYCLE_GOOD; i++)
+        turn_cycle(&turn);
+    CHECK(turn.status == CYCLE_DIVERGED);
+    CHECK(turn.cycle < 100);
+}
+
+/* From such states Newton's iteration may begin; without a bound their steps would take hours. */
+TEST(a_revolution_of_huge_numbers_ends_soon) {
+    enum { STRETCH = 3 };
+    Tree tree = cranks_tree("");
+    double state[TREE_STATES_MOST];
+    for (size_t i = STRETCH; i < 2 * tree.coordinates; i++) {
+        Turn turn = turn_create(&tree, TURN_FINE);
+        memcpy(state, turn.state, sizeof state);
+        state[i] += i < tree.coordinates ? 1e3 : 1e8;
+        turn_set_state(&turn, state);
+        turn_cycle(&turn);
+        CHECK(turn.status != CYCLE_GOOD);
+        CHECK(turn.evaluations < 20000000);
+    }
+}
