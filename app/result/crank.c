@@ -25,7 +25,7 @@ ResultTable result_crank_motion(const Crank *crank, const Response *response) {
                                    .label = "speed of the crank",
                                    .kind = RESULT_NUMBER,
                                    .number = crank->frequency,
-                                   .text = text_in_arena(&table.arena, "%.4g rpm = %.4g", 60 * crank->frequency,
+                                   .text = text_in_arena(&table.arena, "%.6g rpm = %.4g", 60 * crank->frequency,
                                                          crank->frequency),
                                    .unit = "Hz"});
     result_add(&table, (ResultRow){.key = "clearance",
@@ -86,8 +86,10 @@ ResultTable result_crank_forces(const Tree *tree, const Response *response, doub
 void result_crank_name(Text *text, const Crank *crank, const Response *response, double ideal) {
     const SectionPeaks *peaks = &response->peaks;
     result_verdict_name(text, response, "revolution");
-    text_format(text, ": at %.4g rpm ", 60 * crank->frequency);
-    if (!peaks->count)
+    text_format(text, ": at %.6g rpm ", 60 * crank->frequency);
+    if (!response->section.count)
+        text_format(text, "with a clearance of %.4g mm", 1000 * crank->clearance);
+    else if (!peaks->count)
         text_add(text, "the ball does not touch its socket");
     else if (peaks->max - peaks->min < 0.005)
         text_format(text, "the largest force in the joint is %.2f N", peaks->max);
@@ -133,6 +135,9 @@ void result_crank_say(Text *text, const Crank *crank, const Tree *tree, const Re
     if (response->verdict == RESPONSE_PERIODIC && !response->settled)
         text_add(text, "The recorded revolutions still hold the transient: use more run.transient_cycles to leave it "
                        "out\n");
+    if (response->verdict == RESPONSE_DIVERGED)
+        text_add(text, "The coupler bends further than its equations describe, or the numbers grow without bound: a "
+                       "lower speed, a smaller clearance or a thicker coupler may help\n");
     if (response->verdict == RESPONSE_DIVERGED && tree->turns)
         text_add(text, "The motor may have stalled\n");
     say_contact(text, crank, response);

@@ -68,10 +68,11 @@ static void advance(CrankSession *session) {
                  "a softer contact or a larger clearance",
                  tape->front + 1, TURN_SWITCHES_MOST);
     else
-        snprintf(session->error, sizeof session->error,
-                 "In revolution %zu the numbers grow without bound%s, and the run ends: use more damping or another "
-                 "speed",
-                 tape->front + 1, tape->turn.tree->turns ? ", or the motor stalls" : "");
+        snprintf(
+            session->error, sizeof session->error,
+            "In revolution %zu the coupler bends too far or the numbers grow without bound%s, and the run ends: use "
+            "more damping or another speed",
+            tape->front + 1, tape->turn.tree->turns ? ", or the motor stalls" : "");
     session->machine.looked = SIZE_MAX;
     session->machine.news |= LABORATORY_ERROR | LABORATORY_TEXTS;
 }

@@ -89,6 +89,13 @@ def check_confirmation():
     check("The pin leaves its socket 16 times a revolution, 7.4 % of the time" in words, f"contact lost: {words}")
 
 
+def check_too_fast():
+    """At a speed at which the coupler buckles there is no motion to tell of."""
+    words = expect(1, "run", crank, "--set", "drive.frequency=1000", "--lanes", "0").stdout
+    check(words.startswith("The numbers diverged after 0 revolutions: at 60000 rpm with a clearance of 0.25 mm\n"
+                           "The coupler bends further than its equations describe"), f"60,000 rpm: {words}")
+
+
 def check_faults():
     expect(2, "run", str(source / "tests/data/bad/cranks/does-not-close.json"), says="the mechanism does not close")
     expect(2, "run", crank, "--report", says="--report needs --out DIR")
@@ -103,5 +110,6 @@ check_run()
 check_study()
 check_bits()
 check_confirmation()
+check_too_fast()
 check_faults()
 end()
