@@ -224,7 +224,7 @@ int run_crank_file(const Options *options) {
     if (interrupted)
         fprintf(stderr, "clearance: interrupted after %zu recorded revolutions; the results up to there are kept\n",
                 run.response.section.count);
-    run.ideal = crank_cycle_ideal_force(&run.crank);
+    run.ideal = crank_cycle_ideal_force(&run.crank, &progress_stop);
     run.motion = result_crank_motion(&run.crank, &run.response);
     run.forces = result_crank_forces(&run.tree, &run.response, run.ideal);
     json_t *answer = make_answer(&run);

@@ -25,7 +25,7 @@ static void add_type(Document *document, const CrankPaper *paper, size_t i) {
     report_lines_add(document, document_text(document, "%.*s", (int)strcspn(text.text, "\n"), text.text));
     memory_free(text.text);
     text = (Text){0};
-    result_crank_name(&text, crank, response, crank_cycle_ideal_force(crank));
+    result_crank_name(&text, crank, response, crank_cycle_ideal_force(crank, NULL));
     result_verdict_say(&text, response, "revolution");
     result_crank_say(&text, crank, &paper->trees[i], response);
     report_lines_add(document, text.text);

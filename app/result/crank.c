@@ -136,8 +136,9 @@ void result_crank_say(Text *text, const Crank *crank, const Tree *tree, const Re
         text_add(text, "The recorded revolutions still hold the transient: use more run.transient_cycles to leave it "
                        "out\n");
     if (response->verdict == RESPONSE_DIVERGED)
-        text_add(text, "The coupler bends further than its equations describe, or the numbers grow without bound: a "
-                       "lower speed, a smaller clearance or a thicker coupler may help\n");
+        text_add(text,
+                 "The coupler bends further than its equations describe, or numbers grow without bound or change too "
+                 "fast to be followed: a lower speed, a smaller clearance or a thicker coupler may help\n");
     if (response->verdict == RESPONSE_DIVERGED && tree->turns)
         text_add(text, "The motor may have stalled\n");
     say_contact(text, crank, response);

@@ -323,14 +323,15 @@ Cycle crank_cycle_of(const Tree *tree) {
 /* Revolutions in which a joint without clearance settles. */
 enum { IDEAL_TURNS = 20 };
 
-double crank_cycle_ideal_force(const Crank *crank) {
+double crank_cycle_ideal_force(const Crank *crank, const Stop *stop) {
     Crank tight = *crank;
     tight.clearance = tight.start_along = tight.start_across = tight.start_up = 0;
     Tree tree = tree_of(&tight);
     Turn turn = turn_create(&tree, TURN_QUICK);
-    for (int i = 0; i < IDEAL_TURNS && turn.status == CYCLE_GOOD; i++) {
+    int done = 0;
+    for (; done < IDEAL_TURNS && turn.status == CYCLE_GOOD && !stop_requested(stop); done++) {
         turn.peak[0] = 0;
         turn_cycle(&turn);
     }
-    return turn.status == CYCLE_GOOD ? turn.peak[0] : (double)NAN;
+    return done == IDEAL_TURNS && turn.status == CYCLE_GOOD ? turn.peak[0] : (double)NAN;
 }

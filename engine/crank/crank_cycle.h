@@ -47,5 +47,5 @@ void crank_cycle_state(const Turn *turn, double *state);
 void crank_cycle_set_state(Turn *turn, const double *state);
 
 /* Returns the largest force, N, in a revolution of the same mechanism without clearance, after it has settled; NAN:
- * it cannot be followed. */
-double crank_cycle_ideal_force(const Crank *crank);
+ * it cannot be followed, or was stopped. `stop` NULL: never. */
+double crank_cycle_ideal_force(const Crank *crank, const Stop *stop);

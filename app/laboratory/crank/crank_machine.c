@@ -71,7 +71,7 @@ static bool respond(const Crank *crank, MachineFacts *facts, const SurvivalTask 
                             response.peaks,
                             response.exponent,
                             result_crank_motion(crank, &response),
-                            result_crank_forces(&tree, &response, crank_cycle_ideal_force(crank)),
+                            result_crank_forces(&tree, &response, crank_cycle_ideal_force(crank, stop)),
                             response_is_quick(&response),
                             words.text};
     response_clear(&response);
