@@ -25,7 +25,7 @@ ResultTable result_crank_motion(const Crank *crank, const Response *response) {
                                    .label = "speed of the crank",
                                    .kind = RESULT_NUMBER,
                                    .number = crank->frequency,
-                                   .text = text_in_arena(&table.arena, "%.6g rpm = %.4g", 60 * crank->frequency,
+                                   .text = text_in_arena(&table.arena, "%.5g rpm = %.4g", 60 * crank->frequency,
                                                          crank->frequency),
                                    .unit = "Hz"});
     result_add(&table, (ResultRow){.key = "clearance",
@@ -86,7 +86,7 @@ ResultTable result_crank_forces(const Tree *tree, const Response *response, doub
 void result_crank_name(Text *text, const Crank *crank, const Response *response, double ideal) {
     const SectionPeaks *peaks = &response->peaks;
     result_verdict_name(text, response, "revolution");
-    text_format(text, ": at %.6g rpm ", 60 * crank->frequency);
+    text_format(text, ": at %.5g rpm ", 60 * crank->frequency);
     if (!response->section.count)
         text_format(text, "with a clearance of %.4g mm", 1000 * crank->clearance);
     else if (!peaks->count)
