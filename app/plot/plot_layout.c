@@ -109,7 +109,7 @@ static Caption *add_text(PlotLayout *layout, const char *text, double size, bool
 typedef struct Above {
     bool names;  /* of the series */
     bool across; /* the title of the x axis, */
-    bool bare;   /* which is left out: its unit stands with the last tick */
+    bool bare;   /* which is left out: its unit stands between the last two labels */
 } Above;
 
 /* Rows of text above the frame, filled from left to right. */
@@ -261,20 +261,16 @@ static void add_upright_labels(PlotLayout *layout) {
     }
 }
 
-/* Writes the unit behind the label of the last tick, if it has room there. */
-static void add_unit(PlotLayout *layout, const Plot *plot, const char *label, Caption *last, const Caption *before) {
-    Layout *sheet = &layout->sheet;
+/* Writes the unit of the x axis between the labels of its last two ticks, if it has room there. */
+static void add_unit(PlotLayout *layout, const Plot *plot, double row) {
+    const Layout *sheet = &layout->sheet;
     const char *unit = plot->x.unit;
-    if (!unit || !*unit || strcmp(unit, "1") == 0 || layout->x.power != 0)
+    if (!unit || !*unit || strcmp(unit, "1") == 0 || layout->x.power != 0 || layout->x.count < 2)
         return;
-    const char *text = text_in_arena(&sheet->arena, "%s %s", label, unit);
-    double width = text_extent(text, AXIS_TEXT, false).x, left = last->centre.x - last->extent.x / 2;
-    left = fmin(left, sheet->page.x - MARGIN / 2 - width);
-    if (before && left < before->centre.x + before->extent.x / 2 + LABEL_APART / 2)
-        return;
-    last->text = text;
-    last->centre.x = left + width / 2;
-    last->extent.x = width;
+    const Caption *last = &sheet->captions[sheet->caption_count - 1], *before = last - 1;
+    double left = before->centre.x + before->extent.x / 2, right = last->centre.x - last->extent.x / 2;
+    if (right - left > text_extent(unit, AXIS_TEXT, false).x + LABEL_APART)
+        add_text(layout, unit, AXIS_TEXT, false, vec2((left + right) / 2, row));
 }
 
 /* In a low plot the title takes the end of the labels' row. False: labels need that place. */
@@ -298,10 +294,10 @@ static bool add_across_labels(PlotLayout *layout, const Plot *plot, Above above)
         plot_ticks_label(&layout->x, i, label);
         double x = plot_frame_point(layout, vec2(plot_ticks_at(&layout->x, i), 0)).x;
         complete = complete && x + text_extent(label, AXIS_TEXT, false).x / 2 <= end;
-        Caption *caption = add_text(layout, label, AXIS_TEXT, false, vec2(x, row));
-        if (above.bare && i + 1 == layout->x.count)
-            add_unit(layout, plot, label, caption, i ? caption - 1 : NULL);
+        add_text(layout, label, AXIS_TEXT, false, vec2(x, row));
     }
+    if (above.bare)
+        add_unit(layout, plot, row);
     return complete;
 }
 

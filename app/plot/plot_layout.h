@@ -1,7 +1,7 @@
 /* Places all parts of a plot, in design points, y down. A low plot keeps its height for the lines: its titles share
  * rows with the names of the series and with the labels of the ticks. Each tick has its label: where a title would need
  * its place, the title stands above the plot, "over time [s]"; where that would leave too little to the lines, only its
- * unit stays, with the last tick: "20 s". */
+ * unit stays, between the labels of the last two ticks. */
 #pragma once
 
 #include "draw/layout.h"

@@ -466,6 +466,7 @@ static double show_doing(Window *window, double left, double right, double y) {
     const char *text = tab->trial.session
                            ? "The plan is unchanged until you use the fix: Return uses it, Escape goes back."
                            : editor_gesture(editor)->doing;
+    text = whole_clauses(window, UI_BOLD, text, right - left);
     double end = fmin(right, left + ui_extent(window->ui, UI_BOLD, text).x + 1);
     show_text(window, UI_BOLD, ROLE_TEXT, left, end, y, text);
     return end + GAP;

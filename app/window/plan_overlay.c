@@ -366,7 +366,7 @@ void plan_overlay_show(Window *window) {
     const char *words = preview_words(window, gesture);
     const char *name = words ? NULL : hovered_name(window, tab, gesture);
     snprintf(window->hovered, sizeof window->hovered, "%s", name ? name : "");
-    words = words ? words : name;
+    words = words ? words : name ? window->hovered : NULL; /* a copy: other names are asked for below */
     Vec2 above = vec2_add(vec2_scale(window->mouse, 1 / window->unit), vec2(0, -HAND)); /* never under the pointer */
     Box box = words ? label_box(window, &labels, above, words) : box_empty();
     if (!gesture->active && !window->present && editor_tool(editor) == TOOL_SELECT)

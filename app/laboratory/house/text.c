@@ -84,12 +84,11 @@ static void add_person(HouseSession *session, size_t i, double time) {
     add_moment(session, i, time);
 }
 
+/* Adds what no slider below says. */
 static void add_door(HouseSession *session, const Door *door) {
-    static const char *const kinds[] = {"opening", "hinged", "sliding"}, *const states[] = {"open", "closed", "locked"};
+    static const char *const kinds[] = {"opening", "hinged", "sliding"};
     Scene *scene = &session->texts.moment;
-    add_pair(session, "clear width", scene_text(scene, "%.3f m", door->width));
     add_pair(session, "kind", kinds[door->kind]);
-    add_pair(session, "state", states[door->state]);
     add_pair(session, "in wall", arena_text(&scene->arena, door->wall));
 }
 
@@ -125,8 +124,6 @@ static void add_selected(HouseSession *session, double time) {
         add_pair(session, "size", scene_text(scene, "%.2f x %.2f m", piece->size.x, piece->size.y));
         add_pair(session, "height", scene_text(scene, "%.2f m", piece->height));
         add_pair(session, "toppled", piece->toppled ? "yes" : "no");
-    } else if (item.kind == HOUSE_WALL) {
-        add_pair(session, "thickness", scene_text(scene, "%.3f m", plan->walls[item.index].thickness));
     } else if (item.kind == HOUSE_EXIT) {
         const Exit *exit = &plan->exits[item.index];
         add_pair(session, "width", scene_text(scene, "%.2f m", vec2_distance(exit->from, exit->to)));
