@@ -109,7 +109,7 @@ static Caption *add_text(PlotLayout *layout, const char *text, double size, bool
 typedef struct Above {
     bool names;  /* of the series */
     bool across; /* the title of the x axis, */
-    bool bare;   /* which is left out: its unit stands between the last two labels */
+    bool bare;   /* which shares the first row, or is left out but for its unit */
 } Above;
 
 /* Rows of text above the frame, filled from left to right. */
@@ -144,6 +144,11 @@ static Caption *add_item(Rows *rows, const char *text, double size, bool bold, d
     caption->centre.x += caption->extent.x / 2;
     rows->left += width + ITEM_GAP;
     return caption;
+}
+
+/* True if a text of an axis has room in the present row. */
+static bool has_room(const Rows *rows, const char *text) {
+    return rows->left + text_extent(text, AXIS_TEXT, false).x <= rows->layout->sheet.page.x - MARGIN;
 }
 
 static double name_width(const char *name, double before) {
@@ -218,9 +223,15 @@ static double add_rows(PlotLayout *layout, const Plot *plot, Above wanted) {
         add_item(&rows, plot->title, TITLE_TEXT, true, 0);
     if (*title && (low || !plot->title))
         add_item(&rows, title, plot->title ? AXIS_TEXT : TITLE_TEXT - 2, !plot->title, 0);
-    if (wanted.across && !wanted.bare && plot->x.title) {
+    if (wanted.across && plot->x.title) {
         plot_ticks_title(&layout->x, plot->x.title, plot->x.unit, across);
-        add_item(&rows, text_in_arena(&layout->sheet.arena, "over %s", across), AXIS_TEXT, false, 0);
+        const char *whole = text_in_arena(&layout->sheet.arena, "over %s", across);
+        const char *brief =
+            plot->x.unit && layout->x.power == 0 ? text_in_arena(&layout->sheet.arena, "over %s", plot->x.unit) : whole;
+        const char *over = !wanted.bare || has_room(&rows, whole) ? whole : has_room(&rows, brief) ? brief : NULL;
+        if (over)
+            add_item(&rows, over, AXIS_TEXT, false, 0);
+        layout->across = over != NULL;
     }
     if (plot->note)
         add_item(&rows, plot->note, AXIS_TEXT, false, 0)->role = ROLE_DIM_TEXT;
@@ -296,7 +307,7 @@ static bool add_across_labels(PlotLayout *layout, const Plot *plot, Above above)
         complete = complete && x + text_extent(label, AXIS_TEXT, false).x / 2 <= end;
         add_text(layout, label, AXIS_TEXT, false, vec2(x, row));
     }
-    if (above.bare)
+    if (above.bare && !layout->across)
         add_unit(layout, plot, row);
     return complete;
 }

@@ -1,7 +1,7 @@
 /* Places all parts of a plot, in design points, y down. A low plot keeps its height for the lines: its titles share
  * rows with the names of the series and with the labels of the ticks. Each tick has its label: where a title would need
  * its place, the title stands above the plot, "over time [s]"; where that would leave too little to the lines, only its
- * unit stays, between the labels of the last two ticks. */
+ * unit stays, "over s" or between the labels of the last two ticks. */
 #pragma once
 
 #include "draw/layout.h"
@@ -17,6 +17,7 @@ typedef struct PlotMark {
 typedef struct PlotLayout {
     Layout sheet; /* its frame is the box that the axes enclose; texts, line samples, faint lines */
     PlotTicks x, y;
+    bool across;      /* the rows above the frame name the x axis or its unit */
     PlotTicks right;  /* of the second axis for y, if there is one */
     Box key;          /* next to a raster, the box that shows its colours; empty without a raster */
     PlotTicks shades; /* of a raster's quantity, along the key */

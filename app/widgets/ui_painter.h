@@ -38,7 +38,7 @@ size_t ui_painter_wrap(UiPainter *painter, UiTextStyle style, const char *text, 
 /* Boxes lie on whole pixels. at.y is the middle of the capitals. */
 void ui_painter_text(UiPainter *painter, UiTextStyle style, UiInk ink, Vec2 at, const char *text, size_t bytes);
 const UiPainted *ui_painter_painted(UiPainter *painter, size_t *count); /* see ui_painted */
-void ui_painter_ground(UiPainter *painter, Box box, Colour colour); /* large and opaque: the quick way */
+void ui_painter_ground(UiPainter *painter, Box box, Colour colour);     /* large and opaque: the quick way */
 void ui_painter_box(UiPainter *painter, Box box, UiInk ink);
 void ui_painter_frame(UiPainter *painter, Box box, double width, UiInk ink);
 void ui_painter_polyline(UiPainter *painter, const Vec2 *points, size_t count, bool closed, double width, UiInk ink);

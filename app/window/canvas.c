@@ -86,6 +86,18 @@ void canvas_paint(Window *window) {
     tab->plot_panes_stale = false;
 }
 
+void canvas_hold_still(Window *window, const Frame *before) {
+    Tab *tab = window_tab(window);
+    const Frame *now = &window->frame;
+    bool had = box_width(before->toolbar) > 0, has = box_width(now->toolbar) > 0;
+    bool same = window->framed == window->current && now->page.x == before->page.x && now->page.y == before->page.y &&
+                now->answer.high.y == before->answer.high.y && now->panel.low.x == before->panel.low.x &&
+                now->pane_count == before->pane_count;
+    window->framed = window->current;
+    if (had != has && same && tab->session && box_width(before->view) > 0)
+        tab_keep_still(tab, before->view, now->view, had);
+}
+
 /* Returns the index of a pane's plot among the laboratory's plots. */
 static size_t plot_of(const Tab *tab, const PlotPane *pane) {
     size_t count = tab->laboratory->plot_count(tab->session), i = 0;

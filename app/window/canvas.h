@@ -8,3 +8,6 @@ void canvas_paint(Window *window);
 
 /* Shows the panes over the pictures: selection, labels, mouse. */
 void canvas_show(Window *window);
+
+/* Keeps the plan still where only the tools left of it have come or gone since the frame `before`. */
+void canvas_hold_still(Window *window, const Frame *before);

@@ -314,8 +314,7 @@ static void show_parameters(Window *window, Tab *tab, bool first) {
 }
 
 static void show_more(Window *window, Tab *tab) {
-    window->more = show_fold(window, "All numbers", NULL, false);
-    if (!window->more)
+    if (!show_fold(window, "All numbers", NULL, false))
         return;
     if (ui_button(window->ui, &(UiButton){.label = "Reset all", .help = keys_help(&window->arena, ACTION_UNDO_ALL)}))
         act_do(window, ACTION_UNDO_ALL, 0, 0);

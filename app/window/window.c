@@ -242,19 +242,6 @@ static double window_unit(int width, int height, double density, bool present) {
     return density * (present ? PRESENT_TEXT * gain : sqrt(gain));
 }
 
-/* Keeps the plan still where only the tools left of it have come or gone. */
-static void hold_still(Window *window, const Frame *before) {
-    Tab *tab = window_tab(window);
-    const Frame *now = &window->frame;
-    bool had = box_width(before->toolbar) > 0, has = box_width(now->toolbar) > 0;
-    bool same = window->framed == window->current && now->page.x == before->page.x && now->page.y == before->page.y &&
-                now->answer.high.y == before->answer.high.y && now->panel.low.x == before->panel.low.x &&
-                now->pane_count == before->pane_count;
-    window->framed = window->current;
-    if (had != has && same && tab->session && box_width(before->view) > 0)
-        tab_keep_still(tab, before->view, now->view, had);
-}
-
 static void make_frame(Window *window) {
     const Tab *tab = window_tab(window);
     const Frame before = window->frame;
@@ -291,7 +278,7 @@ static void make_frame(Window *window) {
     window->frame.beside = snapped(window, window->frame.beside);
     for (size_t i = 0; i < window->frame.pane_count; i++)
         window->frame.panes[i] = snapped(window, window->frame.panes[i]);
-    hold_still(window, &before);
+    canvas_hold_still(window, &before);
 }
 
 static void fill_input(Window *window, double seconds) {

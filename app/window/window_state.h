@@ -137,7 +137,7 @@ typedef struct Window {
 
     Theme theme;
     double text; /* text size, 1 to 3 */
-    bool present, panel, fullscreen, more;
+    bool present, panel, fullscreen;
     enum { PLOTS_AUTO, PLOTS_OPEN, PLOTS_CLOSED } plots; /* as chosen; otherwise by the room there is */
     bool plots_shown;
     bool editing;           /* the toolbar is shown */

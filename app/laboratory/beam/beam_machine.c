@@ -117,7 +117,6 @@ const MachineKind beam_machine = {
     .start = "from rest",
     .from = "From rest",
     .provenances = offsetof(Beam, provenance),
-    .name = offsetof(Beam, name),
     .table = beam_table,
     .looks = all_looks,
     .look_count = sizeof all_looks / sizeof *all_looks,

@@ -116,7 +116,6 @@ const MachineKind crank_machine = {
     .start = "from its start",
     .from = "From its start",
     .provenances = offsetof(Crank, provenance),
-    .name = offsetof(Crank, name),
     .table = crank_table,
     .looks = all_looks,
     .look_count = sizeof all_looks / sizeof *all_looks,

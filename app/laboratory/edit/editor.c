@@ -249,13 +249,6 @@ const Item *editor_selection(Editor *edit, size_t *count) {
     return edit->selected_items;
 }
 
-void editor_toggle(Editor *edit, Item item) {
-    edit_select_sync(edit);
-    const char *id = edit_select_id(edit, item);
-    if (*id)
-        edit_select_toggle(edit, id);
-}
-
 void editor_select_all(Editor *edit) {
     edit_gesture_cancel(edit);
     edit_select_all(edit);

@@ -228,7 +228,6 @@ const GestureView *editor_gesture(Editor *editor);
 
 /* Returns all selected items (count) of the displayed house. */
 const Item *editor_selection(Editor *editor, size_t *count);
-void editor_toggle(Editor *editor, Item item); /* adds the item to the selection, or removes it */
 void editor_select_all(Editor *editor);
 
 /* Cycles through the handles of the selected item; nudging moves the focused handle. Step 0: no handle. */

@@ -2,10 +2,6 @@
 
 #include "base/parameters_number.h"
 
-const char *machine_name(const MachineKind *kind, const Machine *machine) {
-    return *(const char *const *)((const char *)machine + kind->name);
-}
-
 const char **machine_provenance(const MachineKind *kind, Machine *machine, const Parameter *row) {
     return (const char **)((char *)machine + kind->provenances) + (row - kind->table()->rows);
 }

@@ -75,7 +75,6 @@ typedef struct MachineKind {
     const char *start;  /* "from rest" */
     const char *from;   /* the same as a heading */
     size_t provenances; /* offset of the provenances, one per row of the table, in a machine */
-    size_t name;        /* offset of the name */
     const ParameterTable *(*table)(void);
     const MachineLooks *looks; /* (look_count) at most MACHINE_VALUES */
     size_t look_count;
@@ -127,8 +126,7 @@ typedef struct MachineKind {
 enum { MACHINE_VALUES = 48 };
 _Static_assert((int)MACHINE_VALUES >= (int)BEAM_VALUES && (int)MACHINE_VALUES >= (int)CRANK_VALUES, "room for each");
 
-/* Returns the name, and the place of the provenance of a row. */
-const char *machine_name(const MachineKind *kind, const Machine *machine);
+/* Returns the place of the provenance of a row. */
 const char **machine_provenance(const MachineKind *kind, Machine *machine, const Parameter *row);
 
 /* True if all numbers of the machines are equal. */
