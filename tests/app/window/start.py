@@ -64,4 +64,16 @@ screen.keys("Return")
 state = screen.until(lambda s: s["sheet"] == "none" and s["file"].endswith("two-chairs-corridor.json"))
 check(state["file"].endswith("two-chairs-corridor.json"), "and Return opens it", state["file"])
 screen.end()
+
+# a house that is being edited comes first, with the number of its edits
+page, after = stage.act("continue", "until answered", "set door.d7.width 0.9", "wait 5", "until answered", "key F4", "wait 20",
+                        "texts FOLDER/texts", "state STATE", "key Return", "wait 5", "state STATE")
+texts = [t["string"] for t in stage.states(stage.folder / "continue" / "texts")[0]]
+check(page["listed"][0].startswith("Continue: ") and "1 edit" in texts, "22: a house that is being edited comes first",
+      page["listed"][:3])
+check(after["sheet"] == "none" and after["edits"] == 1, "22: Return goes back to it", (after["sheet"], after["edits"]))
+
+# an empty plan lacks walls: Return takes their tool, as the button of the answer does
+state = stage.act("lacking", "until answered", "key Ctrl+N", "wait 5", "key Return", "wait 5", "state STATE")[0]
+check(state["tool"] == "wall", "20: Return takes the tool for what a house lacks", state["tool"])
 stage.end()
