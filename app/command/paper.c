@@ -39,8 +39,9 @@ static void write_progress(void *context, const char *what) {
 }
 
 static json_t *make_answer(const Paper *paper, const PaperClaim *claims) {
-    return json_pack("{s:s, s:s, s:s, s:o, s:o}", "kind", "paper", "beam", paper->beam.name, "note", paper->beam.note,
-                     "claims", result_json_take_list(result_paper_claims(claims, PAPER_CLAIMS)), "types",
+    return json_pack("{s:s, s:s, s:s, s:o, s:o, s:o}", "kind", "paper", "beam", paper->beam.name, "note",
+                     paper->beam.note, "claims", result_json_take_list(result_paper_claims(claims, PAPER_CLAIMS)),
+                     "runs", result_json_take_list(result_paper_runs(paper)), "types",
                      result_json_take_list(result_paper_types(paper)));
 }
 
@@ -55,6 +56,15 @@ static void print_claims(const char *path, const PaperClaim *claims, size_t coun
     printf("%s", text.text);
     memory_free(text.text);
     result_clear(&table);
+}
+
+static void print_runs(const Paper *paper) {
+    for (PaperRun i = 0; i < PAPER_RUNS; i++) {
+        Text text = {0};
+        result_paper_say_run(&text, paper, i);
+        printf("\n%s", text.text);
+        memory_free(text.text);
+    }
 }
 
 /* Writes the document, and each figure as a picture. */
@@ -166,8 +176,10 @@ int paper_answer(const Options *options) {
     bool written = !options->out || write_pages(&paper, answer, options);
     if (options->json)
         answer_print(json_incref(answer));
-    else
+    else {
         print_claims(paper.path, claims, PAPER_CLAIMS);
+        print_runs(&paper);
+    }
     if (options->out && written && !options->json)
         printf("\nthe page is %s/paper.html and .pdf\n", options->out);
     json_decref(answer);

@@ -33,6 +33,7 @@ typedef struct PlotSeries {
     Role role;
     LineStyle style;
     double width;  /* design points, of the line from point to point; 0: none */
+    double ground; /* design points, on either side of the line: a strip of paper under it, over a raster; 0: none */
     Symbol symbol; /* at each point */
     double size;   /* design points, across a symbol */
     double veil;   /* opacity of one filled symbol, where many lie upon each other; 0: opaque */

@@ -299,6 +299,22 @@ static void draw_stems(Piece *piece, const PlotLayout *layout, size_t count) {
     cairo_stroke(piece->cairo);
 }
 
+/* Draws a strip of paper where the line will be. */
+static void draw_ground(const Piece *piece, const PlotLayout *layout, size_t count, Theme theme) {
+    PlotPen pen = *piece->pen;
+    PlotSeries wide = *piece->series;
+    Piece strip = *piece;
+    Colour paper = palette_colour(theme, ROLE_PAPER);
+    wide.width += 2 * wide.ground;
+    wide.style = LINE_SOLID;
+    strip.pen = &pen;
+    strip.series = &wide;
+    cairo_save(piece->cairo);
+    cairo_set_source_rgb(piece->cairo, paper.red, paper.green, paper.blue);
+    draw_line(&strip, layout, count);
+    cairo_restore(piece->cairo);
+}
+
 void plot_pen_mark(cairo_t *cairo, const PlotSeries *series, Vec2 at, Theme theme) {
     Colour colour = palette_colour(theme, series->role);
     cairo_set_source_rgb(cairo, colour.red, colour.green, colour.blue);
@@ -309,13 +325,15 @@ void plot_pen_mark(cairo_t *cairo, const PlotSeries *series, Vec2 at, Theme them
 Box plot_pen_draw(PlotPen *pen, cairo_t *cairo, const PlotLayout *layout, const PlotSeries *series, size_t count,
                   Theme theme) {
     Piece piece = {.pen = pen, .cairo = cairo, .series = series, .first = true, .box = box_empty()};
-    double reach = fmax(series->width, series->size + (series->open ? OPEN_WIDTH : 0)) / 2;
+    double reach = fmax(series->width + 2 * series->ground, series->size + (series->open ? OPEN_WIDTH : 0)) / 2;
     Box frame = box_expand(layout->sheet.frame, reach);
     Colour colour = palette_colour(theme, series->role);
     cairo_save(cairo);
     cairo_rectangle(cairo, frame.low.x, frame.low.y, box_width(frame), box_height(frame));
     cairo_clip(cairo);
     cairo_set_source_rgb(cairo, colour.red, colour.green, colour.blue);
+    if (series->width > 0 && series->ground > 0)
+        draw_ground(&piece, layout, count, theme);
     if (series->width > 0 && series->stems)
         draw_stems(&piece, layout, count);
     else if (series->width > 0)

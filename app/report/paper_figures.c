@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "visual/beam/follow_plots.h"
 #include "visual/study/study_axes.h"
 #include "visual/study/type_bands.h"
@@ -44,11 +45,12 @@ static const Source sources[PAPER_FIGURES] = {
     {"figure-9-map", "Figure 9",
      "Responses over frequency and clearance, from rest; on the right the clearance over the static deflection of the "
      "tip under the drive's amplitude, without the joint. Marks: the type within 1 % of each place by quick runs, from "
-     "16 starts. Lines: where the orbit of 190 Hz folds, flips, loses its symmetry or becomes a torus.",
+     "16 starts.",
      false, PAPER_MAP, "map-period"},
     {"figure-10-length", "Figure 10",
-     "Largest force of each of 100 cycles at 290 Hz against the length of the beam; along the foot its types.", false,
-     PAPER_LENGTHS, "peaks"},
+     "Largest force of each of 100 cycles at 290 Hz against the length of the beam; along the foot its types. Dotted: "
+     "both lengths of the paper.",
+     false, PAPER_LENGTHS, "peaks"},
 };
 
 static const Plot *find_beam_plot(const BeamPlots *plots, const char *name) {
@@ -157,6 +159,39 @@ static Plot cut_peaks(const Plot *whole, Arena *arena) {
     return cut;
 }
 
+/* Adds a line at each of the paper's two lengths. */
+static void add_lengths(StudyPlots *plots, const Paper *paper, double factor) {
+    static const PaperRun runs[] = {PAPER_NOMINAL, PAPER_LONGER};
+    enum { LENGTHS = sizeof runs / sizeof *runs };
+    Arena *arena = &plots->arena;
+    for (size_t p = 0; p < plots->count; p++) {
+        Plot *plot = &plots->plots[p].plot;
+        if (strcmp(plots->plots[p].name, "peaks") != 0)
+            continue;
+        PlotGuide *guides = arena_allocate(arena, (plot->guide_count + LENGTHS) * sizeof *guides);
+        for (size_t i = 0; i < plot->guide_count; i++)
+            guides[i] = plot->guides[i];
+        plot->guides = guides;
+        for (size_t i = 0; i < LENGTHS; i++) {
+            double at = factor * paper->beams[runs[i]].length;
+            guides[plot->guide_count++] = (PlotGuide){.upright = true,
+                                                      .at = at,
+                                                      .name = text_in_arena(arena, "%.1f mm", at),
+                                                      .role = ROLE_DIM_TEXT,
+                                                      .style = LINE_DOTTED};
+        }
+    }
+}
+
+/* Returns the caption of a figure; that of the map names the orbit whose curves it shows. */
+static const char *caption_of(const Source *source, const Paper *paper, Arena *arena) {
+    if (strcmp(source->plot, "map-period") != 0 || !paper->follow.curve_count)
+        return source->caption;
+    return text_in_arena(arena,
+                         "%s Lines: where the orbit of %.0f Hz folds, flips, loses its symmetry or becomes a torus.",
+                         source->caption, paper->beams[paper->followed].frequency);
+}
+
 PaperFigures *paper_figures_make(const Paper *paper) {
     PaperFigures *figures = memory_zeroed(1, sizeof *figures);
     char fault[PLOT_CHOICE_FAULT];
@@ -173,6 +208,8 @@ PaperFigures *paper_figures_make(const Paper *paper) {
         study_axes_parameter(&paper->studies[PAPER_FREQUENCIES], 0, &figures->studies[PAPER_FREQUENCIES].arena).factor);
     add_types(&figures->studies[PAPER_LENGTHS], paper->length, paper->length_types, PAPER_LENGTH_TYPES,
               study_axes_parameter(&paper->studies[PAPER_LENGTHS], 0, &figures->studies[PAPER_LENGTHS].arena).factor);
+    add_lengths(&figures->studies[PAPER_LENGTHS], paper,
+                study_axes_parameter(&paper->studies[PAPER_LENGTHS], 0, &figures->studies[PAPER_LENGTHS].arena).factor);
     const Study *map = &paper->studies[PAPER_MAP];
     StudyPlots *maps = &figures->studies[PAPER_MAP];
     add_plane(maps, paper, study_axes_parameter(map, 0, &maps->arena).factor,
@@ -183,7 +220,7 @@ PaperFigures *paper_figures_make(const Paper *paper) {
     for (size_t i = 0; i < PAPER_FIGURES; i++) {
         const Source *source = &sources[i];
         figures->figures[i] = (PaperFigure){
-            source->name, source->title, source->caption,
+            source->name, source->title, caption_of(source, paper, &maps->arena),
             source->is_run                         ? find_beam_plot(&figures->responses[source->of], source->plot)
             : strcmp(source->plot, LOW_PEAKS) == 0 ? (whole ? &figures->low_peaks : NULL)
                                                    : find_study_plot(&figures->studies[source->of], source->plot)};

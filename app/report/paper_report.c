@@ -1,5 +1,7 @@
 #include "report/paper_report.h"
 
+#include "base/memory.h"
+#include "base/text.h"
 #include "report/report_lines.h"
 #include "result/page.h"
 #include "result/paper.h"
@@ -39,6 +41,20 @@ static void add_claims(Document *document, const PaperClaim *claims) {
     result_page_take(document, NULL, result_paper_claims(claims, PAPER_CLAIMS));
 }
 
+/* How long each motion lasts, and how many cycles its largest peak takes. */
+static void add_runs(Document *document, const Paper *paper) {
+    document_add_heading(document, 2, "How many cycles");
+    document_add_paragraph(
+        document, "The paper found no measure of how long such a motion must be watched. Of each single run whose "
+                  "motion is not periodic, this is how long it lasts, and how large its peaks become:");
+    for (PaperRun i = 0; i < PAPER_RUNS; i++) {
+        Text text = {0};
+        result_paper_say_run(&text, paper, i);
+        report_lines_add(document, text.text);
+        memory_free(text.text);
+    }
+}
+
 static void paint_figure(const void *context, struct _cairo *cairo, Vec2 size, Theme theme) {
     plot_paint(context, cairo, size, theme);
 }
@@ -72,6 +88,7 @@ Document paper_report_make(Paper *paper, PaperFigures *figures, const Making *ma
                        result_paper_summary(claims, PAPER_CLAIMS, &document.arena));
     add_basis(&document, paper, making);
     add_claims(&document, claims);
+    add_runs(&document, paper);
     add_figures(&document, figures);
     add_types(&document, paper);
     report_lines_add_numbers(&document, beam_table(), &paper->beam, paper->beam.provenance);

@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-#include "base/text.h"
 #include "result/advice.h"
+#include "result/verdict.h"
 
 static void add_text(ResultTable *table, const char *key, const char *label, const char *text) {
     result_add(table, (ResultRow){.key = key, .label = label, .text = text});
@@ -27,6 +27,33 @@ ResultTable result_paper_claims(const PaperClaim *claims, size_t count) {
         result_end(&table);
     }
     return table;
+}
+
+ResultTable result_paper_runs(const Paper *paper) {
+    ResultTable table = {.numbers = RESULT_SHORTEST};
+    for (PaperRun i = 0; i < PAPER_RUNS; i++) {
+        result_add(&table, (ResultRow){.key = "frequency",
+                                       .label = "frequency",
+                                       .kind = RESULT_NUMBER,
+                                       .number = paper->beams[i].frequency,
+                                       .unit = "Hz"});
+        result_add(&table, (ResultRow){.key = "length",
+                                       .label = "length",
+                                       .kind = RESULT_NUMBER,
+                                       .number = paper->beams[i].length,
+                                       .unit = "m"});
+        result_verdict_add(&table, &paper->responses[i], "cycle");
+        result_end(&table);
+    }
+    return table;
+}
+
+void result_paper_say_run(Text *text, const Paper *paper, PaperRun which) {
+    const Response *response = &paper->responses[which];
+    text_format(text, "%.0f Hz, %.1f mm long: ", paper->beams[which].frequency, 1000 * paper->beams[which].length);
+    result_verdict_name(text, response, "cycle");
+    text_add(text, "\n");
+    result_verdict_say(text, response, "cycle");
 }
 
 /* Returns the first line of the advice. */

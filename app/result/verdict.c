@@ -151,6 +151,8 @@ void result_verdict_name(Text *text, const Response *response, const char *cycle
             text_add(text, "Without contact");
         else
             text_format(text, "Periodic, period %zu", response->orbit.period);
+        if (response->orbit.period > ORBIT_PERIOD_MOST)
+            text_add(text, ", a torus that is locked");
         break;
     case RESPONSE_QUASI_PERIODIC:
         text_add(text, "Quasi-periodic");

@@ -216,16 +216,25 @@ static bool make_plane(Paper *paper, const PaperOptions *options, Fault *fault) 
     return good;
 }
 
-/* Follows the orbit at 190 Hz over the frequencies of the map, and its folds and flips over the clearances. */
+/* Returns the first run of the beam of the file that ends on a stable orbit, or PAPER_RUNS. */
+static PaperRun find_orbit(const Paper *paper) {
+    for (PaperRun i = PAPER_PERIODIC; i <= PAPER_NOMINAL; i++)
+        if (paper->responses[i].orbit.period)
+            return i;
+    return PAPER_RUNS;
+}
+
+/* Follows the orbit of a run over the frequencies of the map, and its folds and flips over the clearances. */
 static bool make_follow(Paper *paper, const PaperOptions *options, Fault *fault) {
-    const Orbit *orbit = &paper->responses[PAPER_PERIODIC].orbit;
     const BeamPlane plane = {"joint.clearance", CLEARANCE_FROM * paper->beam.clearance,
                              CLEARANCE_TO * paper->beam.clearance, CURVE_STEPS};
     BeamFamily family;
-    if (!orbit->period || stopped(options))
+    paper->followed = find_orbit(paper);
+    if (paper->followed == PAPER_RUNS || stopped(options))
         return true;
+    const Orbit *orbit = &paper->responses[paper->followed].orbit;
     tell(options, "folds and flips");
-    if (!beam_family_open(&family, &paper->beams[PAPER_PERIODIC], "drive.frequency", MAP_FROM, SWEEP_TO, options->path,
+    if (!beam_family_open(&family, &paper->beams[paper->followed], "drive.frequency", MAP_FROM, SWEEP_TO, options->path,
                           fault))
         return false;
     if (beam_follow_run(&paper->follow, &family, orbit->point, orbit->period, options->stop))
@@ -427,7 +436,8 @@ void paper_claims(Paper *paper, PaperClaim claims[PAPER_CLAIMS]) {
          "exponent above 0 by three errors, K above 0.8, and no settling in 64 x 20,000 cycles"},
         {"chaos-peaks", "text", "peaks in chaos at 300 Hz",
          text_in_arena(&paper->arena, "%.0f to %.0f N", CHAOS_LEAST, CHAOS_MOST),
-         text_in_arena(&paper->arena, "%.0f to %.0f N", chaotic->peaks.min, chaotic->peaks.max),
+         text_in_arena(&paper->arena, "%.0f to %.0f N in %d cycles", chaotic->peaks.min, chaotic->peaks.max,
+                       paper->beam.cycles),
          met_if(agrees(chaotic->peaks.min, CHAOS_LEAST) && agrees(chaotic->peaks.max, CHAOS_MOST)), near},
         {"chaos-ratio", "text", "the largest is two or three times the smallest", "2 to 3",
          isfinite(ratio) ? text_in_arena(&paper->arena, "%.1f", ratio) : "no contact",
@@ -461,8 +471,10 @@ void paper_claims(Paper *paper, PaperClaim claims[PAPER_CLAIMS]) {
                        100 * corner, 100 * least, 100 * greatest),
          met_if(corner > greatest), "more than in each other quarter"},
         {"smooth", "figures 7 to 9", "where the type is I, the peaks grow smoothly", "smoothly",
-         first ? text_in_arena(&paper->arena, "type I at %zu frequencies, at most %.1f %% from one hertz to the next",
-                               first, 100 * step)
+         first ? text_in_arena(&paper->arena,
+                               "type I at %zu of %d frequencies, at most %.1f %% from one hertz to the "
+                               "next",
+                               first, PAPER_TYPES, 100 * step)
                : "no frequency of type I",
          first ? met_if(step <= SMOOTH) : PAPER_NOT_TOLD,
          text_in_arena(&paper->arena, "at most %.0f %% a hertz", 100 * SMOOTH)},

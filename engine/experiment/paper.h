@@ -46,7 +46,8 @@ typedef struct Paper {
     Types length_types[PAPER_LENGTH_TYPES];
     double plane_frequency[PAPER_PLANE_FREQUENCIES], plane_clearance[PAPER_PLANE_CLEARANCES]; /* Hz, m */
     TypesKind plane[PAPER_PLANE_CLEARANCES][PAPER_PLANE_FREQUENCIES];                         /* by quick runs */
-    BeamFollow follow; /* of the orbit at 190 Hz, if there is one, over the map: its folds and flips */
+    PaperRun followed; /* the first run of the map's beam that is on a stable orbit; PAPER_RUNS: none */
+    BeamFollow follow; /* of that orbit over the map: its folds and flips */
     Arena arena;
 } Paper;
 

@@ -160,6 +160,8 @@ void peer_cycle(Peer *peer) {
             continue;
         peer->place = next_place(peer->place, which[0] != 0);
         peer->switches++;
+        if (peer->rig->damping == 0 && peer->place != MOTION_OPEN && !motion_in_contact(peer->place))
+            peer->place = MOTION_OPEN; /* the force is 0 where the tip leaves the wall: it never flies free inside */
         note_push(peer);
         must(CVodeReInit(peer->cvode, time, peer->state) == CV_SUCCESS);
     }

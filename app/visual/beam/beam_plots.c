@@ -42,10 +42,10 @@ static const char *note_of(const Given *given) {
     char note[96];
     const Response *response = given->response;
     char verdict[32] = "";
-    if (response->verdict == RESPONSE_PERIODIC)
+    if (response->verdict == RESPONSE_PERIODIC && response->peaks.count)
         snprintf(verdict, sizeof verdict, "period %zu", response->orbit.period);
     snprintf(note, sizeof note, "%g Hz, clearance \u00B1%g mm: %s", given->beam->frequency,
-             MILLI * given->beam->clearance, *verdict ? verdict : response_verdict_name(response->verdict));
+             MILLI * given->beam->clearance, *verdict ? verdict : response_name(response));
     return arena_text(given->arena, note);
 }
 
@@ -181,7 +181,7 @@ static void make_phase(Plot *plot, const Given *given) {
     section->role = ROLE_WALL;
     section->width = 0;
     section->symbol = SYMBOL_DIAMOND;
-    section->size = tangle ? SIGN / 1.4 : SIGN;
+    section->size = tangle ? SIGN / 1.4 : 1.4 * SIGN;
     plot->series[0].heading = plot->series[0].name = "tip";
     lay_measured(plot, given, BEAM_DEFLECTION, BEAM_VELOCITY);
 }

@@ -5,6 +5,7 @@
 
 /* Design points. */
 #define LINE 2.0
+#define GROUND 1.2 /* of a curve, over a map */
 #define SIGN 8.0
 #define SMALL 5.0
 #define DOT 3.0 /* 0.5 mm on a page */
@@ -130,7 +131,8 @@ void follow_plots_add_curves(Plot *plot, const FollowCurve *curves, size_t count
                                                           .count = curve->count,
                                                           .role = looks[curve->kind].role,
                                                           .style = looks[curve->kind].style,
-                                                          .width = LINE};
+                                                          .width = LINE,
+                                                          .ground = plot->raster ? GROUND : 0};
         named[curve->kind] = true;
     }
 }
