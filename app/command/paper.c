@@ -38,11 +38,20 @@ static void write_progress(void *context, const char *what) {
     fprintf(stderr, "clearance: %s\n", what);
 }
 
+static json_t *make_runs(const Paper *paper) {
+    json_t *runs = json_array();
+    for (PaperRun i = 0; i < PAPER_RUNS; i++) {
+        json_t *run = json_object();
+        result_json_take_record(run, result_paper_run(paper, i));
+        json_array_append_new(runs, run);
+    }
+    return runs;
+}
+
 static json_t *make_answer(const Paper *paper, const PaperClaim *claims) {
     return json_pack("{s:s, s:s, s:s, s:o, s:o, s:o}", "kind", "paper", "beam", paper->beam.name, "note",
                      paper->beam.note, "claims", result_json_take_list(result_paper_claims(claims, PAPER_CLAIMS)),
-                     "runs", result_json_take_list(result_paper_runs(paper)), "types",
-                     result_json_take_list(result_paper_types(paper)));
+                     "runs", make_runs(paper), "types", result_json_take_list(result_paper_types(paper)));
 }
 
 static void print_claims(const char *path, const PaperClaim *claims, size_t count) {

@@ -29,22 +29,20 @@ ResultTable result_paper_claims(const PaperClaim *claims, size_t count) {
     return table;
 }
 
-ResultTable result_paper_runs(const Paper *paper) {
+ResultTable result_paper_run(const Paper *paper, PaperRun which) {
     ResultTable table = {.numbers = RESULT_SHORTEST};
-    for (PaperRun i = 0; i < PAPER_RUNS; i++) {
-        result_add(&table, (ResultRow){.key = "frequency",
-                                       .label = "frequency",
-                                       .kind = RESULT_NUMBER,
-                                       .number = paper->beams[i].frequency,
-                                       .unit = "Hz"});
-        result_add(&table, (ResultRow){.key = "length",
-                                       .label = "length",
-                                       .kind = RESULT_NUMBER,
-                                       .number = paper->beams[i].length,
-                                       .unit = "m"});
-        result_verdict_add(&table, &paper->responses[i], "cycle");
-        result_end(&table);
-    }
+    result_add(&table, (ResultRow){.key = "frequency",
+                                   .label = "frequency",
+                                   .kind = RESULT_NUMBER,
+                                   .number = paper->beams[which].frequency,
+                                   .unit = "Hz"});
+    result_add(&table, (ResultRow){.key = "length",
+                                   .label = "length",
+                                   .kind = RESULT_NUMBER,
+                                   .number = paper->beams[which].length,
+                                   .unit = "m"});
+    result_verdict_add(&table, &paper->responses[which], "cycle");
+    result_end(&table);
     return table;
 }
 

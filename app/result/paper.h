@@ -8,9 +8,9 @@
 /* A record for each of `count` claims: its place, the claim, the paper's figure and ours, and whether they agree. */
 ResultTable result_paper_claims(const PaperClaim *claims, size_t count);
 
-/* A record for each single run: its beam, its verdict, and of a motion that is not periodic how long it lasts and how
- * large its peaks become (verdict.h). */
-ResultTable result_paper_runs(const Paper *paper);
+/* A record of a single run: its beam, its verdict, and of a motion that is not periodic how long it lasts and how large
+ * its peaks become (verdict.h), so that runs have different rows. */
+ResultTable result_paper_run(const Paper *paper, PaperRun which);
 
 /* Adds a single run in words: a line with its verdict, then what supports it. */
 void result_paper_say_run(Text *text, const Paper *paper, PaperRun which);

@@ -49,7 +49,8 @@ def check_follow():
     branch = json.loads(expect(0, "study", beam, "--set", "drive.frequency=190", "--follow", "drive.frequency=180:290",
                                "--json").stdout)
     located = [p for p in branch["points"] if p["point"] not in ("start", "end")]
-    for point in (p for p in located if p["point"] != "touching"):
+    all_of = located + [p for b in branch["begun"] for p in b["points"] if p["point"] not in ("start", "end")]
+    for point in (p for p in all_of if p["point"] != "touching"):
         size = (point["multiplier_re"] ** 2 + point["multiplier_im"] ** 2) ** 0.5
         check(abs(size - 1) < 1e-6, f"a located multiplier off the circle: {point}")
     tori = [p["value"] for p in located if p["point"] == "Neimark-Sacker"]

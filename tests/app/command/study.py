@@ -215,6 +215,11 @@ def check_paper(folder):
     page = (out / "paper.html").read_text()
     met = sum(claim["met"] == "met" for claim in answer["claims"])
     check(f"{met} of 13 claims of the paper are met" in page and page.count("<svg") + page.count("<img") == 10, "page")
+    check([(round(r["frequency"]), round(1000 * r["length"], 1)) for r in answer["runs"]] ==
+          [(190, 281.2), (300, 281.2), (290, 281.2), (290, 284.0)], f"the single runs {answer['runs']}")
+    for run in answer["runs"]:
+        check(run["verdict"] == "periodic" or run["survival"]["lanes"] == 64, f"a run that is not periodic is watched {run}")
+    check("How many cycles" in page, "the page says how long motions last")
     for claim in answer["claims"]:
         check(claim["id"] and claim["ours"] and claim["rule"], f"a claim says all {claim}")
     check("identified" in page and "beam.modes" in page, "the page says what was changed and where numbers come from")
