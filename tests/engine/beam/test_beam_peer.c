@@ -286,8 +286,7 @@ LONG_TEST(a_second_driver_tells_the_same_at_twelve_untuned_frequencies_of_both_s
 }
 
 /* Beams other than the two sets, and places where a small error would show: just beyond the end of the branch without
- * contact (63.0773 N), between two folds (276.632 and 276.658 Hz), a hard contact, a heavy tip
- * and a narrow joint. */
+ * contact (63.0773 N), between two folds (276.632 and 276.658 Hz), a hard contact, a heavy tip and a narrow joint. */
 LONG_TEST(a_second_driver_tells_the_same_of_other_beams_and_near_folds_and_touches) {
     static const struct {
         const char *set, *setting;
