@@ -442,6 +442,40 @@ double freespace_clearance(const FreeSpace *space, Vec2 centre, Vec2 axis, doubl
     return measure(space, centre, axis, half_length, half_width, reach, face, false);
 }
 
+double freespace_sides(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width,
+                       double reach, double *left, double *right) {
+    double radius = sqrt(half_length * half_length + half_width * half_width), half = half_width / 2;
+    double rough = rough_distance(space, centre), slack = 0.71 * space->cell, best = reach;
+    *left = *right = reach;
+    if (rough - slack > radius + greatest(reach, 0))
+        return reach;
+    Nearby nearby = nearby_find(space, centre, radius + greatest(reach, 0));
+    for (int k = 0; k < nearby.count; k++) {
+        if (nearby.near && (double)nearby.near[k] >= radius + greatest(greatest(*left, *right), 0))
+            break;
+        const Face *face = &space->outline->faces[nearby.faces[k]];
+        double apart = face_measure(face, centre, axis, half_length, half_width, greatest(*left, *right), false);
+        best = least(best, apart);
+        if (apart >= *left && apart >= *right)
+            continue;
+        double p = vec2_cross(axis, vec2_sub(face->a, centre)), q = vec2_cross(axis, vec2_sub(face->b, centre));
+        if (p > 0 && q > 0) {
+            *left = least(*left, apart);
+        } else if (p < 0 && q < 0) {
+            *right = least(*right, apart);
+        } else { /* before or behind the body */
+            Vec2 aside = vec2_scale(vec2_left(axis), half);
+            *left = least(*left, face_measure(face, vec2_add(centre, aside), axis, half_length, half, *left, false));
+            *right = least(*right, face_measure(face, vec2_sub(centre, aside), axis, half_length, half, *right, false));
+        }
+    }
+    nearby_release(&nearby);
+    double inner = rough - least(half_length, half_width);
+    if (rough < -slack && inner < best)
+        best = *left = *right = inner;
+    return best;
+}
+
 double freespace_growth(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width,
                         double reach, int *face) {
     return measure(space, centre, axis, half_length, half_width, reach, face, true);

@@ -57,6 +57,11 @@ double freespace_exact(const FreeSpace *space, Vec2 at, double reach, int *face)
 double freespace_clearance(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width,
                            double reach, int *face);
 
+/* Does the same, and fills in the clearances of the rectangle's left and right half from what is on that side, m, up to
+ * `reach`: what lies across the axis, before or behind the rectangle, is on both. */
+double freespace_sides(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width,
+                       double reach, double *left, double *right);
+
 /* Returns how much, m, the rectangle may grow on every side (its corners stay sharp) before it touches a planned face,
  * up to `reach`; negative: how much it must shrink to be free. The result has the sign of freespace_clearance. */
 double freespace_growth(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width,
