@@ -206,6 +206,22 @@ static bool realise(Decide *decide, const SearchTrack *track) {
     return whole;
 }
 
+/* Leads the best way along the middle where that costs no time, unless the sweep finds that this comes too near to
+ * something. Returns false if interrupted. */
+static bool centre(Decide *decide) {
+    const RouteQuery *query = decide->query;
+    double margin = decide->kept * SWEPT;
+    Way way = way_copy(&decide->best);
+    bool whole = hasten_centre(&way, query->space, decide->body, query->profile, margin, SWEEPS, query->stop);
+    if (whole && way_swept(&way, query->space, decide->body, margin * SWEPT)) {
+        Way aside = decide->best;
+        decide->best = way;
+        way = aside;
+    }
+    way_free(&way);
+    return whole;
+}
+
 static void give_track(const Decide *decide, SearchTrack *track) {
     const RouteQuery *query = decide->query;
     search_track_clear(track);
@@ -282,6 +298,7 @@ static DecideAnswer decide_how(const RouteQuery *query, const Rectangle *body, c
             result = DECIDE_SEARCHED;
         }
     }
+    whole = whole && (decide.confirmed == 0 || decide.any || centre(&decide));
     if (whole && decide.confirmed > 0) {
         give_track(&decide, track);
         result = DECIDE_FOUND;

@@ -19,11 +19,15 @@ typedef struct Shown {
     Film *film;
 } Shown;
 
-static void show(Shown *shown, const char *name, FilmOptions options) {
+static void show_with(Shown *shown, const char *name, const char *const *settings, FilmOptions options) {
     *shown = (Shown){.film = NULL};
-    case_house(&shown->house, name, -1, NULL);
+    case_house(&shown->house, name, -1, settings);
     shown->observation = case_run(&shown->house, 1);
     shown->film = film_create(&shown->house, &shown->observation, &options);
+}
+
+static void show(Shown *shown, const char *name, FilmOptions options) {
+    show_with(shown, name, NULL, options);
 }
 
 static void hide(Shown *shown) {
@@ -178,7 +182,7 @@ static const Primitive *find_ring(const Scene *moving, size_t own) {
 /* Contacts are marked at their place and time, with their force. */
 TEST(a_touch_is_seen_where_it_is) {
     Shown shown;
-    show(&shown, "corner-1.20-0.80", (FilmOptions){.panels = 0});
+    show_with(&shown, "corner-1.20-0.80", case_touching, (FilmOptions){.panels = 0});
     const PersonObservation *person = &shown.observation.people[0];
     CHECK(person->contacts > 0);
     Trail *trail = trail_list(&shown.observation);
