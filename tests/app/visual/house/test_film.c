@@ -351,3 +351,27 @@ TEST(a_figure_stays_within_its_body) {
         scene_clear(&scene);
     }
 }
+
+/* Returns the number of discs and balls in a scene. */
+static size_t round_marks(const Scene *scene) {
+    size_t count = 0;
+    for (size_t i = 0; i < scene->count; i++)
+        if (scene->primitives[i].kind == PRIMITIVE_DISC || scene->primitives[i].kind == PRIMITIVE_BALL)
+            count += scene->primitives[i].count;
+    return count;
+}
+
+TEST(many_small_people_are_one_dot_each) {
+    enum { MANY = SILHOUETTE_HEADINGS + 500 };
+    Profile adult = {.name = "adult", .driving = DRIVING_WALKER, .width = 0.5};
+    Pose *poses = memory_zeroed(MANY, sizeof *poses);
+    for (size_t i = 0; i < MANY; i++)
+        poses[i].at = vec2((double)(i % 50), (double)(i / 50));
+    for (int dots = 0; dots < 2; dots++) {
+        Scene scene = {.box = {{0, 0}, {50, 40}}};
+        silhouette_add_walkers(&scene, &adult, poses, MANY, dots);
+        CHECK(round_marks(&scene) == (dots ? 1 : 2) * (size_t)MANY);
+        scene_clear(&scene);
+    }
+    memory_free(poses);
+}
