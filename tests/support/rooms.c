@@ -20,10 +20,7 @@ Profile rooms_chair(double length, double width) {
                      .lateral_acceleration = 0.6,
                      .turn_rate = 1,
                      .reversing_speed = 0.3,
-                     .reversing_time = 1,
-                     .mass = 80,
-                     .push = 100,
-                     .space_reach = 0.3};
+                     .reversing_time = 1};
 }
 
 void rooms_build(Rooms *fixture) {

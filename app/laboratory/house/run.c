@@ -115,7 +115,6 @@ static void drive(HouseRun *run) {
                       .record = take_piece,
                       .context = run,
                       .brief = run->wish.brief,
-                      .recall = run->wish.recall,
                       .changes = changes,
                       .change_count = earlier};
     run_house(&run->observation, first, &how);
