@@ -209,10 +209,3 @@ JudgeNews judge_take(Judge *judge, Lesson *lesson, Fault *fault) {
     pthread_mutex_unlock(&judge->lock);
     return news;
 }
-
-bool judge_works(Judge *judge) {
-    pthread_mutex_lock(&judge->lock);
-    bool works = judge->working || judge->asked || judge->done;
-    pthread_mutex_unlock(&judge->lock);
-    return works;
-}

@@ -18,7 +18,7 @@ void judge_destroy(Judge *judge);
  * or NULL; `settings` (count) NAME=VALUE. Work on an earlier question ends. */
 void judge_ask(Judge *judge, size_t step, uint64_t state, const char *text, const char *const *settings, size_t count);
 
-/* What has been taken over. */
+/* Says what judge_take has copied. */
 typedef struct JudgeNews {
     bool judged;   /* the goals of `step` in the state `state` */
     bool counted;  /* numbers of the texts, which come one by one */
@@ -30,6 +30,3 @@ typedef struct JudgeNews {
 /* Takes over finished work into `lesson`, the caller's copy. What cannot be run leaves its goals without verdicts and a
  * reason in `fault`. */
 JudgeNews judge_take(Judge *judge, Lesson *lesson, Fault *fault);
-
-/* True while it works. */
-bool judge_works(Judge *judge);

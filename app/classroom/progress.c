@@ -107,8 +107,7 @@ static json_t *read_list(const char *path, Fault *notes) {
         bool kept = rename(path, bad.text) == 0;
         if (notes)
             fault_add(notes, "%s; %s%s", fault.count ? fault.lines[0] : "the list of lessons is invalid",
-                      kept ? "lessons begin anew, and the file is kept as " : "lessons begin anew",
-                      kept ? bad.text : "");
+                      kept ? "lessons restart, and the file is kept as " : "lessons restart", kept ? bad.text : "");
         memory_free(bad.text);
         json_decref(list);
         list = json_array();

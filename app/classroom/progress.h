@@ -3,7 +3,7 @@
  *
  *     FOLDER/lessons.json    of the last PROGRESS_LESSONS lessons: path, digest of the file, step, counts and answers
  *
- * A lesson whose file has changed since begins anew. Counts of hands are kept, no names. */
+ * A lesson whose file has changed since restarts. Counts of hands are kept, no names. */
 #pragma once
 
 #include <stdint.h>
@@ -12,7 +12,7 @@
 
 enum { PROGRESS_LESSONS = 20 };
 
-/* What was kept of a lesson. */
+/* The place and the guesses of an earlier session. */
 typedef struct Progress {
     size_t step; /* from 0 */
     PlayStep steps[LESSON_STEPS_MOST];

@@ -142,8 +142,7 @@ typedef struct PanelChoice {
 
 enum { LABORATORY_LAYERS_MOST = 10, LABORATORY_OUTLINE_MOST = 128 };
 
-/* A bit of layers: names that are shown stand next to their pieces where there is no room within, instead of being left
- * out. */
+/* A bit of layers: names too long for their pieces stand next to them, instead of being left out. */
 enum { LABORATORY_ALL_NAMES = 1 << LABORATORY_LAYERS_MOST };
 
 /* The runs that the parts of the window show: equal numbers are the same run, 0 is none. */

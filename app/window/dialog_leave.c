@@ -13,6 +13,7 @@
 #define EDGE 24.0
 #define LESSON_WIDTH 560.0
 #define LESSON_HEIGHT 200.0
+#define KEPT_HEIGHT 152.0
 #define LESSON_LINE 28.0 /* what else is lost */
 
 void dialog_leave_show(Window *window) {
@@ -49,7 +50,7 @@ void dialog_leave_show_lesson(Window *window) {
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, last ? "End the lesson?" : "Leave the lesson?");
     bool kept = lesson_is_kept(window) && !last;
     const char *guesses = kept   ? "The guesses of the class and the place in the lesson are kept for the next time."
-                          : last ? "The guesses of the class are forgotten; the next time, it begins anew."
+                          : last ? "The guesses of the class are forgotten; the next time, it restarts."
                                  : "The guesses of the class and the place in the lesson are lost.";
     ui_text(window->ui, UI_BODY, ROLE_TEXT,
             text_in_arena(&window->arena, "%s%s", guesses, leave ? "" : " What is open stays open, with its changes."));
@@ -79,20 +80,21 @@ void dialog_leave_show_kept(Window *window) {
     const char *counted = !hands       ? ""
                           : hands == 1 ? " 1 hand was counted."
                                        : text_in_arena(&window->arena, " %d hands were counted.", hands);
-    dialog_pane_begin(window, dialog_pane_centred(window, LESSON_WIDTH, LESSON_HEIGHT, EDGE));
+    dialog_pane_begin(window, dialog_pane_centred(window, LESSON_WIDTH, KEPT_HEIGHT, EDGE));
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Go on with this lesson?");
     ui_text(window->ui, UI_BODY, ROLE_TEXT,
-            text_in_arena(&window->arena, "It was left at step %zu, %s.%s The house or machine is as the step begins.",
+            text_in_arena(&window->arena,
+                          "It was left in step %zu at %s.%s The house or machine is as the step begins.",
                           kept->step + 1, dialog_pane_when(window, kept->when), counted));
     ui_row(window->ui, 2);
     bool goes =
         ui_button(window->ui, &(UiButton){.label = "Go on", .help = "Go on (Escape): From the step where it was left"});
-    bool begins = ui_button(window->ui, &(UiButton){.label = "Begin anew", .help = "Begin anew: Forget the guesses"});
+    bool restarts = ui_button(window->ui, &(UiButton){.label = "Restart", .help = "Restart: Forget the guesses"});
     ui_pane_end(window->ui);
-    if (goes || begins)
+    if (goes || restarts)
         dialog_pane_close(window);
-    if (begins)
-        lesson_begin_anew(window);
+    if (restarts)
+        lesson_restart(window);
 }
 
 /* Shows a recovered file; true if it was opened or discarded, which changes the list. */

@@ -37,9 +37,9 @@ struct GivenLesson {
     void *session;                    /* of the tab; another one means that something else was opened there */
     TabState left[LESSON_STEPS_MOST]; /* how the house or machine was when a step was left */
     bool waits;                       /* a step has begun, and its run shall play once it is there */
-    bool restarted;                   /* the machine has begun anew for it */
+    bool restarted;                   /* the machine was restarted for it */
     bool folded;                      /* the card is one line */
-    Progress *kept;                   /* of the last time, until the class goes on with it or begins anew; NULL: none */
+    Progress *kept;                   /* of the last time, until the class continues or restarts it; NULL: none */
     bool offered;                     /* the choice was shown */
     int unkept;                       /* errno of the last writing; the guesses live only here */
     uint64_t asked;                   /* digest of the state and step that were asked about; 0: none */
@@ -89,7 +89,7 @@ static void apply_settings(Window *window, const char *set) {
 
 /* Progress --------------------------------------------------------------------------------------------------------- */
 
-/* Writes the guesses and the place, or forgets those of a lesson that begins anew; says once that this cannot be done.
+/* Writes the guesses and the place, or forgets those of a lesson that restarts; says once that this cannot be done.
  */
 static void keep_progress(Window *window, bool forgets) {
     GivenLesson *given = window->lesson;
@@ -224,7 +224,7 @@ const Progress *lesson_kept(const Window *window) {
     return window->lesson ? window->lesson->kept : NULL;
 }
 
-void lesson_begin_anew(Window *window) {
+void lesson_restart(Window *window) {
     GivenLesson *given = window->lesson;
     memory_free(given->kept);
     given->kept = NULL;
@@ -304,7 +304,8 @@ const char *lesson_question(const Window *window) {
 
 /* Keys ------------------------------------------------------------------------------------------------------------- */
 
-void lesson_press(Window *window, PlayKey key, int digit) {
+/* Carries out a key of the play. */
+static void press_key(Window *window, PlayKey key, int digit) {
     GivenLesson *given = window->lesson;
     Play *play = &given->play;
     size_t step = play->step;
@@ -342,7 +343,7 @@ bool lesson_key(Window *window, const SdlWindowEvent *event) {
         (event->mods && !is_question_mark(event)))
         return false;
     if (is_question_mark(event)) {
-        lesson_press(window, PLAY_HINT, 0);
+        press_key(window, PLAY_HINT, 0);
         return true;
     }
     size_t count;
@@ -353,7 +354,7 @@ bool lesson_key(Window *window, const SdlWindowEvent *event) {
         if (event->key != sdl_window_key(names[k]) || !play_read_key(names[k], &key, &digit) ||
             !play_takes(&window->lesson->play, key))
             continue;
-        lesson_press(window, key, digit);
+        press_key(window, key, digit);
         return true;
     }
     return false;
@@ -370,7 +371,7 @@ bool lesson_do(Window *window, Action action) {
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         if (rows[i].action == action) {
             if (lesson_is_shown(window))
-                lesson_press(window, rows[i].key, 0);
+                press_key(window, rows[i].key, 0);
             return true;
         }
     if (action == ACTION_LESSON_LEAVE && lesson_is_shown(window))
@@ -572,7 +573,7 @@ void lesson_show(Window *window) {
     else if (press.leaves)
         lesson_leave(window);
     else if (press.pressed)
-        lesson_press(window, press.key, press.digit);
+        press_key(window, press.key, press.digit);
 }
 
 json_t *lesson_state(const Window *window) {

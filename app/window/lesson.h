@@ -32,8 +32,7 @@ bool lesson_key(Window *window, const SdlWindowEvent *event);
 /* Closes the panel that lies over the card in presentation mode. */
 void lesson_close_panel(Window *window);
 
-/* Carries out a key of the play; does an action of the menu Learn, false: it is another action. */
-void lesson_press(Window *window, PlayKey key, int digit);
+/* Does an action of the menu Learn; false: it is another action. */
 bool lesson_do(Window *window, Action action);
 
 /* Leaves the lesson, and asks first if it has begun. */
@@ -50,7 +49,7 @@ bool lesson_is_kept(const Window *window);
 const Progress *lesson_kept(const Window *window);
 
 /* Forgets it. */
-void lesson_begin_anew(Window *window);
+void lesson_restart(Window *window);
 
 /* Returns the tab that a file opens in: that of a lesson's house or machine, or that of its own kind. */
 size_t lesson_tab_of(const char *path);

@@ -225,7 +225,7 @@ static void shown_end(Shown *shown) {
     memory_free(shown);
 }
 
-/* What was run so far, so that equal settings run once. */
+/* Runs of different settings, so that equal settings run once. */
 typedef struct Runs {
     const Lesson *lesson;
     const AttemptState *state;

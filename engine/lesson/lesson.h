@@ -99,7 +99,7 @@ typedef struct Lesson {
     const char *file;   /* path of the house, beam or crank */
     const char *set;    /* settings, or "" */
     const char *script; /* path of the script that tries the lesson */
-    bool names;         /* each piece of a house has its name in the view, next to it where there is no room within */
+    bool names;         /* each piece of a house has its name in the view, within it or next to it */
     LessonTexts learn;
     LessonNumber *numbers;   /* (number_count) */
     LessonStep *steps;       /* (step_count) */

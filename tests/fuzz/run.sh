@@ -8,7 +8,7 @@ cd "$(dirname "$0")/../.."
 . app/packages.sh
 seconds=${1:-60}
 [ $# -eq 0 ] || shift
-all="plan profile population beam crank parameters set observed measured timed script dxf sh3d vadere wkt journey world draft settings recovery store rules lesson"
+all="plan profile population beam crank parameters set observed measured timed script dxf sh3d vadere wkt journey world draft settings recovery progress store rules lesson"
 targets=${*:-$all}
 build=build-fuzz
 
@@ -66,6 +66,7 @@ split -l 1 -a 3 tests/fuzz/values.txt $build/seeds/parameters/
 split -l 2 -a 3 tests/fuzz/settings.txt $build/seeds/set/
 split -l 1 -a 3 tests/fuzz/desk-files.txt $build/seeds/settings/
 cp $build/seeds/settings/* $build/seeds/recovery/
+split -l 1 -a 3 tests/fuzz/progress.txt $build/seeds/progress/
 for bytes in 0 1 2 3; do # edits, and damages, of a few hundred arbitrary bytes
     tail -c +$((bytes * 400 + 1)) README.md | head -c 400 | tee $build/seeds/draft/$bytes >$build/seeds/store/$bytes
 done

@@ -13,7 +13,7 @@ enum {
     FILM_CIRCLES = 1,   /* discs that cover the chairs */
     FILM_ROUTES = 2,    /* the planned routes */
     FILM_WIDTHS = 4,    /* W1 and W2, the widths before and behind each corner of a route */
-    FILM_ALL_NAMES = 8, /* names next to pieces that have no room for them; no word names it */
+    FILM_ALL_NAMES = 8, /* names too long for their pieces stand next to them; not among the names of layers */
 };
 
 /* Returns the sum of the FILM_... that a text like "circles,routes" names; -1 on an unknown name, at which *unknown

@@ -8,6 +8,6 @@
 /* Fills an empty scene without texts, for small pictures. */
 void plan_picture_bare(Scene *scene, const House *house);
 
-/* Does the same with names, and the name of the house above; `all_names`: with a line to a piece that has no room for
- * its own. */
+/* Does the same with names, and the name of the house above; `all_names`: a name too long for its piece
+ * stands next to it, with a line to it. */
 void plan_picture_make(Scene *scene, const House *house, bool all_names);

@@ -34,5 +34,5 @@ void plan_scene_signs(Scene *scene, const House *house);
 void plan_scene_sign(Scene *scene, const House *house, const Exit *exit, const char *text);
 void plan_scene_names(Scene *scene, const House *house);
 
-/* Adds the same names, each of which is shown: with a line to its piece where there is no room within. */
+/* Adds the same names, and shows each: one too long for its piece stands next to it, with a line to it. */
 void plan_scene_all_names(Scene *scene, const House *house);

@@ -71,10 +71,10 @@ there, = go("machine", "key Return", "wait 3", "state STATE", file=machine)
 check(there["lesson"]["step"] == 3 and there["parameters"]["beam.length"] == 0.284012,
       "a beam is as the step begins it", (there["lesson"], there["parameters"]["beam.length"]))
 
-# begun anew, ended at its last card, changed since, damaged
+# restarted, ended at its last card, changed since, damaged
 anew, later = go("killed", "key Tab", "key Return", "wait 3", "state STATE", "key PageDown", "wait 2", "state STATE")
 check(anew["sheet"] == "none" and anew["lesson"]["step"] == 1 and later["lesson"]["hands"] == [0, 0, 0],
-      "Begin anew forgets the guesses", later["lesson"])
+      "Restart forgets the guesses", later["lesson"])
 steps = [line for _ in range(8) for line in ("key PageDown", "wait 3")]
 go("ended", *steps, "key Tab", "key Return", "wait 3")
 check(lessons_in("ended") == [], "what has come to its end is forgotten", lessons_in("ended"))
@@ -86,7 +86,7 @@ go("changed", "key PageDown", "key 3", "wait 2", file=str(own))
 check(len(lessons_in("changed")) == 1, "a lesson of one's own is kept, too")
 own.write_text(own.read_text().replace("yes, easily", "yes, quickly"))
 now, = go("changed", "state STATE", file=str(own))
-check(now["sheet"] == "none", "a lesson that was changed begins anew", now["sheet"])
+check(now["sheet"] == "none", "a lesson that was changed restarts", now["sheet"])
 
 for what, words in (("damaged", "{"), ("strange", '{"lessons": 3}'),
                     ("huge", json.dumps({"lessons": [{"path": name, "step": 7000000000}]}))):
