@@ -152,7 +152,7 @@ void result_verdict_name(Text *text, const Response *response, const char *cycle
         else
             text_format(text, "Periodic, period %zu", response->orbit.period);
         if (response->orbit.period > ORBIT_PERIOD_MOST)
-            text_add(text, ", a torus that is locked");
+            text_add(text, ", probably a locked torus");
         break;
     case RESPONSE_QUASI_PERIODIC:
         text_add(text, "Quasi-periodic");
