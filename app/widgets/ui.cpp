@@ -88,8 +88,9 @@ struct Ground {
 
 struct UiPainter {
     PaintGlScreen *screen;
-    std::vector<UiPainted> painted; /* of this frame; their texts begin in `letters` at `begins` */
-    std::vector<size_t> begins;
+    std::vector<UiPainted> painted; /* of this frame; their boxes and texts are found by ui_painter_painted */
+    std::vector<const ImFont *> painted_fonts;
+    std::vector<size_t> begins; /* of their texts in `letters` */
     std::vector<char> letters;
     ImGuiContext *context;
     std::vector<ImDrawList *> lists;
@@ -254,16 +255,15 @@ size_t ui_painter_wrap(UiPainter *painter, UiTextStyle style, const char *text, 
 
 namespace {
 
-/* Notes a text for ui_painted. */
+/* Notes a text for ui_painter_painted, which measures it: most frames are never asked for. */
 void note_painted(UiPainter *painter, const ImFont *font, ImVec2 corner, const char *text, size_t bytes) {
-    ImVec2 size = font->CalcTextSizeA(font->FontSize, HUGE_VALF, 0, text, text + bytes);
     ImVec2 low = painter->list->GetClipRectMin(), high = painter->list->GetClipRectMax();
     Box clip = {vec2(low.x, low.y), vec2(high.x, high.y)};
-    Box box = {vec2(corner.x, corner.y), vec2(corner.x + size.x, corner.y + size.y)};
     painter->begins.push_back(painter->letters.size());
     painter->letters.insert(painter->letters.end(), text, text + bytes);
     painter->letters.push_back(0);
-    painter->painted.push_back({nullptr, box, clip});
+    painter->painted_fonts.push_back(font);
+    painter->painted.push_back({nullptr, {vec2(corner.x, corner.y), vec2(corner.x, corner.y)}, clip});
 }
 
 } // namespace
@@ -280,8 +280,13 @@ void ui_painter_text(UiPainter *painter, UiTextStyle style, UiInk ink, Vec2 at, 
 
 const UiPainted *ui_painter_painted(UiPainter *painter, size_t *count) {
     *count = painter->painted.size();
-    for (size_t i = 0; i < *count; i++)
-        painter->painted[i].text = painter->letters.data() + painter->begins[i];
+    for (size_t i = 0; i < *count; i++) {
+        UiPainted &one = painter->painted[i];
+        const ImFont *font = painter->painted_fonts[i];
+        one.text = painter->letters.data() + painter->begins[i];
+        ImVec2 size = font->CalcTextSizeA(font->FontSize, HUGE_VALF, 0, one.text);
+        one.box.high = vec2(one.box.low.x + size.x, one.box.low.y + size.y);
+    }
     return painter->painted.data();
 }
 
@@ -396,6 +401,7 @@ void ui_painter_begin(UiPainter *painter, int width, int height, double unit, do
     }
     painter->list = painter->lists[UI_LAYER_PANES];
     painter->painted.clear();
+    painter->painted_fonts.clear();
     painter->begins.clear();
     painter->letters.clear();
 }
