@@ -78,7 +78,9 @@ for key, name in (("d", "door"), ("p", "person"), ("x", "exit"), ("o", "place"))
     keys.keys(key, "Return")
     first = keys.state()["gesture"]
     check(first["active"] and first["fields"], f"19: {key}, Return begins in the middle of the view", first)
-    keys.keys(*["shift+Up"] * 3, *([] if key == "x" else ["shift+Right"] * 6))  # an exit stays on its wall
+    # an exit goes to the wall at x = 0
+    aside = ["shift+Left"] * round(10 * first["fields"]["x"]) if key == "x" else ["shift+Right"] * 6
+    keys.keys(*["shift+Up"] * 3, *aside)
     moved = keys.state()["gesture"]["fields"]
     check(moved != first["fields"], f"19: {key}: arrows move it", (first["fields"], moved))
     keys.keys("Return")
