@@ -88,7 +88,8 @@ typedef struct Primitive {
     double begun;        /* m, length of the line that this one continues: its dashes continue, too */
     bool hatched;        /* polygons: thin lines in `edge` over the fill */
     bool united;         /* polygons: overlapping rings unite; otherwise even-odd: a ring within a ring is a hole */
-    const Vec2 *points;  /* (count) m; behind a label's first point, if any, the outline that it names and stays in */
+    bool joined;        /* polygons: others join on along the edges, so that the fill may end there without smoothing */
+    const Vec2 *points; /* (count) m; behind a label's first point, if any, the outline that it names and stays in */
     size_t count;
     const size_t *starts; /* (ring_count + 1) of a polygon's rings in `points` */
     size_t ring_count;

@@ -98,7 +98,7 @@ static void fill_rings(const Sheet *sheet, const Vec2 *points, const size_t *sta
     if (primitive->fill_opacity <= 0 && !primitive->hatched)
         return;
     tessellation_make(&sheet->drawing->tessellation, points, starts, ring_count, united);
-    bool smooth = !edge_is_hidden(sheet);
+    bool smooth = !edge_is_hidden(sheet) && !primitive->joined;
     if (primitive->fill_opacity > 0)
         cover(sheet, sheet_fill(sheet), NULL, smooth);
     if (primitive->hatched) {

@@ -3,9 +3,10 @@
  *
  *     KEY_TABLE_DEFINE(cell, Cell)
  *
- * defines cell_enter, which returns the entry of a key in a block of memory that grows (zero but for its key if the
- * entry is new, which `*fresh` tells), and cell_find, which returns the entry of a key, or an empty entry of key 0; the
- * table must not be empty. An entry stays valid until the next one is entered; memory_free releases the block.
+ * defines cell_first, where the search for a key begins in a table of that capacity, cell_enter, which returns the
+ * entry of a key in a block of memory that grows (zero but for its key if the entry is new, which `*fresh` tells), and
+ * cell_find, which returns the entry of a key, or an empty entry of key 0; the table must not be empty. An entry stays
+ * valid until the next one is entered; memory_free releases the block.
  */
 #pragma once
 
@@ -18,8 +19,12 @@
 enum { KEY_TABLE_LEAST = 1 << 14 /* entries; a power of two, as every capacity */ };
 
 #define KEY_TABLE_DEFINE(name_, Entry_)                                                                                \
+    static size_t name_##_first(size_t capacity, uint64_t key) {                                                       \
+        return (size_t)((key * UINT64_C(0x9e3779b97f4a7c15)) >> 24) & (capacity - 1);                                  \
+    }                                                                                                                  \
+                                                                                                                       \
     static Entry_ *name_##_find(Entry_ *entries, size_t capacity, uint64_t key) {                                      \
-        size_t i = (size_t)((key * UINT64_C(0x9e3779b97f4a7c15)) >> 24) & (capacity - 1);                              \
+        size_t i = name_##_first(capacity, key);                                                                       \
         while (entries[i].key != key && entries[i].key != 0)                                                           \
             i = (i + 1) & (capacity - 1);                                                                              \
         return &entries[i];                                                                                            \

@@ -185,16 +185,29 @@ int drive_door_at_hand(const World *world, size_t i) {
 
 /* Forces ------------------------------------------------------------------------------------------------------------*/
 
-/* Returns F3: towards the target speed along a direction, limited by a_0, a_d and the push; `others` is the sum of
- * other forces along the direction. The paper's element knows only its speed and yields to forces; a driver feels them
- * (`holding` is 1) and pushes against them, with `most` N. */
-static double driving_force(const Profile *profile, double most, double target, double speed, double others,
-                            double holding) {
+/* Returns F3: towards the target speed along a direction, limited by the acceleration `faster_by`, m/s2, by a_d and the
+ * push; `others` is the sum of other forces along the direction. The paper's element knows only its speed and yields to
+ * forces; a driver feels them (`holding` is 1) and pushes against them, with `most` N. */
+static double driving_force(const Profile *profile, double most, double faster_by, double target, double speed,
+                            double others, double holding) {
     double wanted = profile->mass * (target - speed) / profile->speed_response - holding * others;
     bool faster = fabs(target) > fabs(speed) && target * speed >= 0;
-    double limit = profile->mass * (faster ? profile->acceleration : profile->deceleration);
+    double limit = profile->mass * (faster ? faster_by : profile->deceleration);
     wanted = real_clamp(wanted, -limit - others, limit - others);
     return real_clamp(wanted, -most, most);
+}
+
+/* rad/s2: with less turning moment than this per moment of inertia, a driver steers more calmly. */
+static const double AGILE = 4.5;
+
+/* Returns how many times as long a way a driver takes to come back to the path: the moment that an offset calls for
+ * falls with the third power of that length, so that a weak driver is not asked for more than there is, and does not
+ * swing about the path. */
+static double calmness(const Profile *profile) {
+    double square = profile->radius_of_gyration * profile->radius_of_gyration +
+                    profile->mass_centre * profile->mass_centre; /* about the axle */
+    double agility = profile->turning_moment / (profile->mass * square);
+    return agility < AGILE ? real_exp(real_log(AGILE / agility) / 3) : 1;
 }
 
 /* Returns the moment towards the turn rate `target`, rad/s, which itself changes at `rate`, rad/s2, against the moment
@@ -203,7 +216,8 @@ static double driving_force(const Profile *profile, double most, double target, 
 static double turning_moment(const Profile *profile, double target, double rate, double turn, double load) {
     double square = profile->radius_of_gyration * profile->radius_of_gyration +
                     profile->mass_centre * profile->mass_centre; /* about the axle */
-    double wanted = profile->mass * square * ((target - turn) / profile->turn_response + rate) - load;
+    double response = calmness(profile) * profile->turn_response;
+    double wanted = profile->mass * square * ((target - turn) / response + rate) - load;
     return real_clamp(wanted, -profile->turning_moment, profile->turning_moment);
 }
 
@@ -225,9 +239,11 @@ static Effort exert(const World *world, size_t i, double speed, double turn, dou
     Vec2 axis = world->axis[i];
     Effort effort = overcome(world, i);
     double others = vec2_dot(vec2_add(world->force[i], effort.force), axis), load = world->moment[i] + effort.moment;
-    bool tucked = world->journeys[i].track.points[world->drive[i].index].clearance < profile->hands;
+    const TrackPoint *here = &world->journeys[i].track.points[world->drive[i].index];
+    bool tucked = here->clearance < profile->hands;
+    double faster = real_min(profile->acceleration, pace_in_bend(profile, here->curvature));
     double most = (tucked ? PACE_TUCKED_PUSH : 1) * profile->push;
-    double push = driving_force(profile, most, speed, vec2_dot(world->velocity[i], axis), others, 1);
+    double push = driving_force(profile, most, faster, speed, vec2_dot(world->velocity[i], axis), others, 1);
     effort.force = vec2_along(effort.force, push, axis);
     effort.moment += turning_moment(profile, turn, change, world->turn[i], load);
     return effort;
@@ -255,8 +271,12 @@ static const double TIGHTENING = 0.1;
 static const double ERROR_LENGTH = 0.05;
 /* 1: largest slope of the aim. */
 static const double STEEPEST_AIM = 0.6;
-/* m: something is in the way if the body would sink this deep into it, and where it stops before it. */
-static const double IN_THE_WAY = 0.01, STOP_SHORT = 0.05;
+/* m: of way, before what is in the way. */
+static const double STOP_SHORT = 0.05;
+/* m: an offset at the beginning of a piece of the path is the tracker's up to here, beyond it is aimed at. */
+static const double TRACKED = 0.01;
+/* m: what is this much nearer than the plan and the shift allow is not in the plan. */
+static const double UNPLANNED = 2e-3;
 
 static double aim_ahead(const Profile *profile) {
     return profile->length - profile->axle;
@@ -280,16 +300,16 @@ static double steering_error(const World *world, size_t i, const Profile *profil
     return random_normal(&random, 0, pace_error(profile) * speed / sqrt(variance * ERROR_LENGTH));
 }
 
-/* Finds the first place ahead, up to where the chair could stop twice, at which the body, shifted as it is, would meet
- * something: what the plan passes does not count as an obstacle. Where only the shift is in the way, the chair creeps,
- * since it comes back to its line by driving. */
-static bool is_in_something(const World *world, const Rectangle *body, const TrackPoint *point, double shift) {
+/* Returns the clearance of the body at a point of the plan, shifted, m, up to 0. */
+static double shifted_clearance(const World *world, const Rectangle *body, const TrackPoint *point, double shift) {
     Vec2 axis = vec2_heading(point->heading);
     Vec2 at = vec2_along(vec2_along(point->at, shift, vec2_left(axis)), body->ahead, axis);
-    return freespace_clearance(&world->house->space, at, axis, body->half_length, body->half_width, 0, NULL) <
-           -IN_THE_WAY;
+    return freespace_clearance(&world->house->space, at, axis, body->half_length, body->half_width, 0, NULL);
 }
 
+/* Finds the first place ahead, up to where the chair could stop twice, at which the body, shifted as it is, would meet
+ * something. A shift takes no more than itself from the planned clearance: where only it is in the way, the chair
+ * creeps, since it comes back to its line by driving; what takes more is not in the plan, and bars the way. */
 static void look_for_obstacles(const World *world, size_t i, Drive *drive, double shift, double speed) {
     const Profile *profile = world->house->people[i].profile;
     const Track *track = &world->journeys[i].track;
@@ -297,9 +317,10 @@ static void look_for_obstacles(const World *world, size_t i, Drive *drive, doubl
     double braking = pace_braking(profile, 0), end = drive->s + speed * speed / braking + STOP_SHORT;
     for (size_t k = drive->index + 1; k < track->count && track->points[k].direction > 0; k++) {
         const TrackPoint *point = &track->points[k];
-        if (is_in_something(world, &body, point, shift)) {
+        double clearance = shifted_clearance(world, &body, point, shift);
+        if (clearance < 0) {
             drive->free_way = point->s - STOP_SHORT;
-            drive->barred = is_in_something(world, &body, point, 0);
+            drive->barred = clearance < point->clearance - fabs(shift) - UNPLANNED;
             return;
         }
         if (point->s > end)
@@ -332,16 +353,17 @@ static void take_aim(const World *world, size_t i, Drive *drive, const Place *pl
     double speed = real_max(direction * vec2_dot(world->velocity[i], world->axis[i]), 0);
     double moved = speed * world->clock.dt, before = drive->gone;
     drive->gone += moved;
-    if (direction != drive->aimed) { /* a new piece begins where the last one has ended */
-        drive->aim = drive->axle = drive->offset - drive->aside;
-        drive->aim_slope = drive->felt = 0;
-        drive->aimed = direction;
-    }
     if (direction < 0) { /* backwards only the axle is steered */
-        drive->axle -= real_min(moved / aim_ahead(profile), 1) * drive->axle;
-        drive->aim = drive->axle;
+        drive->aim = drive->axle = drive->aim_slope = drive->felt = 0;
+        drive->aimed = direction;
         drive->free_way = HUGE_VAL;
         return;
+    }
+    if (direction != drive->aimed) { /* a new piece begins where the last one has ended */
+        double off = drive->offset - drive->aside;
+        drive->aim = drive->axle = fabs(off) > TRACKED ? off : 0;
+        drive->aim_slope = drive->felt = 0;
+        drive->aimed = direction;
     }
     if (house->driver > 0 && house->plan.run.wander == SWITCH_ON &&
         floor(drive->gone / ERROR_LENGTH) > floor(before / ERROR_LENGTH))
@@ -427,9 +449,10 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
     double bend = sense * place->next->curvature * pace;
     /* Return to the path at an angle in proportion to the offset, with an upper bound, so that no chair turns round
      * however far off it is. */
-    double back = profile->heading_gain > 0 ? profile->lateral_gain / profile->heading_gain * offset : 0;
+    double calm = calmness(profile);
+    double back = profile->heading_gain > 0 ? profile->lateral_gain / (calm * profile->heading_gain) * offset : 0;
     back = sense * direction * real_clamp(back, -STEEPEST_RETURN, STEEPEST_RETURN);
-    double turn = bend - profile->heading_gain * pace * real_sin(slant + back);
+    double turn = bend - profile->heading_gain / calm * pace * real_sin(slant + back);
     turn = real_clamp(turn, -profile->turn_rate, profile->turn_rate);
     return exert(world, i, sense * direction * target, turn, pace * pace * place->next->bending);
 }
@@ -450,8 +473,8 @@ static Effort drive_miura(const World *world, size_t i, Drive *drive, const Plac
             centripetal = vec2_scale(vec2_unit(from), -profile->mass * speed * speed / radius);
     }
     double target = wanted_speed(world, i, drive, place);
-    double push =
-        driving_force(profile, profile->push, target, vec2_dot(velocity, way), vec2_dot(world->force[i], way), 0);
+    double push = driving_force(profile, profile->push, profile->acceleration, target, vec2_dot(velocity, way),
+                                vec2_dot(world->force[i], way), 0);
     Vec2 across = vec2_left(way);
     double back = real_clamp(-drive->offset / ROUND_RETURN_TIME, -ROUND_RETURN_SPEED, ROUND_RETURN_SPEED);
     double sideways =

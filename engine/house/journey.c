@@ -88,6 +88,7 @@ typedef struct Planning {
     bool interrupted;       /* True if the path of a person is not known; both are set only with all_or_none */
     size_t first_itinerary; /* index of the first itinerary without fields */
     const Journeys *known;  /* routes for drivers to follow; NULL: none */
+    Recall *recall;         /* of the journeys; NULL: none */
 } Planning;
 
 /* m: largest overlap of a moving chair with an obstacle. */
@@ -130,6 +131,7 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place) {
                         .brief = planning->journeys->brief || planning->keep,
                         .any = planning->all_or_none,
                         .fields = planning->journeys->fields,
+                        .recall = planning->journeys->recall,
                         .stop = planning->stop};
 }
 
@@ -315,6 +317,7 @@ static Journeys plan_nothing(const House *house, bool brief) {
 static Journeys plan_from_start(Planning *planning, const bool *part, bool brief, int jobs) {
     const House *house = planning->house;
     Journeys journeys = plan_nothing(house, brief);
+    journeys.recall = planning->recall;
     Whereabouts *places = memory_zeroed(house->person_count, sizeof *places);
     size_t count = 0;
     for (size_t i = 0; i < house->person_count; i++)
@@ -346,6 +349,11 @@ Journeys journey_plan_all(const House *house, const bool *part, int jobs, const 
 
 Journeys journey_plan_briefly(const House *house, const bool *part, int jobs, const Stop *stop) {
     return plan_from_start(&(Planning){.house = house, .stop = stop}, part, true, jobs);
+}
+
+Journeys journey_plan_recalling(const House *house, const bool *part, bool brief, Recall *recall, int jobs,
+                                const Stop *stop) {
+    return plan_from_start(&(Planning){.house = house, .stop = stop, .recall = recall}, part, brief, jobs);
 }
 
 Journeys journey_plan_any(const House *house, const bool *part, const Stop *stop) {

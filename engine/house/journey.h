@@ -8,6 +8,7 @@
 #include "base/stop.h"
 #include "route/fields.h"
 #include "house/house.h"
+#include "route/recall.h"
 #include "route/floor_field.h"
 #include "route/route.h"
 #include "house/track.h"
@@ -41,6 +42,7 @@ typedef struct Journeys {
     size_t itinerary_count, itinerary_capacity;
     Fields *fields; /* shared by the searches of chairs */
     bool brief;     /* as in a RouteQuery, for all plans */
+    Recall *recall; /* as in a RouteQuery; not owned */
 } Journeys;
 
 /* The state of a person whose path is planned again. */
@@ -57,6 +59,10 @@ typedef struct Whereabouts {
  * journeys. */
 Journeys journey_plan_all(const House *house, const bool *part, int jobs, const Stop *stop);
 Journeys journey_plan_briefly(const House *house, const bool *part, int jobs, const Stop *stop);
+
+/* Does the same with answers that are kept for this and other houses (NULL: none), which must outlive the journeys. */
+Journeys journey_plan_recalling(const House *house, const bool *part, bool brief, Recall *recall, int jobs,
+                                const Stop *stop);
 void journey_free_all(Journeys *journeys);
 
 /* Plans on one thread, with fewer searches, to decide whether there is any way: each chair's path is the first free

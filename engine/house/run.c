@@ -259,8 +259,8 @@ static void run_group(void *context, size_t index) {
     const RunOptions *options = group->options;
     Journeys journeys = options->known
                             ? journey_follow(options->known, group->house, group->part, group->jobs, options->stop)
-                            : (options->brief ? journey_plan_briefly : journey_plan_all)(group->house, group->part,
-                                                                                         group->jobs, options->stop);
+                            : journey_plan_recalling(group->house, group->part, options->brief, options->recall,
+                                                     group->jobs, options->stop);
     World world = world_create(group->house, journeys.of, group->part);
     world.team = parallel_team_create(world.present_count > TEAM_WORTH ? group->jobs : 1);
     observer_init(&group->observer, &world, group->people);

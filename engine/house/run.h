@@ -39,6 +39,7 @@ typedef struct RunOptions {
     void *context;
     bool brief; /* True for quick results: if a person cannot pass, the blockage names the width for carrying the chair,
                    which may be less than for driving it */
+    Recall *recall;           /* answers kept for this and other houses; NULL: none, with the same result */
     const Journeys *known;    /* routes that drivers follow (journey_follow); NULL: they plan */
     const RunChange *changes; /* (change_count) by rising time; NULL: the plan does not change */
     size_t change_count;

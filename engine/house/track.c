@@ -53,8 +53,9 @@ static void decelerate(Track *track, const Profile *profile) {
         const TrackPoint *next = &track->points[i];
         bool rest = i + 1 < track->count && track->points[i + 1].direction != next->direction;
         double end = rest || next->direction == 0 ? 0 : next->speed;
-        double braking =
-            profile->driving == DRIVING_DRIVER ? pace_braking(profile, here->clearance) : profile->deceleration;
+        double braking = profile->deceleration;
+        if (profile->driving == DRIVING_DRIVER)
+            braking = fmin(pace_braking(profile, here->clearance), pace_in_bend(profile, here->curvature));
         double reach = sqrt(end * end + 2 * braking * (next->s - here->s));
         if (here->direction != 0 || next->direction != 0)
             here->speed = fmin(here->speed, fmax(reach, next->direction == 0 ? 0 : 1e-3));

@@ -186,7 +186,11 @@ double yield_speed(const World *world, size_t i, Drive *drive, Vec2 travel, doub
     if ((world->clock.step + i) % world->decision_steps == 0)
         look_around(world, i, drive, travel);
     /* A swerve needs distance, not time: a standing person does not move to one side. */
-    double moved = vec2_length(world->velocity[i]) * world->clock.dt, change = SWERVE * moved, before = drive->aside;
+    const Profile *profile = world->house->people[i].profile;
+    double moved = vec2_length(world->velocity[i]) * world->clock.dt, before = drive->aside;
+    /* The front edge swerves no farther than to the offset that is wanted. */
+    double slope = fabs(drive->around - before) / real_max(profile->length - profile->axle, 0.1);
+    double change = real_min(SWERVE, slope) * moved;
     drive->aside += real_clamp(drive->around - before, -change, change);
     drive->swerve = moved > 0 ? (drive->aside - before) / moved : 0;
     return drive->gives_way ? BACK_OFF : real_min(speed, drive->heeded);

@@ -161,8 +161,8 @@ static const Parameter run_rows[] = {
     NUMBER(RunSettings, loss_warning, "s", 0, 1e4, 1, "lost time above which a place is a hindrance", "assumed"),
     CHOICE(
         RunSettings, ring, "auto|push|steer|off", RING_AUTO,
-        "what the personal space does to a driver: it pushes the body as in the paper, or steers; auto: it pushes the "
-        "nominal driver and steers those of a population"),
+        "what the personal space does to a driver: it pushes the body as in the paper, or it is what the driver steers "
+        "by; auto: steer, but push the nominal driver among people on foot"),
     CHOICE(RunSettings, wander, "on|off", SWITCH_ON, "errors of steering, of all drivers but the nominal one"),
     CHOICE(RunSettings, hands, "on|off", SWITCH_ON, "the space for hands at the rims"),
     CHOICE(RunSettings, centripetal, "on|off", SWITCH_ON, "F4 of the paper's chairs"),

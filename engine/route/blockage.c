@@ -304,7 +304,7 @@ void blockage_of_track(Blockage *blockage, const RouteQuery *query, const Rectan
         double margin = freespace_growth(query->space, centre, axis, body->half_length, body->half_width,
                                          FREESPACE_FARTHEST, &face);
         if (margin < place.margin)
-            place = (FitPlace){centre, pose->heading, margin, face};
+            place = (FitPlace){centre, pose->heading, margin, face, false};
     }
     place.margin = fmax(place.margin, -DEEPEST_OVERLAP);
     blockage_of_fit(blockage, query, body, &place);

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "base/real.h"
 #include "route/hasten.h"
+#include "route/recall.h"
 #include "route/relax.h"
 #include "route/way.h"
 
@@ -206,6 +207,22 @@ static bool realise(Decide *decide, const SearchTrack *track) {
     return whole;
 }
 
+/* Leads the best way along the middle where that costs no time, unless the sweep finds that this comes too near to
+ * something. Returns false if interrupted. */
+static bool centre(Decide *decide) {
+    const RouteQuery *query = decide->query;
+    double margin = decide->kept * SWEPT;
+    Way way = way_copy(&decide->best);
+    bool whole = hasten_centre(&way, query->space, decide->body, query->profile, margin, SWEEPS, query->stop);
+    if (whole && way_swept(&way, query->space, decide->body, margin * SWEPT)) {
+        Way aside = decide->best;
+        decide->best = way;
+        way = aside;
+    }
+    way_free(&way);
+    return whole;
+}
+
 static void give_track(const Decide *decide, SearchTrack *track) {
     const RouteQuery *query = decide->query;
     search_track_clear(track);
@@ -239,8 +256,8 @@ static bool is_vain(const Decide *decide, const Rung *rung, bool gave_up) {
 }
 
 /* Decides in either manner; the parameters are those of decide_way. */
-static DecideAnswer decide_how(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
-                               bool coarsely, double depth, SearchTrack *track, size_t *pins, FitPlace *tightest) {
+static DecideAnswer decide_anew(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
+                                bool coarsely, double depth, SearchTrack *track, size_t *pins, FitPlace *tightest) {
     double clearance = search_clearance(query->space, body, query->at, query->heading, MARGIN + HAIR, NULL);
     Decide decide = {.query = query,
                      .body = body,
@@ -282,6 +299,7 @@ static DecideAnswer decide_how(const RouteQuery *query, const Rectangle *body, c
             result = DECIDE_SEARCHED;
         }
     }
+    whole = whole && (decide.confirmed == 0 || decide.any || centre(&decide));
     if (whole && decide.confirmed > 0) {
         give_track(&decide, track);
         result = DECIDE_FOUND;
@@ -289,6 +307,35 @@ static DecideAnswer decide_how(const RouteQuery *query, const Rectangle *body, c
     search_track_clear(&proposal);
     way_free(&decide.best);
     return whole ? result : DECIDE_INTERRUPTED;
+}
+
+/* Does the same, or gives the answer to the same question in another house where that still holds. */
+static DecideAnswer decide_how(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
+                               bool coarsely, double depth, SearchTrack *track, size_t *pins, FitPlace *tightest) {
+    if (!query->recall)
+        return decide_anew(query, body, goals, goal_count, coarsely, depth, track, pins, tightest);
+    RecallQuestion question = {query, body, goals, goal_count, radius_within(body), depth, coarsely};
+    RecallAnswer answer = {.pins = pins};
+    if (recall_find(query->recall, &question, &answer)) {
+        search_track_clear(track);
+        *track = answer.track;
+        if (answer.has_tightest)
+            *tightest = answer.tightest;
+        return (DecideAnswer)answer.decided;
+    }
+    RecallWatch watch;
+    recall_watch(&watch, &question);
+    RouteQuery watched = *query;
+    watched.space = &watch.space;
+    watched.watched = query->space;
+    watched.times = watch.times;
+    DecideAnswer decided = decide_anew(&watched, body, goals, goal_count, coarsely, depth, track, pins, tightest);
+    answer = (RecallAnswer){.decided = (int)decided, .track = *track, .pins = pins};
+    answer.has_tightest = decided == DECIDE_NONE || decided == DECIDE_TOO_NARROW;
+    if (answer.has_tightest)
+        answer.tightest = *tightest;
+    recall_keep(query->recall, &question, &watch, decided == DECIDE_INTERRUPTED ? NULL : &answer);
+    return decided;
 }
 
 DecideAnswer decide_way(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,

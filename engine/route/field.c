@@ -308,3 +308,10 @@ double field_time(const Field *field, Vec2 at) {
         return time;
     return (double)fminf(fminf(low[0], low[1]), fminf(high[0], high[1]));
 }
+
+void field_note_time(const Field *field, Vec2 at, Reads *reads) {
+    const FreeSpace *space = field->ground->space;
+    double x = (at.x - space->origin.x) / space->cell, y = (at.y - space->origin.y) / space->cell;
+    if (x >= 0 && y >= 0 && x < space->nx - 1 && y < space->ny - 1)
+        reads_note_point(reads, (int)x, (int)y);
+}

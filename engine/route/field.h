@@ -78,3 +78,6 @@ void field_clear(Field *field);
 
 /* Returns the time from a place, s, interpolated; infinite where there is no path. */
 double field_time(const Field *field, Vec2 at);
+
+/* Notes what field_time reads for a place. */
+void field_note_time(const Field *field, Vec2 at, Reads *reads);

@@ -528,6 +528,14 @@ static bool refine(Tree *tree, int last) {
     return count > 0;
 }
 
+void fit_find_face(const FreeSpace *space, const Rectangle *body, FitPlace *place) {
+    FreeSpace unnoted = *space;
+    unnoted.reads = NULL; /* the face is found again where the place is recalled */
+    if (place->far)
+        freespace_growth(&unnoted, place->centre, vec2_heading(place->heading), body->half_length, body->half_width,
+                         FREESPACE_FARTHEST, &place->face);
+}
+
 /* Lowers `place` to the tightest cell of a path. */
 static void note_tightest(const Tree *tree, int last, FitPlace *place) {
     int tightest = last;
@@ -538,8 +546,8 @@ static void note_tightest(const Tree *tree, int last, FitPlace *place) {
     place->centre = cell->at;
     place->heading = heading_of(cell);
     place->margin = (double)tree->cells[last].widest;
-    freespace_growth(tree->query->space, place->centre, vec2_heading(place->heading), tree->body->half_length,
-                     tree->body->half_width, FREESPACE_FARTHEST, &place->face);
+    place->far = true;
+    fit_find_face(tree->query->space, tree->body, place);
 }
 
 /* Finds the tightest place on the way to one goal, if it is tighter than the cap. */
@@ -567,7 +575,7 @@ static void fit_goal(Tree *tree, const Goal *goal, FitPlace *tightest) {
 FitAnswer fit_margin(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count, double least,
                      double most, FitPlace *tightest) {
     Vec2 axis = vec2_heading(query->heading), centre = vec2_along(query->at, body->ahead, axis);
-    *tightest = (FitPlace){centre, query->heading, most, -1};
+    *tightest = (FitPlace){centre, query->heading, most, -1, false};
     tightest->margin =
         freespace_growth(query->space, centre, axis, body->half_length, body->half_width, most, &tightest->face);
     Tree tree = {.query = query, .body = body, .origin = centre, .cap = tightest->margin, .count = 1};

@@ -11,7 +11,11 @@ typedef struct FitPlace {
     double heading; /* rad, of the body or its opposite */
     double margin;  /* m, -HUGE_VAL: not known */
     int face;       /* the planned face that decides, or -1 */
+    bool far;       /* True if that is the nearest one within FREESPACE_FARTHEST */
 } FitPlace;
+
+/* Finds the face of a place that is `far` in a free space, which does not note it; another place keeps its own. */
+void fit_find_face(const FreeSpace *space, const Rectangle *body, FitPlace *place);
 
 typedef enum FitAnswer {
     FIT_KNOWN,

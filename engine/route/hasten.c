@@ -10,12 +10,17 @@
 
 /* Descent on the time itself. At each station the pace (pace.h) gives a limit for the speed; the largest speed that
  * keeps it, starts from rest, rests at joints, and needs no more than the initial acceleration a_0 and the planned
- * deceleration a_d follows by one pass from the end and one from the beginning. Then
+ * deceleration a_d, both within the driver's strength, follows by one pass from the end and one from the beginning.
+ * Then
  *
  *     T = sum of 2 h / (v_i + v_(i+1)) + |turns on the spot| / turn rate + changes of direction * their time
  *
  * plus two prices: near obstacles time counts more, half as much as in the search (field_discomfort), and the change of
  * the turn from step to step, which a curvature averaged over four steps does not see, costs ROUGHNESS.
+ *
+ * The price of the personal space (pace_price) is asked for last, of the way that is quickest: hasten_centre lowers the
+ * sum with it, but takes no more than CENTRED of the time. So the price chooses among ways that take the same time, and
+ * how long a way takes, and whether more room can make it longer, does not depend on the price.
  *
  * A trial moves the stations about one of them along their normals (a bump), or a joint, or the end, all faded over
  * some stations; each place has its own length of step, which grows with success and shrinks with failure. A trial is
@@ -24,23 +29,27 @@
 
 #define PRICE 0.5     /* 1, share of the search's price of discomfort: more costs more than 3 % of the time */
 #define ROUGHNESS 5.0 /* s/rad2 */
+#define CENTRED 2e-3  /* 1, share of the time that the middle may cost */
 #define FIRST 0.01    /* m, first length of a trial */
 #define SHORTEST 2e-4 /* m: shorter ones are not tried */
 #define LONGEST 0.08  /* m */
 #define BETWEEN 0.06  /* m: with more clearance than this at both ends the motion between is not looked at */
 #define GAIN 1e-6     /* s */
 #define STRAIGHT 1e-3 /* 1/m */
+#define MIDDLE 1e-2   /* m */
 
-enum { SPAN = 2, LEVELS = 6, REACHES = 4 };
+enum { SPAN = 2, LEVELS = 6, REACHES = 4, LONG_RUN = 32, ROOMS = 11, LEAST_CENTRING = 3 };
 
 static const int joint_reaches[REACHES] = {2, 4, 8, 16};
 
 /* The numbers of each station; `cost` is that of the step to the next one. */
 typedef struct Speeds {
     double *clearance;            /* m, the least of the station and the step after it */
+    double *left, *right;         /* m, of the station, while centring */
     double *heading;              /* rad */
+    double *braking, *starting;   /* m/s2, that the driver plans with */
     double *limit, *back, *speed; /* m/s */
-    double *cost;                 /* s */
+    double *time, *cost;          /* s */
 } Speeds;
 
 typedef struct Hasten {
@@ -49,14 +58,26 @@ typedef struct Hasten {
     const Rectangle *body;
     const Profile *profile;
     double margin, sight; /* m */
+    bool centring;        /* True if the personal space has its price, and the time its bound */
     Speeds now, tried;
     Station *kept; /* (count) */
     double *rooms; /* memory of the speeds */
     double sum;    /* s, of the costs */
+    double spare;  /* s, by which the way may still become slower, while centring */
 } Hasten;
 
 static Speeds speeds_in(double *room, size_t count) {
-    return (Speeds){room, room + count, room + 2 * count, room + 3 * count, room + 4 * count, room + 5 * count};
+    return (Speeds){room,
+                    room + count,
+                    room + 2 * count,
+                    room + 3 * count,
+                    room + 4 * count,
+                    room + 5 * count,
+                    room + 6 * count,
+                    room + 7 * count,
+                    room + 8 * count,
+                    room + 9 * count,
+                    room + 10 * count};
 }
 
 static double body_clearance(const Hasten *hasten, const Station *station, double reach) {
@@ -81,28 +102,42 @@ static double mean_curvature(const Hasten *hasten, const double *heading, size_t
     return turn_between(heading, *low, *high) / ((double)(*high - *low) * piece->step);
 }
 
-static double limit_at(const Hasten *hasten, const Speeds *speeds, size_t s) {
+/* Fills in what limits the speed at a station and on its way from and to it. */
+static void find_limit(const Hasten *hasten, Speeds *speeds, size_t s) {
+    const Profile *profile = hasten->profile;
+    double clearance = speeds->clearance[s];
+    speeds->braking[s] = pace_braking(profile, clearance);
+    speeds->starting[s] = pace_starting(profile, clearance);
+    speeds->limit[s] = 0;
     if (rests(hasten->way, s))
-        return 0;
+        return;
     const WayPiece *piece = &hasten->way->pieces[hasten->way->stations[s].piece];
     size_t low, high, none;
     double bend = mean_curvature(hasten, speeds->heading, s, &low, &high);
     double first = mean_curvature(hasten, speeds->heading, low, &none, &none);
     double last = mean_curvature(hasten, speeds->heading, high, &none, &none);
     double bending = (last - first) / ((double)(high - low) * piece->step);
-    return pace_at(hasten->profile, hasten->profile->free_speed, speeds->clearance[s], bend, bending, piece->direction);
+    double in_bend = pace_in_bend(profile, bend);
+    speeds->braking[s] = real_min(speeds->braking[s], in_bend);
+    speeds->starting[s] = real_min(speeds->starting[s], in_bend);
+    speeds->limit[s] = pace_at(profile, profile->free_speed, clearance, bend, bending, piece->direction);
 }
 
-/* Returns the cost of the step from station s to the next one. */
-static double step_cost(const Hasten *hasten, const Speeds *speeds, size_t s) {
+/* Fills in the time and the cost of the step from station s to the next one. */
+static void count_step(const Hasten *hasten, Speeds *speeds, size_t s) {
     const WayPiece *piece = &hasten->way->pieces[hasten->way->stations[s].piece];
     double step = vec2_distance(hasten->way->stations[s].at, hasten->way->stations[s + 1].at);
     double time = 2 * step / real_max(speeds->speed[s] + speeds->speed[s + 1], 1e-6);
     double clearance = real_min(speeds->clearance[s], speeds->clearance[s + 1]);
-    double rough = 0;
+    double rough = 0, price = 0;
     if (s > piece->first)
         rough = turn_between(speeds->heading, s, s + 1) - turn_between(speeds->heading, s - 1, s);
-    return time * (1 + PRICE * (field_discomfort(clearance) - 1)) + ROUGHNESS * rough * rough;
+    if (hasten->centring)
+        price = (pace_price(hasten->profile, speeds->left[s], speeds->right[s]) +
+                 pace_price(hasten->profile, speeds->left[s + 1], speeds->right[s + 1])) /
+                2;
+    speeds->time[s] = time;
+    speeds->cost[s] = time * (1 + PRICE * (field_discomfort(clearance) - 1)) + ROUGHNESS * rough * rough + step * price;
 }
 
 static double reachable(double speed, double acceleration, double step) {
@@ -112,7 +147,11 @@ static double reachable(double speed, double acceleration, double step) {
 /* Takes over what a trial has not changed. */
 static void take_over(Speeds *to, const Speeds *from, size_t s) {
     to->clearance[s] = from->clearance[s];
+    to->left[s] = from->left[s];
+    to->right[s] = from->right[s];
     to->heading[s] = from->heading[s];
+    to->braking[s] = from->braking[s];
+    to->starting[s] = from->starting[s];
     to->limit[s] = from->limit[s];
 }
 
@@ -121,10 +160,9 @@ static void take_over(Speeds *to, const Speeds *from, size_t s) {
 static void run_through(const Hasten *hasten, const Speeds *from, Speeds *to, size_t low, size_t high, size_t *first,
                         size_t *last) {
     const Way *way = hasten->way;
-    const Profile *profile = hasten->profile;
     size_t count = way->count, s;
     for (s = low; s <= high; s++)
-        to->limit[s] = limit_at(hasten, to, s);
+        find_limit(hasten, to, s);
     for (s = high + 1; s-- > 0;) {
         if (s < low)
             take_over(to, from, s);
@@ -132,7 +170,7 @@ static void run_through(const Hasten *hasten, const Speeds *from, Speeds *to, si
         size_t piece = way->stations[s].piece;
         double next = s == high ? s + 1 < count ? from->back[s + 1] : limit : to->back[s + 1];
         if (s < way->pieces[piece].last)
-            limit = real_min(limit, reachable(next, PACE_PLANNED * profile->deceleration, way->pieces[piece].step));
+            limit = real_min(limit, reachable(next, to->braking[s], way->pieces[piece].step));
         to->back[s] = limit;
         if (s < low && limit == from->back[s])
             break;
@@ -146,13 +184,14 @@ static void run_through(const Hasten *hasten, const Speeds *from, Speeds *to, si
         double back = to->back[s];
         const WayPiece *piece = &way->pieces[way->stations[s].piece];
         double before = s == *first ? s > 0 ? from->speed[s - 1] : 0 : to->speed[s - 1];
-        to->speed[s] = s > piece->first ? real_min(back, reachable(before, profile->acceleration, piece->step)) : back;
+        to->speed[s] = s > piece->first ? real_min(back, reachable(before, to->starting[s], piece->step)) : back;
         if (s > high && to->speed[s] == from->speed[s])
             break;
     }
     *last = s < count ? s : count - 1;
     for (s = *first; s < *last; s++)
-        to->cost[s] = way->stations[s].piece == way->stations[s + 1].piece ? step_cost(hasten, to, s) : 0;
+        if (way->stations[s].piece == way->stations[s + 1].piece)
+            count_step(hasten, to, s);
 }
 
 /* Returns the time that joints cost, s. */
@@ -171,7 +210,11 @@ static bool look_at(const Hasten *hasten, Speeds *to, size_t low, size_t high) {
     const Way *way = hasten->way;
     for (size_t s = low; s <= high; s++) {
         const Station *station = &way->stations[s];
-        to->clearance[s] = body_clearance(hasten, station, hasten->sight);
+        Vec2 middle = vec2_along(station->at, hasten->body->ahead, station->axis);
+        to->clearance[s] = hasten->centring
+                               ? freespace_sides(hasten->space, middle, station->axis, hasten->body->half_length,
+                                                 hasten->body->half_width, hasten->sight, &to->left[s], &to->right[s])
+                               : body_clearance(hasten, station, hasten->sight);
         if (to->clearance[s] < hasten->margin)
             return false;
     }
@@ -193,13 +236,20 @@ static bool look_at(const Hasten *hasten, Speeds *to, size_t low, size_t high) {
     return true;
 }
 
-static void copy_speeds(Speeds *to, const Speeds *from, size_t low, size_t high) {
+static void copy_speeds(Speeds *to, const Speeds *from, size_t low, size_t high, bool centring) {
     size_t size = (high - low + 1) * sizeof(double);
+    if (centring) {
+        memcpy(to->left + low, from->left + low, size);
+        memcpy(to->right + low, from->right + low, size);
+    }
     memcpy(to->clearance + low, from->clearance + low, size);
     memcpy(to->heading + low, from->heading + low, size);
+    memcpy(to->braking + low, from->braking + low, size);
+    memcpy(to->starting + low, from->starting + low, size);
     memcpy(to->limit + low, from->limit + low, size);
     memcpy(to->back + low, from->back + low, size);
     memcpy(to->speed + low, from->speed + low, size);
+    memcpy(to->time + low, from->time + low, size);
     memcpy(to->cost + low, from->cost + low, size);
 }
 
@@ -220,7 +270,7 @@ static bool judge(Hasten *hasten, size_t low, size_t high, size_t joint, Joint j
     size_t first = 0, last = 0;
     way_set_axes(way, begin, end);
     copy_speeds(&hasten->tried, &hasten->now, wide > 2 * SPAN ? wide - 2 * SPAN : 0,
-                far + 2 * SPAN < farthest ? far + 2 * SPAN : farthest);
+                far + 2 * SPAN < farthest ? far + 2 * SPAN : farthest, hasten->centring);
     size_t look = begin > 0 ? begin - 1 : 0;
     double spots_before = 0, spots = 0;
     bool good = look_at(hasten, &hasten->tried, look, end < way->count - 1 ? end + 1 : end);
@@ -240,14 +290,20 @@ static bool judge(Hasten *hasten, size_t low, size_t high, size_t joint, Joint j
         gain = sum_of(hasten->now.cost, first, last) - sum_of(hasten->tried.cost, first, last) + spots_before - spots;
         good = gain > GAIN;
     }
+    double longer = 0; /* s, by which the trial makes the way slower */
+    if (good && hasten->centring) {
+        longer = sum_of(hasten->tried.time, first, last) - sum_of(hasten->now.time, first, last) + spots - spots_before;
+        good = longer <= 0 || longer <= hasten->spare;
+    }
     if (!good) {
         memcpy(way->stations + begin, hasten->kept + begin, (end - begin + 1) * sizeof *way->stations);
         if (joint < way->piece_count)
             way->joints[joint] = joint_before;
         return false;
     }
-    copy_speeds(&hasten->now, &hasten->tried, first, last);
+    copy_speeds(&hasten->now, &hasten->tried, first, last, hasten->centring);
     hasten->sum -= gain;
+    hasten->spare -= longer;
     return true;
 }
 
@@ -315,13 +371,77 @@ static bool try_end(Hasten *hasten, int reach, double by) {
     return judge(hasten, low, high, SIZE_MAX, (Joint){0});
 }
 
-/* True if nothing is lost about a station: the way is straight there, and as fast as it can be. */
+/* Returns which side of a station is pressed more: 1 the left, -1 the right, 0 neither. */
+static int pressed_side(const Hasten *hasten, size_t s) {
+    double more = hasten->now.right[s] - hasten->now.left[s];
+    return more > MIDDLE ? 1 : more < -MIDDLE ? -1 : 0;
+}
+
+/* True if nothing is lost about a station: the way is straight there, and as fast as it can be. While centring: if
+ * both sides are alike. */
 static bool is_at_best(const Hasten *hasten, size_t low, size_t high) {
     for (size_t s = low; s <= high; s++)
-        if (hasten->now.clearance[s] < hasten->sight || hasten->now.limit[s] < hasten->profile->free_speed ||
-            (s > low && fabs(turn_between(hasten->now.heading, s - 1, s)) > STRAIGHT * 0.05))
+        if (hasten->centring
+                ? pressed_side(hasten, s) != 0
+                : hasten->now.clearance[s] < hasten->sight || hasten->now.limit[s] < hasten->profile->free_speed ||
+                      (s > low && fabs(turn_between(hasten->now.heading, s - 1, s)) > STRAIGHT * 0.05))
             return false;
     return true;
+}
+
+/* Moves the stations low to high by `by`, fading over `fade` stations on either side. */
+static bool try_shift(Hasten *hasten, size_t low, size_t high, size_t fade, double by) {
+    Way *way = hasten->way;
+    const WayPiece *piece = &way->pieces[way->stations[low].piece];
+    bool ends = high == way->count - 1;
+    size_t begin = low > piece->first + fade ? low - fade : piece->first + 1;
+    size_t end = ends ? high : high + fade < piece->last ? high + fade : piece->last - 1;
+    double before = (double)(low > begin ? low - begin + 1 : 1), after = (double)(end > high ? end - high + 1 : 1);
+    keep(hasten, begin, end);
+    for (size_t s = begin; s <= end; s++) {
+        double shape = s < low ? faded((double)(low - s), before) : s > high ? faded((double)(s - high), after) : 1;
+        Vec2 move = vec2_scale(vec2_left(hasten->kept[s].axis), by * shape);
+        if (ends && s == high) { /* along the exit's line */
+            Vec2 line = vec2_unit(vec2_sub(way->exit->to, way->exit->from));
+            double least, most, at = vec2_dot(vec2_sub(hasten->kept[s].at, way->exit->from), line);
+            way_exit_range(way, &least, &most);
+            move = vec2_scale(line, real_clamp(at + vec2_dot(move, line), least, most) - at);
+        }
+        way->stations[s].at = vec2_add(hasten->kept[s].at, move);
+    }
+    return judge(hasten, begin, end, SIZE_MAX, (Joint){0});
+}
+
+/* Tries to move the stations low to high by `by`, all but the first `later` ones, with a longer and longer fade. */
+static bool try_shifts(Hasten *hasten, size_t low, size_t high, size_t later, double by) {
+    const WayPiece *piece = &hasten->way->pieces[hasten->way->stations[low].piece];
+    bool ends = high + 1 == hasten->way->count;
+    for (size_t fade = LONG_RUN / 2; fade <= 2 * LONG_RUN; fade *= 2) {
+        size_t from = (low > piece->first + fade ? low : piece->first + fade) + later;
+        size_t to = ends || high + fade < piece->last ? high : piece->last - fade;
+        if (piece->last - piece->first > 3 * fade && from < to && try_shift(hasten, from, to, fade, by))
+            return true;
+    }
+    return false;
+}
+
+/* Moves the long parts of the way that are nearer to one side than to the other towards the middle: a bump is too short
+ * for that, since its slopes press the body's corners to both sides. Where a part cannot leave the wall at once, as
+ * beside a start, it does so later. */
+static void sweep_shifts(Hasten *hasten) {
+    const Way *way = hasten->way;
+    for (size_t low = 0; low < way->count;) {
+        const WayPiece *piece = &way->pieces[way->stations[low].piece];
+        int side = pressed_side(hasten, low);
+        size_t high = low;
+        double least = HUGE_VAL;
+        for (; high <= piece->last && side && pressed_side(hasten, high) == side; high++)
+            least = real_min(least, fabs(hasten->now.left[high] - hasten->now.right[high]) / 2);
+        bool done = high < low + LONG_RUN;
+        for (size_t later = 0; later <= 4 * LONG_RUN && !done; later = later ? 2 * later : LONG_RUN)
+            done = try_shifts(hasten, low, high - 1, later, -side * least);
+        low = high > low ? high : low + 1;
+    }
 }
 
 /* Tries a step in its direction, then the opposite one; adapts it. */
@@ -343,7 +463,8 @@ typedef struct Steps {
 
 static void sweep_bumps(Hasten *hasten, Steps *steps, int round) {
     Way *way = hasten->way;
-    for (int level = LEVELS - 1; level >= 0; level--) {
+    int least = hasten->centring ? LEAST_CENTRING : 0; /* short bumps hardly move the body's sides */
+    for (int level = LEVELS - 1; level >= least; level--) {
         int half = 1 << level;
         size_t stride = half > 1 ? (size_t)half / 2 : 1;
         for (size_t k = 0; k < way->piece_count; k++) {
@@ -404,13 +525,14 @@ static void sweep_end(Hasten *hasten, Steps *steps) {
 }
 
 static void hasten_begin(Hasten *hasten, Way *way, const FreeSpace *space, const Rectangle *body,
-                         const Profile *profile) {
+                         const Profile *profile, bool centring) {
     size_t count = way->count, first, last;
-    *hasten = (Hasten){.way = way, .space = space, .body = body, .profile = profile, .margin = -HUGE_VAL};
-    hasten->sight = fmax(pace_enough(profile), FIELD_COMFORT);
-    hasten->rooms = memory_zeroed(12 * count, sizeof(double));
+    *hasten = (Hasten){
+        .way = way, .space = space, .body = body, .profile = profile, .margin = -HUGE_VAL, .centring = centring};
+    hasten->sight = fmax(pace_enough(profile), centring ? profile->space_reach : FIELD_COMFORT);
+    hasten->rooms = memory_zeroed(2 * ROOMS * count, sizeof(double));
     hasten->now = speeds_in(hasten->rooms, count);
-    hasten->tried = speeds_in(hasten->rooms + 6 * count, count);
+    hasten->tried = speeds_in(hasten->rooms + ROOMS * count, count);
     hasten->kept = memory_zeroed(count, sizeof *hasten->kept);
     look_at(hasten, &hasten->now, 0, count - 1);
     run_through(hasten, &hasten->now, &hasten->now, 0, count - 1, &first, &last);
@@ -422,27 +544,27 @@ static void hasten_end(Hasten *hasten) {
     memory_free(hasten->kept);
 }
 
+/* Returns the time of the whole way, s. */
+static double whole_time(const Hasten *hasten) {
+    double time = sum_of(hasten->now.time, 0, hasten->way->count - 1);
+    for (size_t k = 0; k < hasten->way->piece_count; k++)
+        time += joint_time(hasten, k);
+    return time;
+}
+
 double hasten_time(const Way *way, const FreeSpace *space, const Rectangle *body, const Profile *profile) {
     Way copy = way_copy(way);
     Hasten hasten;
-    double time = 0;
-    hasten_begin(&hasten, &copy, space, body, profile);
-    for (size_t s = 0; s + 1 < copy.count; s++)
-        if (copy.stations[s].piece == copy.stations[s + 1].piece)
-            time += 2 * vec2_distance(copy.stations[s].at, copy.stations[s + 1].at) /
-                    real_max(hasten.now.speed[s] + hasten.now.speed[s + 1], 1e-6);
-    for (size_t k = 0; k < copy.piece_count; k++)
-        time += joint_time(&hasten, k);
+    hasten_begin(&hasten, &copy, space, body, profile, false);
+    double time = whole_time(&hasten);
     hasten_end(&hasten);
     way_free(&copy);
     return time;
 }
 
-bool hasten_way(Way *way, const FreeSpace *space, const Rectangle *body, const Profile *profile, double margin,
-                int sweeps, const Stop *stop) {
-    Hasten hasten;
-    hasten_begin(&hasten, way, space, body, profile);
-    hasten.margin = margin;
+/* Makes trials at all places, again and again while the sum falls. Returns false if interrupted. */
+static bool descend(Hasten *hasten, int sweeps, const Stop *stop) {
+    const Way *way = hasten->way;
     Steps steps = {.bumps = memory_zeroed((size_t)LEVELS * way->count, sizeof(double)),
                    .joints = memory_zeroed(way->piece_count, sizeof *steps.joints)};
     for (size_t i = 0; i < (size_t)LEVELS * way->count; i++)
@@ -455,16 +577,39 @@ bool hasten_way(Way *way, const FreeSpace *space, const Rectangle *body, const P
         steps.end[r] = FIRST;
     bool whole = true;
     for (int round = 0; round < sweeps && whole; round++) {
-        double before = hasten.sum;
-        sweep_bumps(&hasten, &steps, round);
-        sweep_joints(&hasten, &steps);
-        sweep_end(&hasten, &steps);
+        double before = hasten->sum;
+        if (hasten->centring)
+            sweep_shifts(hasten);
+        sweep_bumps(hasten, &steps, round);
+        if (!hasten->centring)
+            sweep_joints(hasten, &steps);
+        sweep_end(hasten, &steps);
         whole = !stop_requested(stop);
-        if (before - hasten.sum < 1e-4 * before)
+        if (before - hasten->sum < 1e-4 * before)
             break;
     }
     memory_free(steps.bumps);
     memory_free(steps.joints);
+    return whole;
+}
+
+bool hasten_way(Way *way, const FreeSpace *space, const Rectangle *body, const Profile *profile, double margin,
+                int sweeps, const Stop *stop) {
+    Hasten hasten;
+    hasten_begin(&hasten, way, space, body, profile, false);
+    hasten.margin = margin;
+    bool whole = descend(&hasten, sweeps, stop);
+    hasten_end(&hasten);
+    return whole;
+}
+
+bool hasten_centre(Way *way, const FreeSpace *space, const Rectangle *body, const Profile *profile, double margin,
+                   int sweeps, const Stop *stop) {
+    Hasten hasten;
+    hasten_begin(&hasten, way, space, body, profile, true);
+    hasten.margin = margin;
+    hasten.spare = CENTRED * whole_time(&hasten);
+    bool whole = descend(&hasten, sweeps, stop);
     hasten_end(&hasten);
     return whole;
 }

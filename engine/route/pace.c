@@ -9,6 +9,9 @@ static const double PLANNED_MOMENT = 0.5;
  */
 static const double PLANNED_TURN = 0.9;
 
+/* m/s, assumed: the slowest that a driver turns with on the way; less could as well be a turn on the spot. */
+static const double TURNING_CREEP = 0.03;
+
 /* m/s2: the least acceleration that is planned with, so that times stay finite without any strength. */
 static const double WEAKEST = 0.01;
 
@@ -24,6 +27,14 @@ static double speed_in_gap(const Profile *profile, double free, double clearance
     return fmin(fmax(speed, profile->creep > 0 ? profile->creep : profile->minimum_speed), free);
 }
 
+/* Returns the angular acceleration that is planned with, rad/s2. */
+static double agility(const Profile *profile) {
+    double square = profile->radius_of_gyration * profile->radius_of_gyration +
+                    profile->mass_centre * profile->mass_centre; /* m2, of the inertia about the axle */
+    double inertia = profile->mass * square;
+    return inertia > 0 ? PLANNED_MOMENT * profile->turning_moment / inertia : HUGE_VAL;
+}
+
 double pace_at(const Profile *profile, double free, double clearance, double curvature, double bending, int direction) {
     double speed = speed_in_gap(profile, free, clearance);
     if (direction < 0)
@@ -31,12 +42,15 @@ double pace_at(const Profile *profile, double free, double clearance, double cur
     double bend = fabs(curvature), change = fabs(bending);
     if (bend > 0)
         speed = fmin(speed, fmin(sqrt(profile->lateral_acceleration / bend), PLANNED_TURN * profile->turn_rate / bend));
-    double square = profile->radius_of_gyration * profile->radius_of_gyration +
-                    profile->mass_centre * profile->mass_centre; /* m2, of the inertia about the axle */
-    double inertia = profile->mass * square;
-    if (change > 0 && inertia > 0)
-        speed = fmin(speed, sqrt(PLANNED_MOMENT * profile->turning_moment / (inertia * change)));
-    return fmax(speed, fmin(pace_creep(profile), free));
+    if (change > 0)
+        speed = fmin(speed, sqrt(agility(profile) / change));
+    return fmax(speed, fmin(TURNING_CREEP, free));
+}
+
+double pace_price(const Profile *profile, double left, double right) {
+    double reach = profile->space_reach;
+    double on_left = fmax(reach - left, 0), on_right = fmax(reach - right, 0);
+    return reach > 0 ? PACE_PRICE * (on_left * on_left + on_right * on_right) / (reach * reach) : 0;
 }
 
 double pace_enough(const Profile *profile) {
@@ -55,6 +69,11 @@ double pace_starting(const Profile *profile, double clearance) {
 double pace_braking(const Profile *profile, double clearance) {
     bool paper = profile->driving != DRIVING_DRIVER;
     return PACE_PLANNED * (paper ? profile->deceleration : fmin(profile->deceleration, strength(profile, clearance)));
+}
+
+double pace_in_bend(const Profile *profile, double curvature) {
+    double bend = fabs(curvature);
+    return bend > 0 ? fmax(agility(profile) / bend, WEAKEST) : HUGE_VAL;
 }
 
 double pace_error(const Profile *profile) {

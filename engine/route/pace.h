@@ -18,7 +18,7 @@
  * corners, or drive.creep where the profile has it. With less than body.hands beside the rims the arms are tucked in:
  * PACE_TUCKED_SPEED. Curvature k: v^2 k <= the lateral acceleration, v k <= nine tenths of the turn rate, since a
  * driver who turns as quickly as possible cannot come back to the path. Bending: I v^2 dk/ds <= half of the turning
- * moment. */
+ * moment. A bend is taken at 0.03 m/s, however narrow it is and however weak the driver. */
 double pace_at(const Profile *profile, double free, double clearance, double curvature, double bending, int direction);
 
 /* 1 and m/s, assumed: the share of the push that is left with the arms tucked in, and the greatest speed then. */
@@ -30,12 +30,24 @@ double pace_at(const Profile *profile, double free, double clearance, double cur
 double pace_starting(const Profile *profile, double clearance);
 double pace_braking(const Profile *profile, double clearance);
 
+/* Returns the change of speed, m/s2, that half of the turning moment M allows in a bend of `curvature` k, rad/m, since
+ * the turn rate changes with the speed: I k a <= M / 2. Infinite on the straight. */
+double pace_in_bend(const Profile *profile, double curvature);
+
 /* Returns the speed, m/s, below which no gap makes a driver plan. */
 double pace_creep(const Profile *profile);
 
 /* Returns alpha, s: the error of a driver across the way has the standard deviation alpha v, and a driver keeps z of
  * them (drive.caution) from the wall, so that v = c / (z alpha) = 2 c / b with b = 2 z alpha, drive.steering_time. */
 double pace_error(const Profile *profile);
+
+/* Returns what the personal space, pressed where the body has the clearances `left` and `right` (m), costs beyond the
+ * time, s/m: PACE_PRICE (d_L^2 + d_R^2) / reach^2 with d how deep it is pressed on a side. Between walls the sum is
+ * least in the middle. */
+double pace_price(const Profile *profile, double left, double right);
+
+/* s/m, assumed: the personal space pressed to the body on one side. */
+#define PACE_PRICE 0.5
 
 /* Returns the clearance from which on it does not slow a driver, m. */
 double pace_enough(const Profile *profile);

@@ -89,8 +89,12 @@ typedef struct RouteQuery {
                    for driving takes long to find */
     bool any;   /* True if any way will do: the first free one is the answer, which is sooner there than the quickest. A
                    yes or no is the same */
-    const Stop *stop; /* requested: end with ROUTE_INTERRUPTED; NULL: never */
-    Fields *fields;   /* cache shared with other queries; NULL: none, with the same result */
+    const Stop *stop;         /* requested: end with ROUTE_INTERRUPTED; NULL: never */
+    Fields *fields;           /* cache shared with other queries; NULL: none, with the same result */
+    struct Recall *recall;    /* answers of other houses, which may still hold (recall.h); NULL: none, with the same
+                                 result */
+    const FreeSpace *watched; /* of which `space` is a copy that notes what is read; NULL: it is none */
+    Reads *times;             /* (via_count + 1) with `watched`: notes which times to each goal are read */
 } RouteQuery;
 
 /* Writes "needs at least 0.80 m, has 0.75 m", or "needs about 0.80 m, has 0.75 m" of an estimate, the required width

@@ -28,15 +28,26 @@
 static const double radii[] = {0.35, 0.6, 1.0, 2.0}; /* m: the median turning radius of drivers is 1.09 */
 enum { RADII = sizeof radii / sizeof *radii, MOST_PRIMITIVES = 4 * RADII + 6, REVERSAL_LEVELS = 21 };
 
+enum { PARTS = 16 /* of a motion, a power of two: what is reached after each is known in advance */ };
+
+/* What moves a pose along a part of a motion. */
+typedef struct Part {
+    double chord;  /* m */
+    Vec2 bearing;  /* unit vector, of the chord, in the frame of the beginning */
+    double turn;   /* rad */
+    Vec2 rotation; /* unit vector of `turn` */
+} Part;
+
 typedef struct Primitive {
-    double length;  /* m, along the path, negative backwards */
-    double turn;    /* rad */
-    double pivot;   /* m, ahead of the axle: the place about which a turn on the spot turns */
-    Vec2 chord;     /* m, from beginning to end, in the frame of the beginning */
-    Vec2 rotation;  /* unit vector of `turn` */
-    double reach;   /* m, upper bound of the motion of any point of the body */
-    double slowest; /* s, least duration */
-    int direction;  /* +1, -1, 0 on the spot */
+    double length;     /* m, along the path, negative backwards */
+    double turn;       /* rad */
+    double pivot;      /* m, ahead of the axle: the place about which a turn on the spot turns */
+    Vec2 chord;        /* m, from beginning to end, in the frame of the beginning */
+    Vec2 rotation;     /* unit vector of `turn` */
+    double reach;      /* m, upper bound of the motion of any point of the body */
+    double slowest;    /* s, least duration */
+    int direction;     /* +1, -1, 0 on the spot */
+    Part parts[PARTS]; /* after k / PARTS of the motion */
 } Primitive;
 
 typedef struct Node {
@@ -72,6 +83,7 @@ typedef struct Search {
     const Rectangle *body;
     const SearchGrain *grain;
     const FreeSpace *space;
+    Reads *times; /* notes which times to the goal are read; NULL: not noted */
     const Profile *profile;
     Primitive primitives[MOST_PRIMITIVES];
     int primitive_count;
@@ -118,16 +130,29 @@ static double motion_reach(const Rectangle *body, double length, double turn, do
     return fabs(turn) * sqrt(ahead * ahead + radius * radius);
 }
 
-/* Returns the node after a fraction, 0 to 1, of a motion. */
-static Node moved(const Node *from, const Primitive *primitive, double part) {
-    Node to = *from;
-    double length = primitive->length * part, turn = primitive->turn * part, half = turn / 2;
+/* Returns what moves a pose along a fraction, 0 to 1, of a motion. */
+static Part part_of(const Primitive *primitive, double fraction) {
+    double length = primitive->length * fraction, turn = primitive->turn * fraction, half = turn / 2;
     double chord = fabs(half) > 1e-9 ? length * real_sin(half) / half : length;
-    to.at = vec2_along(from->at, chord, vec2_turn(vec2_heading(half), from->axis));
-    to.heading = from->heading + turn;
-    to.axis = vec2_turn(vec2_heading(turn), from->axis);
+    return (Part){chord, vec2_heading(half), turn, vec2_heading(turn)};
+}
+
+/* Moves a pose along a part of a motion. */
+static void move_along(const Primitive *primitive, const Part *part, Vec2 *at, Vec2 *axis) {
+    Vec2 end = vec2_turn(part->rotation, *axis);
     if (primitive->pivot > 0)
-        to.at = vec2_along(vec2_along(from->at, primitive->pivot, from->axis), -primitive->pivot, to.axis);
+        *at = vec2_along(vec2_along(*at, primitive->pivot, *axis), -primitive->pivot, end);
+    else
+        *at = vec2_along(*at, part->chord, vec2_turn(part->bearing, *axis));
+    *axis = end;
+}
+
+/* Returns the node after a fraction, 0 to 1, of a motion. */
+static Node moved(const Node *from, const Primitive *primitive, double fraction) {
+    Node to = *from;
+    Part part = part_of(primitive, fraction);
+    move_along(primitive, &part, &to.at, &to.axis);
+    to.heading = from->heading + part.turn;
     return to;
 }
 
@@ -156,6 +181,8 @@ static void add_primitive(Search *search, int direction, double length, double t
     Node begin = {.axis = {1, 0}}, end = moved(&begin, primitive, 1);
     primitive->chord = end.at;
     primitive->rotation = end.axis;
+    for (int k = 1; k < PARTS; k++)
+        primitive->parts[k] = part_of(primitive, (double)k / PARTS);
 }
 
 static void make_primitives(Search *search) {
@@ -182,10 +209,22 @@ static float node_slowness(const Search *search, const Node *node) {
     return (float)(1 / field_speed(search->profile, freespace_distance(search->space, middle)));
 }
 
-static double node_clearance(const Search *search, const Node *node) {
+/* Returns the clearance at a pose, m; below SEARCH_CLEARANCE, any such value. */
+static double pose_clearance(const Search *search, Vec2 at, Vec2 axis) {
     const Rectangle *body = search->body;
-    return freespace_clearance(search->space, vec2_along(node->at, body->ahead, node->axis), node->axis,
-                               body->half_length, body->half_width, SWEEP_REACH, NULL);
+    return freespace_clearance_from(search->space, vec2_along(at, body->ahead, axis), axis, body->half_length,
+                                    body->half_width, SEARCH_CLEARANCE, SWEEP_REACH);
+}
+
+/* Returns the clearance after a fraction, 0 to 1, of a motion. */
+static double clearance_between(const Search *search, const Node *from, const Primitive *primitive, double fraction) {
+    Vec2 at = from->at, axis = from->axis;
+    int k = (int)(fraction * PARTS);
+    Part part;
+    if (k < fraction * PARTS)
+        part = part_of(primitive, fraction);
+    move_along(primitive, k < fraction * PARTS ? &part : &primitive->parts[k], &at, &axis);
+    return pose_clearance(search, at, axis);
 }
 
 /* True if the motion is free between two fractions of it, whose clearances are known. `*narrowest` is lowered to the
@@ -194,9 +233,7 @@ static bool swept(const Search *search, const Node *from, const Primitive *primi
                   double last, double at_last, double *narrowest) {
     if (at_first + at_last >= primitive->reach * (last - first))
         return true;
-    double middle = (first + last) / 2;
-    Node between = moved(from, primitive, middle);
-    double clearance = node_clearance(search, &between);
+    double middle = (first + last) / 2, clearance = clearance_between(search, from, primitive, middle);
     if (clearance < SEARCH_CLEARANCE)
         return false;
     *narrowest = fmin(*narrowest, clearance);
@@ -212,8 +249,8 @@ static int64_t rounded(double value) {
 static uint64_t node_key(const Search *search, const Node *node) {
     double cell = search->grain->cell;
     int64_t x = rounded((node->at.x - search->origin.x) / cell), y = rounded((node->at.y - search->origin.y) / cell);
-    int64_t all = search->turns, turns = rounded((node->heading - search->bearing) / search->grain->turn) % all;
-    uint64_t turn = (uint64_t)((turns + all) % all), side = (uint64_t)(node->last + 1);
+    int all = search->turns, turns = (int)rounded((node->heading - search->bearing) / search->grain->turn) % all;
+    uint64_t turn = (uint64_t)(turns < 0 ? turns + all : turns), side = (uint64_t)(node->last + 1);
     return ((uint64_t)(x + (1 << 24)) << 38) ^ ((uint64_t)(y + (1 << 24)) << 12) ^ (turn << 2) ^ side ^
            ((uint64_t)1 << 63);
 }
@@ -257,38 +294,68 @@ static double motion_cost(const Search *search, const Node *from, const Node *to
     return time + field_delay(search->field->ground, from->at, to->at);
 }
 
-/* Adds the node that a primitive leads to, unless an obstacle blocks the motion or a better node is known. */
-static void try_primitive(Search *search, int parent, int which) {
-    const Node from = search->nodes[parent];
+/* Returns the time to the goal from a place, s. */
+static double time_from(const Search *search, Vec2 at) {
+    if (search->times)
+        field_note_time(search->field, at, search->times);
+    return field_time(search->field, at);
+}
+
+/* A motion that may be tried, and the cell that it leads to. */
+typedef struct Trial {
+    Node to;
+    uint64_t key;
+} Trial;
+
+/* Fills in the motion of a primitive. Returns false if it is not allowed. */
+static bool begin_trial(const Search *search, const Node *from, int parent, int which, Trial *trial) {
     const Primitive *primitive = &search->primitives[which];
-    Node to = moved_whole(&from, primitive);
-    to.parent = parent;
-    to.primitive = (short)which;
+    Node *to = &trial->to;
+    *to = moved_whole(from, primitive);
+    to->parent = parent;
+    to->primitive = (short)which;
     if (primitive->direction) {
-        if (from.last && from.last != primitive->direction && ++to.count > search->most_reversals)
-            return;
-        to.last = (signed char)primitive->direction;
-    } else if (from.parent >= 0) {
+        if (from->last && from->last != primitive->direction && ++to->count > search->most_reversals)
+            return false;
+        to->last = (signed char)primitive->direction;
+    } else if (from->parent >= 0) {
         /* Skip a turn that reverses the previous one, unless the two shift the body sideways. */
-        const Primitive *previous = &search->primitives[from.primitive];
+        const Primitive *previous = &search->primitives[from->primitive];
         if (!previous->direction && previous->turn * primitive->turn < 0 && previous->pivot == primitive->pivot)
-            return;
+            return false;
     }
+    trial->key = node_key(search, to);
+    return true;
+}
+
+/* Adds the node that a motion leads to, unless an obstacle blocks the motion or a better node is known. */
+static void try_motion(Search *search, const Node *start, const Trial *trial) {
+    const Node from = *start;
+    Node to = trial->to;
+    const Primitive *primitive = &search->primitives[to.primitive];
     size_t exit;
     bool reached = field_goal_reached(search->goal, search->field->ground->plan, from.at, to.at, &exit);
-    double to_go = reached ? 0 : field_time(search->field, to.at);
+    if (!reached && cell_find(search->cells, search->cell_capacity, trial->key)->key == trial->key &&
+        cell_find(search->cells, search->cell_capacity, trial->key)->expanded <= to.count)
+        return;
+    double to_go = reached ? 0 : time_from(search, to.at);
     if (!isfinite(to_go))
         return;
-    Cell *cell = cell_of(search, node_key(search, &to));
+    Cell *cell = cell_of(search, trial->key);
     if (!reached &&
         (cell->expanded <= to.count || (cell->count <= to.count && (double)cell->estimate <= from.cost + to_go)))
         return;
-    double clearance = node_clearance(search, &to), narrowest = fmin(clearance, (double)from.clearance);
+    to.slowness = node_slowness(search, &to);
+    /* A motion is never cheaper than if the body had as much room all along as at its beginning. */
+    if (!reached && cell->count <= to.count &&
+        (double)cell->estimate <=
+            from.cost + motion_cost(search, &from, &to, primitive, (double)from.clearance) + to_go)
+        return;
+    double clearance = pose_clearance(search, to.at, to.axis), narrowest = fmin(clearance, (double)from.clearance);
     if (clearance < SEARCH_CLEARANCE ||
         !swept(search, &from, primitive, 0, fmax((double)from.clearance, SEARCH_CLEARANCE), 1, clearance, &narrowest))
         return;
     to.clearance = (float)clearance;
-    to.slowness = node_slowness(search, &to);
     to.cost = from.cost + motion_cost(search, &from, &to, primitive, narrowest);
     to.exit = !reached ? -1 : exit == SIZE_MAX ? -2 : (int)exit;
     if (!reached) {
@@ -301,6 +368,18 @@ static void try_primitive(Search *search, int parent, int which) {
         }
     }
     add_node(search, &to, to_go);
+}
+
+/* Tries all motions from a node. The table of cells is large, so that the cells are fetched before they are needed. */
+static void expand(Search *search, int parent) {
+    const Node from = search->nodes[parent];
+    Trial trials[MOST_PRIMITIVES];
+    int count = 0;
+    for (int p = 0; p < search->primitive_count; p++)
+        if (begin_trial(search, &from, parent, p, &trials[count]))
+            __builtin_prefetch(&search->cells[cell_first(search->cell_capacity, trials[count++].key)]);
+    for (int t = 0; t < count; t++)
+        try_motion(search, &from, &trials[t]);
 }
 
 /* Adds the poses of the motions that led to `last`, without the start's. */
@@ -344,21 +423,21 @@ static SearchAnswer search_run(Search *search, SearchTrack *track) {
         cell->expanded = search->nodes[node].count;
         if (++expanded > search->grain->most_nodes)
             return SEARCH_GAVE_UP;
-        for (int p = 0; p < search->primitive_count; p++)
-            try_primitive(search, node, p);
+        expand(search, node);
     }
     return SEARCH_NONE;
 }
 
-SearchAnswer search_leg(SearchTrack *track, const Field *field, const Goal *goal, const Rectangle *body,
-                        const SearchGrain *grain, int most_reversals) {
+SearchAnswer search_leg(SearchTrack *track, const Field *field, const FreeSpace *space, Reads *times, const Goal *goal,
+                        const Rectangle *body, const SearchGrain *grain, int most_reversals) {
     const Pose *start = &track->poses[track->count - 1];
     const Profile *profile = field->ground->profile;
     Search search = {.field = field,
                      .goal = goal,
                      .body = body,
                      .grain = grain,
-                     .space = field->ground->space,
+                     .space = space,
+                     .times = times,
                      .profile = profile,
                      .origin = start->at,
                      .bearing = start->heading,
@@ -374,11 +453,11 @@ SearchAnswer search_leg(SearchTrack *track, const Field *field, const Goal *goal
                   .last = (signed char)track->direction,
                   .count = (signed char)track->reversals,
                   .exit = -1};
-    first.clearance = (float)node_clearance(&search, &first);
+    first.clearance = (float)search_clearance(space, body, first.at, first.heading, SWEEP_REACH, NULL);
     first.slowness = node_slowness(&search, &first);
     SearchAnswer answer = SEARCH_NONE;
     size_t none;
-    double to_go = field_time(field, first.at);
+    double to_go = time_from(&search, first.at);
     if (goal->radius > 0 && field_goal_reached(goal, field->ground->plan, first.at, first.at, &none)) {
         answer = SEARCH_FOUND; /* the start is at the goal */
     } else if (isfinite(to_go)) {
@@ -394,14 +473,16 @@ SearchAnswer search_leg(SearchTrack *track, const Field *field, const Goal *goal
 SearchAnswer search_legs(const RouteQuery *query, const Goal *goals, size_t goal_count, const Rectangle *body,
                          double radius, const SearchGrain *grain, int most_reversals, SearchTrack *track,
                          size_t *pins) {
-    FieldKey key = {query->plan, query->space, query->profile, radius, .stop = query->stop};
+    const FreeSpace *shared = query->watched ? query->watched : query->space;
+    FieldKey key = {query->plan, shared, query->profile, radius, .stop = query->stop};
     search_track_clear(track);
     search_track_add(track, (Pose){query->at, query->heading, 0, 0});
     SearchAnswer answer = SEARCH_FOUND;
     for (size_t leg = 0; leg < goal_count && answer == SEARCH_FOUND; leg++) {
         key.goal = goals[leg];
         const Field *field = fields_acquire(query->fields, &key);
-        answer = search_leg(track, field, &key.goal, body, grain, most_reversals);
+        answer = search_leg(track, field, query->space, query->times ? &query->times[leg] : NULL, &key.goal, body,
+                            grain, most_reversals);
         if (pins)
             pins[leg] = track->count - 1;
         fields_release(query->fields, field);

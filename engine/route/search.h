@@ -52,9 +52,10 @@ double search_clearance(const FreeSpace *space, const Rectangle *body, Vec2 at, 
                         int *face);
 
 /* Continues `track` from its last pose to the goal of `field`, with at most `most_reversals` changes of direction in
- * total. The track is unchanged unless SEARCH_FOUND is returned. */
-SearchAnswer search_leg(SearchTrack *track, const Field *field, const Goal *goal, const Rectangle *body,
-                        const SearchGrain *grain, int most_reversals);
+ * total; `times` notes which times of the field are read (NULL: not noted). The track is unchanged unless SEARCH_FOUND
+ * is returned. */
+SearchAnswer search_leg(SearchTrack *track, const Field *field, const FreeSpace *space, Reads *times, const Goal *goal,
+                        const Rectangle *body, const SearchGrain *grain, int most_reversals);
 
 /* Searches from the query's start through all goals in order, into `track`. `radius`: m, of a disc about the axle that
  * never leaves the body. `pins` (goal_count; may be NULL) are the indices of the poses at which the legs end. */

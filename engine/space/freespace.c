@@ -1,5 +1,6 @@
 #include "space/freespace.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 
 #include "base/memory.h"
@@ -28,6 +29,8 @@ enum {
 };
 
 #define SMALLEST_BUCKET 0.35 /* m: smaller buckets take longer to fill than they save */
+
+#define HAIR 1e-6 /* m, above the rounding errors of places */
 
 static double least(double a, double b) {
     return a < b ? a : b;
@@ -303,6 +306,8 @@ double freespace_distance(const FreeSpace *space, Vec2 at) {
     if (!(x >= 0 && y >= 0 && x <= space->nx - 1 && y <= space->ny - 1))
         return FREESPACE_FARTHEST;
     int i = whole(x, 0, space->nx - 2), j = whole(y, 0, space->ny - 2);
+    if (space->reads)
+        reads_note_point(space->reads, i, j);
     const float *low = space->distance + (size_t)j * (size_t)space->nx + (size_t)i, *high = low + space->nx;
     double u = x - i, v = y - j;
     return (1 - v) * ((1 - u) * (double)low[0] + u * (double)low[1]) +
@@ -314,6 +319,8 @@ static double rough_distance(const FreeSpace *space, Vec2 at) {
     double x = (at.x - space->origin.x) / space->cell + 0.5, y = (at.y - space->origin.y) / space->cell + 0.5;
     if (!(x >= 0 && y >= 0 && x < space->nx && y < space->ny))
         return FREESPACE_FARTHEST;
+    if (space->reads)
+        reads_note_point(space->reads, (int)x, (int)y);
     return (double)space->distance[(size_t)y * (size_t)space->nx + (size_t)x];
 }
 
@@ -325,14 +332,23 @@ typedef struct Nearby {
     int *owned; /* memory that nearby_release frees */
 } Nearby;
 
-static Nearby nearby_find(const FreeSpace *space, Vec2 at, double radius) {
+/* Returns the bucket that has all faces within `radius` of a point, or SIZE_MAX. */
+static inline size_t bucket_at(const FreeSpace *space, Vec2 at, double radius) {
     double x = (at.x - space->origin.x) / space->bucket, y = (at.y - space->origin.y) / space->bucket;
-    if (radius <= FREESPACE_BUCKET_REACH && x >= 0 && y >= 0 && x < space->bucket_nx && y < space->bucket_ny) {
-        size_t bucket = (size_t)y * (size_t)space->bucket_nx + (size_t)x;
+    if (radius <= FREESPACE_BUCKET_REACH && x >= 0 && y >= 0 && x < space->bucket_nx && y < space->bucket_ny)
+        return (size_t)y * (size_t)space->bucket_nx + (size_t)x;
+    return SIZE_MAX;
+}
+
+static Nearby nearby_find(const FreeSpace *space, Vec2 at, double radius) {
+    size_t bucket = bucket_at(space, at, radius);
+    if (bucket != SIZE_MAX) {
         int first = space->bucket_starts[bucket];
         return (Nearby){space->bucket_faces + first, space->bucket_near + first,
                         space->bucket_starts[bucket + 1] - first, NULL};
     }
+    if (space->reads)
+        space->reads->beyond = true;
     const Outline *outline = space->outline;
     size_t found = broadphase_query(outline->broadphase, box_around(at, radius), NULL, 0);
     int *items = memory_zeroed(found, sizeof *items), count = 0;
@@ -347,8 +363,20 @@ static void nearby_release(Nearby *nearby) {
     memory_free(nearby->owned);
 }
 
+/* Notes that faces within `reach` of a rectangle are read, whether or not the grid tells that there are none. */
+static void note_faces(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width,
+                       double reach) {
+    double x = fabs(axis.x), y = fabs(axis.y), far = reach + HAIR;
+    double half_x = half_length * x + half_width * y + far, half_y = half_length * y + half_width * x + far;
+    size_t bucket = bucket_at(space, centre, vec2_length(vec2(half_length, half_width)) + reach);
+    if (bucket != SIZE_MAX)
+        reads_note_box(space->reads, bucket, centre, half_x, half_y);
+}
+
 double freespace_exact(const FreeSpace *space, Vec2 at, double reach, int *face) {
     double best = least(reach, FREESPACE_FARTHEST);
+    if (space->reads)
+        note_faces(space, at, vec2(1, 0), 0, 0, best);
     if (face)
         *face = -1;
     if (rough_distance(space, at) - 0.71 * space->cell > best)
@@ -408,14 +436,17 @@ static inline double face_measure(const Face *face, Vec2 centre, Vec2 axis, doub
     return apart;
 }
 
-/* The loop of freespace_clearance and freespace_growth, which differ in their measure. */
+/* The loop of freespace_clearance and freespace_growth, which differ in their measure. It may end with any value below
+ * `enough`. */
 static inline double measure(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width,
-                             double reach, int *face, bool growth) {
+                             double enough, double reach, int *face, bool growth) {
     double inner = least(half_length, half_width), radius = sqrt(half_length * half_length + half_width * half_width);
     double rough = rough_distance(space, centre), slack = 0.71 * space->cell, best = reach;
     double stretch = growth ? M_SQRT2 : 1;
     if (face)
         *face = -1;
+    if (space->reads)
+        note_faces(space, centre, axis, half_length, half_width, stretch * greatest(reach, 0));
     if (rough - slack > radius + stretch * greatest(reach, 0))
         return reach;
     Nearby nearby = nearby_find(space, centre, radius + stretch * greatest(reach, 0));
@@ -428,6 +459,8 @@ static inline double measure(const FreeSpace *space, Vec2 centre, Vec2 axis, dou
             best = apart;
             if (face)
                 *face = nearby.faces[k];
+            if (best < enough)
+                break;
         }
     }
     nearby_release(&nearby);
@@ -439,18 +472,61 @@ static inline double measure(const FreeSpace *space, Vec2 centre, Vec2 axis, dou
 
 double freespace_clearance(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width,
                            double reach, int *face) {
-    return measure(space, centre, axis, half_length, half_width, reach, face, false);
+    return measure(space, centre, axis, half_length, half_width, -HUGE_VAL, reach, face, false);
+}
+
+double freespace_clearance_from(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width,
+                                double least, double reach) {
+    return measure(space, centre, axis, half_length, half_width, least, reach, NULL, false);
+}
+
+double freespace_sides(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width,
+                       double reach, double *left, double *right) {
+    double radius = sqrt(half_length * half_length + half_width * half_width), half = half_width / 2;
+    double rough = rough_distance(space, centre), slack = 0.71 * space->cell, best = reach;
+    *left = *right = reach;
+    if (space->reads)
+        note_faces(space, centre, axis, half_length, half_width, greatest(reach, 0));
+    if (rough - slack > radius + greatest(reach, 0))
+        return reach;
+    Nearby nearby = nearby_find(space, centre, radius + greatest(reach, 0));
+    for (int k = 0; k < nearby.count; k++) {
+        if (nearby.near && (double)nearby.near[k] >= radius + greatest(greatest(*left, *right), 0))
+            break;
+        const Face *face = &space->outline->faces[nearby.faces[k]];
+        double apart = face_measure(face, centre, axis, half_length, half_width, greatest(*left, *right), false);
+        best = least(best, apart);
+        if (apart >= *left && apart >= *right)
+            continue;
+        double p = vec2_cross(axis, vec2_sub(face->a, centre)), q = vec2_cross(axis, vec2_sub(face->b, centre));
+        if (p > 0 && q > 0) {
+            *left = least(*left, apart);
+        } else if (p < 0 && q < 0) {
+            *right = least(*right, apart);
+        } else { /* before or behind the body */
+            Vec2 aside = vec2_scale(vec2_left(axis), half);
+            *left = least(*left, face_measure(face, vec2_add(centre, aside), axis, half_length, half, *left, false));
+            *right = least(*right, face_measure(face, vec2_sub(centre, aside), axis, half_length, half, *right, false));
+        }
+    }
+    nearby_release(&nearby);
+    double inner = rough - least(half_length, half_width);
+    if (rough < -slack && inner < best)
+        best = *left = *right = inner;
+    return best;
 }
 
 double freespace_growth(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width,
                         double reach, int *face) {
-    return measure(space, centre, axis, half_length, half_width, reach, face, true);
+    return measure(space, centre, axis, half_length, half_width, -HUGE_VAL, reach, face, true);
 }
 
 int freespace_faces(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width, double reach,
                     int *faces, int most) {
     double radius = sqrt(half_length * half_length + half_width * half_width) + reach;
     int count = 0;
+    if (space->reads)
+        note_faces(space, centre, axis, half_length, half_width, reach);
     if (rough_distance(space, centre) - 0.71 * space->cell > radius)
         return 0;
     Nearby nearby = nearby_find(space, centre, radius);

@@ -8,6 +8,7 @@
 
 #include "base/vec2.h"
 #include "space/outline.h"
+#include "space/reads.h"
 
 /* m: distances are exact up to this value and are clipped to it. */
 #define FREESPACE_FARTHEST 1.5
@@ -33,6 +34,7 @@ typedef struct FreeSpace {
     int *bucket_starts; /* (bucket_nx * bucket_ny + 1) */
     int *bucket_faces;  /* (bucket_starts[last]) */
     float *bucket_near; /* m, as many: a lower bound of the face's distance from any point of the bucket */
+    Reads *reads;       /* of a copy that one thread uses: notes what is read, a bucket as a list; NULL: not noted */
 } FreeSpace;
 
 /* Computes the distances on a grid of about `cell` m. freespace_free releases it. */
@@ -56,6 +58,15 @@ double freespace_exact(const FreeSpace *space, Vec2 at, double reach, int *face)
  * (unit) and `half_width` across. `*face` (may be NULL): the face that decides, or -1. */
 double freespace_clearance(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width,
                            double reach, int *face);
+
+/* Does the same, and fills in the clearances of the rectangle's left and right half from what is on that side, m, up to
+ * `reach`: what lies across the axis, before or behind the rectangle, is on both. */
+double freespace_sides(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width,
+                       double reach, double *left, double *right);
+
+/* Returns the same clearance if it is at least `least` m, and otherwise some value below that, sooner. */
+double freespace_clearance_from(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width,
+                                double least, double reach);
 
 /* Returns how much, m, the rectangle may grow on every side (its corners stay sharp) before it touches a planned face,
  * up to `reach`; negative: how much it must shrink to be free. The result has the sign of freespace_clearance. */

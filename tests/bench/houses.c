@@ -32,21 +32,39 @@ static json_t *hall(const char *profile, double side, double density) {
     return plan;
 }
 
-static bool read_house(House *house, const char *source, const char *path) {
+static bool read_house_with(House *house, const char *source, const char *path, const char *const *settings,
+                            size_t setting_count) {
     char profiles[4096];
     Fault fault = {0};
     snprintf(profiles, sizeof profiles, "%s/assets/profiles", source);
     *house = (House){.seed = 0};
-    bool good = house_read(house, path, &(HouseOptions){.profiles = profiles, .seed = 1, .driving = -1}, &fault);
+    bool good = house_read(
+        house, path,
+        &(HouseOptions){
+            .profiles = profiles, .settings = settings, .setting_count = setting_count, .seed = 1, .driving = -1},
+        &fault);
     if (!good)
         printf("%s\n", fault.lines[0]);
     return good;
+}
+
+static bool read_house(House *house, const char *source, const char *path) {
+    return read_house_with(house, source, path, NULL, 0);
 }
 
 void houses_read_ube(House *house, const char *source) {
     char path[4096];
     snprintf(path, sizeof path, "%s/houses/ube-techno-house.json", source);
     if (!read_house(house, source, path))
+        exit(1);
+}
+
+void houses_read_ube_moved(House *house, const char *source, const char *piece, Vec2 centre) {
+    char path[4096], x[64], y[64];
+    snprintf(path, sizeof path, "%s/houses/ube-techno-house.json", source);
+    snprintf(x, sizeof x, "furniture.%s.centre.x=%.4f", piece, centre.x);
+    snprintf(y, sizeof y, "furniture.%s.centre.y=%.4f", piece, centre.y);
+    if (!read_house_with(house, source, path, (const char *const[]){x, y}, 2))
         exit(1);
 }
 
@@ -99,7 +117,7 @@ static void furnish(json_t *plan, int room, double x, double y, double inwards) 
     }
 }
 
-void houses_read_flat(House *house, const char *source, double corridor, double door) {
+static json_t *flat(double corridor, double door) {
     json_t *plan = json_pack("{s:s, s:i, s:s, s:[], s:[], s:[], s:[]}", "format", "clearance-house", "version", 1,
                              "name", "flat of eight rooms", "walls", "doors", "furniture", "exits");
     double low = ROOM_DEPTH, high = low + corridor + WALL, top = high + ROOM_DEPTH, length = ROOMS * ROOM_WIDTH;
@@ -128,5 +146,18 @@ void houses_read_flat(House *house, const char *source, double corridor, double 
     json_object_set_new(plan, "people",
                         json_pack("[{s:s, s:s, s:[f,f], s:i}]", "id", "p", "profile", "manual-chair", "at",
                                   ROOM_WIDTH / 2, low - 1.6, "heading", 90));
+    return plan;
+}
+
+void houses_read_flat(House *house, const char *source, double corridor, double door) {
+    read_made(house, source, flat(corridor, door));
+}
+
+void houses_read_flat_moved(House *house, const char *source, double corridor, double door, Vec2 away) {
+    json_t *plan = flat(corridor, door), *furniture = json_object_get(plan, "furniture");
+    json_t *piece = json_array_get(furniture, json_array_size(furniture) - 2 * PIECES + 3);
+    json_t *centre = json_object_get(piece, "centre");
+    json_array_set_new(centre, 0, json_real(json_number_value(json_array_get(centre, 0)) + away.x));
+    json_array_set_new(centre, 1, json_real(json_number_value(json_array_get(centre, 1)) + away.y));
     read_made(house, source, plan);
 }

@@ -10,6 +10,10 @@
  * fails the test. house_free releases the house. */
 void case_house(House *house, const char *name, int driving, const char *const *settings);
 
+/* The settings with which the chair of corner-1.20-0.80 touches a wall: the floor of speed of old, and a personal space
+ * that pushes. They end with NULL. */
+extern const char *const case_touching[];
+
 /* Reads a house made in memory in the same way; releases the JSON. */
 void case_made(House *house, json_t *plan, int driving, const char *const *settings);
 

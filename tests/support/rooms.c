@@ -20,7 +20,10 @@ Profile rooms_chair(double length, double width) {
                      .lateral_acceleration = 0.6,
                      .turn_rate = 1,
                      .reversing_speed = 0.3,
-                     .reversing_time = 1};
+                     .reversing_time = 1,
+                     .mass = 80,
+                     .push = 100,
+                     .space_reach = 0.3};
 }
 
 void rooms_build(Rooms *fixture) {

@@ -115,6 +115,7 @@ static void drive(HouseRun *run) {
                       .record = take_piece,
                       .context = run,
                       .brief = run->wish.brief,
+                      .recall = run->wish.recall,
                       .changes = changes,
                       .change_count = earlier};
     run_house(&run->observation, first, &how);

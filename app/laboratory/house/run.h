@@ -32,8 +32,9 @@ typedef struct HouseWish {
     const char *route;    /* id, or NULL: all people */
     int driving;          /* Driving, or -1 */
     uint64_t seed;
-    int jobs;   /* threads */
-    bool brief; /* as RunOptions.brief */
+    int jobs;              /* threads */
+    bool brief;            /* as RunOptions.brief */
+    struct Recall *recall; /* as RunOptions.recall: that of the session, which outlives the run */
 } HouseWish;
 
 typedef enum HouseStage {

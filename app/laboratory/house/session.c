@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "house/run.h"
 #include "plan/draft_file.h"
 #include "laboratory/house/control.h"
 #include "laboratory/house/schedule.h"
@@ -82,7 +83,8 @@ static void store_wish(HouseSession *session, const char *path, const Laboratory
                                 .route = options->route ? arena_text(&session->arena, options->route) : NULL,
                                 .driving = options->driving,
                                 .seed = options->seed,
-                                .jobs = options->jobs};
+                                .jobs = options->jobs,
+                                .recall = recall_create()};
 }
 
 static bool check_route(const Plan *plan, const char *path, const char *route, Fault *fault) {
@@ -170,6 +172,7 @@ static void close_house(void *context) {
     if (session->film)
         film_destroy(session->film);
     house_schedule_end(session);
+    recall_destroy(session->wish.recall);
     house_fall_clear(session);
     house_picture_clear_plots(session);
     house_text_clear(session);

@@ -63,6 +63,7 @@ static void add_run(Scene *scene, Vec2 low, size_t row, size_t first, size_t end
     cells->fill_opacity = OPACITY;
     cells->edge_opacity = 0;
     cells->width = 0;
+    cells->joined = true;
 }
 
 double density_scene_area(Box box, const Vec2 *places, size_t count, double least) {

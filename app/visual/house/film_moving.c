@@ -13,6 +13,8 @@
 #define ID_TEXT 16.0
 #define GHOST_EDGE 2.5
 
+#define HEADS_ZOOM 3.0 /* 1, from which on the heads of many people are shown */
+
 #define ID_HEIGHT 1.45   /* m, in the raised view */
 #define STAY 1.0         /* s, for which people who are out stay visible */
 #define CONTACT_STAY 0.4 /* s, for which a touch stays visible */
@@ -64,6 +66,12 @@ static size_t find_standing(Film *film) {
     return count;
 }
 
+/* True if so many people are shown so small that their heads would be single pixels, which take as long to draw. */
+static bool are_dots(const Film *film, size_t count) {
+    const Camera *camera = &film->options.camera;
+    return film->small && count > SILHOUETTE_HEADINGS && camera->kind == VIEW_PLAN && camera->zoom < HEADS_ZOOM;
+}
+
 static void add_walkers(Film *film, size_t count) {
     for (size_t k = 0; k < film->house->profile_count; k++) {
         const Profile *profile = &film->house->profiles[k];
@@ -72,7 +80,7 @@ static void add_walkers(Film *film, size_t count) {
             if (film->standing[i].profile == profile)
                 film->poses[of_this++] = film->standing[i].pose;
         if (of_this)
-            silhouette_add_walkers(&film->moving, profile, film->poses, of_this);
+            silhouette_add_walkers(&film->moving, profile, film->poses, of_this, are_dots(film, of_this));
     }
 }
 

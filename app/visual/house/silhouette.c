@@ -122,6 +122,7 @@ double silhouette_ray(const Vec2 *outline, size_t count, Vec2 from, Vec2 way, do
 /* m, of a person on foot. */
 #define STANDING_HEIGHT 1.40 /* of the shoulders */
 #define STANDING_HEAD 1.53
+#define DOT_SIZE 0.75 /* 1, of a body: of one of many people, some pixels large */
 #define HEAD_RADIUS 0.11
 #define LOOK_LENGTH 0.30
 
@@ -216,22 +217,25 @@ void silhouette_add_chair(Scene *scene, const Profile *profile, Pose pose, Role 
     add_head(scene, place(&frame, DRIVER_HEAD_AT, 0), DRIVER_HEAD);
 }
 
-void silhouette_add_walkers(Scene *scene, const Profile *profile, const Pose *poses, size_t count) {
+void silhouette_add_walkers(Scene *scene, const Profile *profile, const Pose *poses, size_t count, bool dots) {
     Vec2 *centres = memory_zeroed(count, sizeof *centres);
     for (size_t i = 0; i < count; i++)
         centres[i] = poses[i].at;
-    Primitive *trunks = scene_add_discs(scene, ROLE_WALKER, profile->width / 2, centres, count);
+    Primitive *trunks = scene_add_discs(scene, dots ? ROLE_WALL : ROLE_WALKER,
+                                        (dots ? DOT_SIZE : 1) * profile->width / 2, centres, count);
     trunks->height = STANDING_HEIGHT;
     trunks->edge = ROLE_PAPER;
-    trunks->width = PART_EDGE;
-    for (size_t i = 0; i < count && count <= SILHOUETTE_HEADINGS; i++) {
+    trunks->width = dots ? 0 : PART_EDGE;
+    for (size_t i = 0; i < count && count <= SILHOUETTE_HEADINGS && !dots; i++) {
         Vec2 ends[] = {poses[i].at, vec2_along(poses[i].at, LOOK_LENGTH, vec2_heading(poses[i].heading))};
         scene_add_line(scene, ROLE_WALKER, LOOK_WIDTH, ends, 2)->base = STANDING_HEIGHT;
     }
-    Primitive *heads = scene_add_discs(scene, ROLE_PAPER, HEAD_RADIUS, centres, count);
-    heads->kind = PRIMITIVE_BALL;
-    heads->base = STANDING_HEAD;
-    heads->edge = ROLE_WALL;
-    heads->width = PART_EDGE;
+    Primitive *heads = dots ? NULL : scene_add_discs(scene, ROLE_PAPER, HEAD_RADIUS, centres, count);
+    if (heads) {
+        heads->kind = PRIMITIVE_BALL;
+        heads->base = STANDING_HEAD;
+        heads->edge = ROLE_WALL;
+        heads->width = PART_EDGE;
+    }
     memory_free(centres);
 }

@@ -46,7 +46,7 @@ double silhouette_ray(const Vec2 *outline, size_t count, Vec2 from, Vec2 way, do
 void silhouette_add_chair(Scene *scene, const Profile *profile, Pose pose, Role role);
 
 /* Adds many people of one profile on foot: two primitives for all of them, and for at most SILHOUETTE_HEADINGS people
- * one more each, which shows their heading. */
-void silhouette_add_walkers(Scene *scene, const Profile *profile, const Pose *poses, size_t count);
+ * one more each, which shows their heading; as dots, without heads and headings, one for all of them. */
+void silhouette_add_walkers(Scene *scene, const Profile *profile, const Pose *poses, size_t count, bool dots);
 
 enum { SILHOUETTE_HEADINGS = 1500 };

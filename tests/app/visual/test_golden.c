@@ -153,7 +153,7 @@ static void check_golden(const Golden *golden) {
     static unsigned char pixels[4 * WIDTH * HEIGHT];
     House house;
     Observation observation;
-    case_house(&house, golden->house, -1, NULL);
+    case_house(&house, golden->house, -1, golden->shown & FILM_WIDTHS ? case_touching : NULL);
     size_t route = golden->route ? plan_find_route(&house.plan, golden->route) : SIZE_MAX;
     run_house(&observation, &house, &(RunOptions){.route = route, .jobs = 1});
     if (golden->time >= 0)

@@ -19,11 +19,15 @@ typedef struct Shown {
     Film *film;
 } Shown;
 
-static void show(Shown *shown, const char *name, FilmOptions options) {
+static void show_with(Shown *shown, const char *name, const char *const *settings, FilmOptions options) {
     *shown = (Shown){.film = NULL};
-    case_house(&shown->house, name, -1, NULL);
+    case_house(&shown->house, name, -1, settings);
     shown->observation = case_run(&shown->house, 1);
     shown->film = film_create(&shown->house, &shown->observation, &options);
+}
+
+static void show(Shown *shown, const char *name, FilmOptions options) {
+    show_with(shown, name, NULL, options);
 }
 
 static void hide(Shown *shown) {
@@ -178,7 +182,7 @@ static const Primitive *find_ring(const Scene *moving, size_t own) {
 /* Contacts are marked at their place and time, with their force. */
 TEST(a_touch_is_seen_where_it_is) {
     Shown shown;
-    show(&shown, "corner-1.20-0.80", (FilmOptions){.panels = 0});
+    show_with(&shown, "corner-1.20-0.80", case_touching, (FilmOptions){.panels = 0});
     const PersonObservation *person = &shown.observation.people[0];
     CHECK(person->contacts > 0);
     Trail *trail = trail_list(&shown.observation);
@@ -346,4 +350,28 @@ TEST(a_figure_stays_within_its_body) {
             }
         scene_clear(&scene);
     }
+}
+
+/* Returns the number of discs and balls in a scene. */
+static size_t round_marks(const Scene *scene) {
+    size_t count = 0;
+    for (size_t i = 0; i < scene->count; i++)
+        if (scene->primitives[i].kind == PRIMITIVE_DISC || scene->primitives[i].kind == PRIMITIVE_BALL)
+            count += scene->primitives[i].count;
+    return count;
+}
+
+TEST(many_small_people_are_one_dot_each) {
+    enum { MANY = SILHOUETTE_HEADINGS + 500 };
+    Profile adult = {.name = "adult", .driving = DRIVING_WALKER, .width = 0.5};
+    Pose *poses = memory_zeroed(MANY, sizeof *poses);
+    for (size_t i = 0; i < MANY; i++)
+        poses[i].at = vec2((double)(i % 50), (double)(i / 50));
+    for (int dots = 0; dots < 2; dots++) {
+        Scene scene = {.box = {{0, 0}, {50, 40}}};
+        silhouette_add_walkers(&scene, &adult, poses, MANY, dots);
+        CHECK(round_marks(&scene) == (dots ? 1 : 2) * (size_t)MANY);
+        scene_clear(&scene);
+    }
+    memory_free(poses);
 }
