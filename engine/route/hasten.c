@@ -7,16 +7,9 @@
 #include "base/real.h"
 #include "route/field.h"
 #include "route/pace.h"
+#include "route/speeds.h"
 
-/* Descent on the time itself. At each station the pace (pace.h) gives a limit for the speed; the largest speed that
- * keeps it, starts from rest, rests at joints, and needs no more than the initial acceleration a_0 and the planned
- * deceleration a_d, both within the driver's strength, follows by one pass from the end and one from the beginning.
- * Then
- *
- *     T = sum of 2 h / (v_i + v_(i+1)) + |turns on the spot| / turn rate + changes of direction * their time
- *
- * plus two prices: near obstacles time counts more, half as much as in the search (field_discomfort), and the change of
- * the turn from step to step, which a curvature averaged over four steps does not see, costs ROUGHNESS.
+/* Descent on the time itself (speeds.c), or rather on the cost, which is the time and its prices.
  *
  * The price of the personal space (pace_price) is asked for last, of the way that is quickest: hasten_centre lowers the
  * sum with it, but takes no more than CENTRED of the time. So the price chooses among ways that take the same time, and
@@ -27,272 +20,63 @@
  * kept when the sum falls and no clearance is below the margin, at the stations and between them. The speeds are
  * computed again only as far as they change. */
 
-#define PRICE 0.5     /* 1, share of the search's price of discomfort: more costs more than 3 % of the time */
-#define ROUGHNESS 5.0 /* s/rad2 */
 #define CENTRED 2e-3  /* 1, share of the time that the middle may cost */
 #define FIRST 0.01    /* m, first length of a trial */
 #define SHORTEST 2e-4 /* m: shorter ones are not tried */
 #define LONGEST 0.08  /* m */
-#define BETWEEN 0.06  /* m: with more clearance than this at both ends the motion between is not looked at */
 #define GAIN 1e-6     /* s */
 #define STRAIGHT 1e-3 /* 1/m */
 #define MIDDLE 1e-2   /* m */
 
-enum { SPAN = 2, LEVELS = 6, REACHES = 4, LONG_RUN = 32, ROOMS = 11, LEAST_CENTRING = 3 };
+enum { LEVELS = 6, REACHES = 4, LONG_RUN = 32, LEAST_CENTRING = 3 };
 
 static const int joint_reaches[REACHES] = {2, 4, 8, 16};
 
-/* The numbers of each station; `cost` is that of the step to the next one. */
-typedef struct Speeds {
-    double *clearance;            /* m, the least of the station and the step after it */
-    double *left, *right;         /* m, of the station, while centring */
-    double *heading;              /* rad */
-    double *braking, *starting;   /* m/s2, that the driver plans with */
-    double *limit, *back, *speed; /* m/s */
-    double *time, *cost;          /* s */
-} Speeds;
-
 typedef struct Hasten {
     Way *way;
-    const FreeSpace *space;
-    const Rectangle *body;
-    const Profile *profile;
-    double margin, sight; /* m */
-    bool centring;        /* True if the personal space has its price, and the time its bound */
+    Course course; /* of that way; while it centres, the time has a bound */
     Speeds now, tried;
     Station *kept; /* (count) */
-    double *rooms; /* memory of the speeds */
     double sum;    /* s, of the costs */
     double spare;  /* s, by which the way may still become slower, while centring */
 } Hasten;
-
-static Speeds speeds_in(double *room, size_t count) {
-    return (Speeds){room,
-                    room + count,
-                    room + 2 * count,
-                    room + 3 * count,
-                    room + 4 * count,
-                    room + 5 * count,
-                    room + 6 * count,
-                    room + 7 * count,
-                    room + 8 * count,
-                    room + 9 * count,
-                    room + 10 * count};
-}
-
-static double body_clearance(const Hasten *hasten, const Station *station, double reach) {
-    return freespace_clearance(hasten->space, vec2_along(station->at, hasten->body->ahead, station->axis),
-                               station->axis, hasten->body->half_length, hasten->body->half_width, reach, NULL);
-}
-
-static bool rests(const Way *way, size_t s) {
-    size_t k = way->stations[s].piece;
-    return s == way->pieces[k].first || (s == way->pieces[k].last && k + 1 < way->piece_count);
-}
-
-/* Returns the turn from one station to a later one of the same piece, rad. */
-static double turn_between(const double *heading, size_t a, size_t b) {
-    return vec2_wrap_angle(heading[b] - heading[a]);
-}
-
-static double mean_curvature(const Hasten *hasten, const double *heading, size_t s, size_t *low, size_t *high) {
-    const WayPiece *piece = &hasten->way->pieces[hasten->way->stations[s].piece];
-    *low = s >= piece->first + SPAN ? s - SPAN : piece->first;
-    *high = s + SPAN <= piece->last ? s + SPAN : piece->last;
-    return turn_between(heading, *low, *high) / ((double)(*high - *low) * piece->step);
-}
-
-/* Fills in what limits the speed at a station and on its way from and to it. */
-static void find_limit(const Hasten *hasten, Speeds *speeds, size_t s) {
-    const Profile *profile = hasten->profile;
-    double clearance = speeds->clearance[s];
-    speeds->braking[s] = pace_braking(profile, clearance);
-    speeds->starting[s] = pace_starting(profile, clearance);
-    speeds->limit[s] = 0;
-    if (rests(hasten->way, s))
-        return;
-    const WayPiece *piece = &hasten->way->pieces[hasten->way->stations[s].piece];
-    size_t low, high, none;
-    double bend = mean_curvature(hasten, speeds->heading, s, &low, &high);
-    double first = mean_curvature(hasten, speeds->heading, low, &none, &none);
-    double last = mean_curvature(hasten, speeds->heading, high, &none, &none);
-    double bending = (last - first) / ((double)(high - low) * piece->step);
-    double in_bend = pace_in_bend(profile, bend);
-    speeds->braking[s] = real_min(speeds->braking[s], in_bend);
-    speeds->starting[s] = real_min(speeds->starting[s], in_bend);
-    speeds->limit[s] = pace_at(profile, profile->free_speed, clearance, bend, bending, piece->direction);
-}
-
-/* Fills in the time and the cost of the step from station s to the next one. */
-static void count_step(const Hasten *hasten, Speeds *speeds, size_t s) {
-    const WayPiece *piece = &hasten->way->pieces[hasten->way->stations[s].piece];
-    double step = vec2_distance(hasten->way->stations[s].at, hasten->way->stations[s + 1].at);
-    double time = 2 * step / real_max(speeds->speed[s] + speeds->speed[s + 1], 1e-6);
-    double clearance = real_min(speeds->clearance[s], speeds->clearance[s + 1]);
-    double rough = 0, price = 0;
-    if (s > piece->first)
-        rough = turn_between(speeds->heading, s, s + 1) - turn_between(speeds->heading, s - 1, s);
-    if (hasten->centring)
-        price = (pace_price(hasten->profile, speeds->left[s], speeds->right[s]) +
-                 pace_price(hasten->profile, speeds->left[s + 1], speeds->right[s + 1])) /
-                2;
-    speeds->time[s] = time;
-    speeds->cost[s] = time * (1 + PRICE * (field_discomfort(clearance) - 1)) + ROUGHNESS * rough * rough + step * price;
-}
-
-static double reachable(double speed, double acceleration, double step) {
-    return sqrt(speed * speed + 2 * acceleration * step);
-}
-
-/* Takes over what a trial has not changed. */
-static void take_over(Speeds *to, const Speeds *from, size_t s) {
-    to->clearance[s] = from->clearance[s];
-    to->left[s] = from->left[s];
-    to->right[s] = from->right[s];
-    to->heading[s] = from->heading[s];
-    to->braking[s] = from->braking[s];
-    to->starting[s] = from->starting[s];
-    to->limit[s] = from->limit[s];
-}
-
-/* Computes the limits of the stations low to high again, and then the speeds and costs as far as they change. What
- * changes lies in [*first, *last]. `from` holds the values elsewhere. */
-static void run_through(const Hasten *hasten, const Speeds *from, Speeds *to, size_t low, size_t high, size_t *first,
-                        size_t *last) {
-    const Way *way = hasten->way;
-    size_t count = way->count, s;
-    for (s = low; s <= high; s++)
-        find_limit(hasten, to, s);
-    for (s = high + 1; s-- > 0;) {
-        if (s < low)
-            take_over(to, from, s);
-        double limit = to->limit[s];
-        size_t piece = way->stations[s].piece;
-        double next = s == high ? s + 1 < count ? from->back[s + 1] : limit : to->back[s + 1];
-        if (s < way->pieces[piece].last)
-            limit = real_min(limit, reachable(next, to->braking[s], way->pieces[piece].step));
-        to->back[s] = limit;
-        if (s < low && limit == from->back[s])
-            break;
-    }
-    *first = s < count ? s : 0;
-    for (s = *first; s < count; s++) {
-        if (s > high) {
-            take_over(to, from, s);
-            to->back[s] = from->back[s];
-        }
-        double back = to->back[s];
-        const WayPiece *piece = &way->pieces[way->stations[s].piece];
-        double before = s == *first ? s > 0 ? from->speed[s - 1] : 0 : to->speed[s - 1];
-        to->speed[s] = s > piece->first ? real_min(back, reachable(before, to->starting[s], piece->step)) : back;
-        if (s > high && to->speed[s] == from->speed[s])
-            break;
-    }
-    *last = s < count ? s : count - 1;
-    for (s = *first; s < *last; s++)
-        if (way->stations[s].piece == way->stations[s + 1].piece)
-            count_step(hasten, to, s);
-}
-
-/* Returns the time that joints cost, s. */
-static double joint_time(const Hasten *hasten, size_t k) {
-    const Way *way = hasten->way;
-    const Joint *joint = &way->joints[k];
-    double time = joint->turns ? fabs(joint->out - joint->in) / hasten->profile->turn_rate : 0;
-    if (k > 0 && way->pieces[k].direction != way->pieces[k - 1].direction)
-        time += hasten->profile->reversing_time;
-    return time;
-}
-
-/* Fills in headings and clearances of the stations low to high. Returns false if one is below the margin, and was not
- * before. */
-static bool look_at(const Hasten *hasten, Speeds *to, size_t low, size_t high) {
-    const Way *way = hasten->way;
-    for (size_t s = low; s <= high; s++) {
-        const Station *station = &way->stations[s];
-        Vec2 middle = vec2_along(station->at, hasten->body->ahead, station->axis);
-        to->clearance[s] = hasten->centring
-                               ? freespace_sides(hasten->space, middle, station->axis, hasten->body->half_length,
-                                                 hasten->body->half_width, hasten->sight, &to->left[s], &to->right[s])
-                               : body_clearance(hasten, station, hasten->sight);
-        if (to->clearance[s] < hasten->margin)
-            return false;
-    }
-    for (size_t s = low; s <= high; s++) {
-        const Station *station = &way->stations[s];
-        to->heading[s] = real_atan2(station->axis.y, station->axis.x);
-        if (s == way->pieces[station->piece].last || s == high)
-            continue;
-        double least = real_min(to->clearance[s], to->clearance[s + 1]);
-        int places = least < BETWEEN ? way_places(way, s) : 0;
-        for (int i = 1; i <= places; i++) {
-            Station middle = way_between(way, s, (double)i / (places + 1));
-            least = real_min(least, body_clearance(hasten, &middle, least));
-            if (least < hasten->margin)
-                return false;
-        }
-        to->clearance[s] = real_min(to->clearance[s], least);
-    }
-    return true;
-}
-
-static void copy_speeds(Speeds *to, const Speeds *from, size_t low, size_t high, bool centring) {
-    size_t size = (high - low + 1) * sizeof(double);
-    if (centring) {
-        memcpy(to->left + low, from->left + low, size);
-        memcpy(to->right + low, from->right + low, size);
-    }
-    memcpy(to->clearance + low, from->clearance + low, size);
-    memcpy(to->heading + low, from->heading + low, size);
-    memcpy(to->braking + low, from->braking + low, size);
-    memcpy(to->starting + low, from->starting + low, size);
-    memcpy(to->limit + low, from->limit + low, size);
-    memcpy(to->back + low, from->back + low, size);
-    memcpy(to->speed + low, from->speed + low, size);
-    memcpy(to->time + low, from->time + low, size);
-    memcpy(to->cost + low, from->cost + low, size);
-}
-
-static double sum_of(const double *cost, size_t low, size_t high) {
-    double sum = 0;
-    for (size_t s = low; s < high; s++)
-        sum += cost[s];
-    return sum;
-}
 
 /* Judges a trial that has moved the stations low to high (the kept ones hold low - 1 to high + 1) and, if
  * `joint` < piece_count, that joint. Undoes it unless it gains. */
 static bool judge(Hasten *hasten, size_t low, size_t high, size_t joint, Joint joint_before) {
     Way *way = hasten->way;
     size_t begin = low > 0 ? low - 1 : 0, end = high + 1 < way->count ? high + 1 : high;
-    size_t wide = begin > 2 * SPAN ? begin - 2 * SPAN : 0, farthest = way->count - 1;
-    size_t far = end + 2 * SPAN < farthest ? end + 2 * SPAN : farthest;
+    size_t wide = begin > 2 * SPEEDS_SPAN ? begin - 2 * SPEEDS_SPAN : 0, farthest = way->count - 1;
+    size_t far = end + 2 * SPEEDS_SPAN < farthest ? end + 2 * SPEEDS_SPAN : farthest;
     size_t first = 0, last = 0;
     way_set_axes(way, begin, end);
-    copy_speeds(&hasten->tried, &hasten->now, wide > 2 * SPAN ? wide - 2 * SPAN : 0,
-                far + 2 * SPAN < farthest ? far + 2 * SPAN : farthest, hasten->centring);
+    speeds_copy(&hasten->course, &hasten->tried, &hasten->now, wide > 2 * SPEEDS_SPAN ? wide - 2 * SPEEDS_SPAN : 0,
+                far + 2 * SPEEDS_SPAN < farthest ? far + 2 * SPEEDS_SPAN : farthest);
     size_t look = begin > 0 ? begin - 1 : 0;
     double spots_before = 0, spots = 0;
-    bool good = look_at(hasten, &hasten->tried, look, end < way->count - 1 ? end + 1 : end);
+    bool good = speeds_look(&hasten->course, &hasten->tried, look, end < way->count - 1 ? end + 1 : end);
     if (good && joint < way->piece_count) {
-        spots = joint_time(hasten, joint);
+        spots = speeds_at_joint(&hasten->course, joint);
         Joint now = way->joints[joint];
         way->joints[joint] = joint_before;
-        spots_before = joint_time(hasten, joint);
+        spots_before = speeds_at_joint(&hasten->course, joint);
         way->joints[joint] = now;
-        good = way_spot_clearance(way, joint, hasten->space, hasten->body, hasten->margin) >= hasten->margin;
+        good = way_spot_clearance(way, joint, hasten->course.space, hasten->course.body, hasten->course.margin) >=
+               hasten->course.margin;
     }
     good =
         good && way_reaches_goals(way) && way_is_smooth(way, begin > 0 ? begin - 1 : 0, end < farthest ? end + 1 : end);
     double gain = 0;
     if (good) {
-        run_through(hasten, &hasten->now, &hasten->tried, wide, far, &first, &last);
-        gain = sum_of(hasten->now.cost, first, last) - sum_of(hasten->tried.cost, first, last) + spots_before - spots;
+        speeds_run(&hasten->course, &hasten->now, &hasten->tried, wide, far, &first, &last);
+        gain = speeds_sum(hasten->now.cost, first, last) - speeds_sum(hasten->tried.cost, first, last) + spots_before -
+               spots;
         good = gain > GAIN;
     }
     double longer = 0; /* s, by which the trial makes the way slower */
-    if (good && hasten->centring) {
-        longer = sum_of(hasten->tried.time, first, last) - sum_of(hasten->now.time, first, last) + spots - spots_before;
+    if (good && hasten->course.centring) {
+        longer = speeds_sum(hasten->tried.time, first, last) - speeds_sum(hasten->now.time, first, last) + spots -
+                 spots_before;
         good = longer <= 0 || longer <= hasten->spare;
     }
     if (!good) {
@@ -301,7 +85,7 @@ static bool judge(Hasten *hasten, size_t low, size_t high, size_t joint, Joint j
             way->joints[joint] = joint_before;
         return false;
     }
-    copy_speeds(&hasten->now, &hasten->tried, first, last, hasten->centring);
+    speeds_copy(&hasten->course, &hasten->now, &hasten->tried, first, last);
     hasten->sum -= gain;
     hasten->spare -= longer;
     return true;
@@ -381,10 +165,10 @@ static int pressed_side(const Hasten *hasten, size_t s) {
  * both sides are alike. */
 static bool is_at_best(const Hasten *hasten, size_t low, size_t high) {
     for (size_t s = low; s <= high; s++)
-        if (hasten->centring
-                ? pressed_side(hasten, s) != 0
-                : hasten->now.clearance[s] < hasten->sight || hasten->now.limit[s] < hasten->profile->free_speed ||
-                      (s > low && fabs(turn_between(hasten->now.heading, s - 1, s)) > STRAIGHT * 0.05))
+        if (hasten->course.centring ? pressed_side(hasten, s) != 0
+                                    : hasten->now.clearance[s] < hasten->course.sight ||
+                                          hasten->now.limit[s] < hasten->course.profile->free_speed ||
+                                          (s > low && fabs(speeds_turn(&hasten->now, s - 1, s)) > STRAIGHT * 0.05))
             return false;
     return true;
 }
@@ -463,7 +247,7 @@ typedef struct Steps {
 
 static void sweep_bumps(Hasten *hasten, Steps *steps, int round) {
     Way *way = hasten->way;
-    int least = hasten->centring ? LEAST_CENTRING : 0; /* short bumps hardly move the body's sides */
+    int least = hasten->course.centring ? LEAST_CENTRING : 0; /* short bumps hardly move the body's sides */
     for (int level = LEVELS - 1; level >= least; level--) {
         int half = 1 << level;
         size_t stride = half > 1 ? (size_t)half / 2 : 1;
@@ -524,31 +308,37 @@ static void sweep_end(Hasten *hasten, Steps *steps) {
     }
 }
 
+/* Takes a way, of which nothing is too near yet: the margin is set by who makes trials. */
 static void hasten_begin(Hasten *hasten, Way *way, const FreeSpace *space, const Rectangle *body,
                          const Profile *profile, bool centring) {
     size_t count = way->count, first, last;
-    *hasten = (Hasten){
-        .way = way, .space = space, .body = body, .profile = profile, .margin = -HUGE_VAL, .centring = centring};
-    hasten->sight = fmax(pace_enough(profile), centring ? profile->space_reach : FIELD_COMFORT);
-    hasten->rooms = memory_zeroed(2 * ROOMS * count, sizeof(double));
-    hasten->now = speeds_in(hasten->rooms, count);
-    hasten->tried = speeds_in(hasten->rooms + ROOMS * count, count);
-    hasten->kept = memory_zeroed(count, sizeof *hasten->kept);
-    look_at(hasten, &hasten->now, 0, count - 1);
-    run_through(hasten, &hasten->now, &hasten->now, 0, count - 1, &first, &last);
-    hasten->sum = sum_of(hasten->now.cost, 0, count - 1);
+    *hasten = (Hasten){.way = way,
+                       .course = {.way = way,
+                                  .space = space,
+                                  .body = body,
+                                  .profile = profile,
+                                  .margin = -HUGE_VAL,
+                                  .sight = fmax(pace_enough(profile), centring ? profile->space_reach : FIELD_COMFORT),
+                                  .centring = centring},
+                       .now = speeds_make(count),
+                       .tried = speeds_make(count),
+                       .kept = memory_zeroed(count, sizeof(Station))};
+    speeds_look(&hasten->course, &hasten->now, 0, count - 1);
+    speeds_run(&hasten->course, &hasten->now, &hasten->now, 0, count - 1, &first, &last);
+    hasten->sum = speeds_sum(hasten->now.cost, 0, count - 1);
 }
 
 static void hasten_end(Hasten *hasten) {
-    memory_free(hasten->rooms);
+    speeds_free(&hasten->now);
+    speeds_free(&hasten->tried);
     memory_free(hasten->kept);
 }
 
 /* Returns the time of the whole way, s. */
 static double whole_time(const Hasten *hasten) {
-    double time = sum_of(hasten->now.time, 0, hasten->way->count - 1);
+    double time = speeds_sum(hasten->now.time, 0, hasten->way->count - 1);
     for (size_t k = 0; k < hasten->way->piece_count; k++)
-        time += joint_time(hasten, k);
+        time += speeds_at_joint(&hasten->course, k);
     return time;
 }
 
@@ -578,10 +368,10 @@ static bool descend(Hasten *hasten, int sweeps, const Stop *stop) {
     bool whole = true;
     for (int round = 0; round < sweeps && whole; round++) {
         double before = hasten->sum;
-        if (hasten->centring)
+        if (hasten->course.centring)
             sweep_shifts(hasten);
         sweep_bumps(hasten, &steps, round);
-        if (!hasten->centring)
+        if (!hasten->course.centring)
             sweep_joints(hasten, &steps);
         sweep_end(hasten, &steps);
         whole = !stop_requested(stop);
@@ -593,23 +383,23 @@ static bool descend(Hasten *hasten, int sweeps, const Stop *stop) {
     return whole;
 }
 
-bool hasten_way(Way *way, const FreeSpace *space, const Rectangle *body, const Profile *profile, double margin,
-                int sweeps, const Stop *stop) {
+static bool improve(Way *way, const FreeSpace *space, const Rectangle *body, const Profile *profile, bool centring,
+                    double margin, int sweeps, const Stop *stop) {
     Hasten hasten;
-    hasten_begin(&hasten, way, space, body, profile, false);
-    hasten.margin = margin;
+    hasten_begin(&hasten, way, space, body, profile, centring);
+    hasten.course.margin = margin;
+    hasten.spare = CENTRED * whole_time(&hasten);
     bool whole = descend(&hasten, sweeps, stop);
     hasten_end(&hasten);
     return whole;
 }
 
+bool hasten_way(Way *way, const FreeSpace *space, const Rectangle *body, const Profile *profile, double margin,
+                int sweeps, const Stop *stop) {
+    return improve(way, space, body, profile, false, margin, sweeps, stop);
+}
+
 bool hasten_centre(Way *way, const FreeSpace *space, const Rectangle *body, const Profile *profile, double margin,
                    int sweeps, const Stop *stop) {
-    Hasten hasten;
-    hasten_begin(&hasten, way, space, body, profile, true);
-    hasten.margin = margin;
-    hasten.spare = CENTRED * whole_time(&hasten);
-    bool whole = descend(&hasten, sweeps, stop);
-    hasten_end(&hasten);
-    return whole;
+    return improve(way, space, body, profile, true, margin, sweeps, stop);
 }

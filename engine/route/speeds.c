@@ -1,0 +1,218 @@
+#include "route/speeds.h"
+
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/real.h"
+#include "route/field.h"
+#include "route/pace.h"
+
+/* At each station the pace (pace.h) gives a limit for the speed; the largest speed that keeps it, starts from rest,
+ * rests at joints, and needs no more than the initial acceleration a_0 and the planned deceleration a_d, both within
+ * the driver's strength, follows by one pass from the end and one from the beginning. Then
+ *
+ *     T = sum of 2 h / (v_i + v_(i+1)) + |turns on the spot| / turn rate + changes of direction * their time
+ *
+ * What a step costs has two prices beside its time: near obstacles time counts more, half as much as in the search
+ * (field_discomfort), and the change of the turn from step to step, which a curvature averaged over four steps does not
+ * see, costs ROUGHNESS. While the way is centred, the pressed personal space has its price (pace_price), too. */
+
+#define PRICE 0.5     /* 1, share of the search's price of discomfort: more costs more than 3 % of the time */
+#define ROUGHNESS 5.0 /* s/rad2 */
+#define BETWEEN 0.06  /* m: with more clearance than this at both ends the motion between is not looked at */
+
+enum { ROOMS = 11 };
+
+Speeds speeds_make(size_t count) {
+    double *room = memory_zeroed(ROOMS * count, sizeof(double));
+    return (Speeds){room,
+                    room + count,
+                    room + 2 * count,
+                    room + 3 * count,
+                    room + 4 * count,
+                    room + 5 * count,
+                    room + 6 * count,
+                    room + 7 * count,
+                    room + 8 * count,
+                    room + 9 * count,
+                    room + 10 * count};
+}
+
+void speeds_free(Speeds *speeds) {
+    memory_free(speeds->clearance); /* where the room of all of them begins */
+    *speeds = (Speeds){0};
+}
+
+static double body_clearance(const Course *course, const Station *station, double reach) {
+    return freespace_clearance(course->space, vec2_along(station->at, course->body->ahead, station->axis),
+                               station->axis, course->body->half_length, course->body->half_width, reach, NULL);
+}
+
+static bool rests(const Way *way, size_t s) {
+    size_t k = way->stations[s].piece;
+    return s == way->pieces[k].first || (s == way->pieces[k].last && k + 1 < way->piece_count);
+}
+
+double speeds_turn(const Speeds *speeds, size_t a, size_t b) {
+    return vec2_wrap_angle(speeds->heading[b] - speeds->heading[a]);
+}
+
+static double mean_curvature(const Course *course, const Speeds *speeds, size_t s, size_t *low, size_t *high) {
+    const WayPiece *piece = &course->way->pieces[course->way->stations[s].piece];
+    *low = s >= piece->first + SPEEDS_SPAN ? s - SPEEDS_SPAN : piece->first;
+    *high = s + SPEEDS_SPAN <= piece->last ? s + SPEEDS_SPAN : piece->last;
+    return speeds_turn(speeds, *low, *high) / ((double)(*high - *low) * piece->step);
+}
+
+/* Fills in what limits the speed at a station and on its way from and to it. */
+static void find_limit(const Course *course, Speeds *speeds, size_t s) {
+    const Profile *profile = course->profile;
+    double clearance = speeds->clearance[s];
+    speeds->braking[s] = pace_braking(profile, clearance);
+    speeds->starting[s] = pace_starting(profile, clearance);
+    speeds->limit[s] = 0;
+    if (rests(course->way, s))
+        return;
+    const WayPiece *piece = &course->way->pieces[course->way->stations[s].piece];
+    size_t low, high, none;
+    double bend = mean_curvature(course, speeds, s, &low, &high);
+    double first = mean_curvature(course, speeds, low, &none, &none);
+    double last = mean_curvature(course, speeds, high, &none, &none);
+    double bending = (last - first) / ((double)(high - low) * piece->step);
+    double in_bend = pace_in_bend(profile, bend);
+    speeds->braking[s] = real_min(speeds->braking[s], in_bend);
+    speeds->starting[s] = real_min(speeds->starting[s], in_bend);
+    speeds->limit[s] = pace_at(profile, profile->free_speed, clearance, bend, bending, piece->direction);
+}
+
+/* Fills in the time and the cost of the step from station s to the next one. */
+static void count_step(const Course *course, Speeds *speeds, size_t s) {
+    const WayPiece *piece = &course->way->pieces[course->way->stations[s].piece];
+    double step = vec2_distance(course->way->stations[s].at, course->way->stations[s + 1].at);
+    double time = 2 * step / real_max(speeds->speed[s] + speeds->speed[s + 1], 1e-6);
+    double clearance = real_min(speeds->clearance[s], speeds->clearance[s + 1]);
+    double rough = 0, price = 0;
+    if (s > piece->first)
+        rough = speeds_turn(speeds, s, s + 1) - speeds_turn(speeds, s - 1, s);
+    if (course->centring)
+        price = (pace_price(course->profile, speeds->left[s], speeds->right[s]) +
+                 pace_price(course->profile, speeds->left[s + 1], speeds->right[s + 1])) /
+                2;
+    speeds->time[s] = time;
+    speeds->cost[s] = time * (1 + PRICE * (field_discomfort(clearance) - 1)) + ROUGHNESS * rough * rough + step * price;
+}
+
+static double reachable(double speed, double acceleration, double step) {
+    return sqrt(speed * speed + 2 * acceleration * step);
+}
+
+/* Takes over what a trial has not changed. */
+static void take_over(Speeds *to, const Speeds *from, size_t s) {
+    to->clearance[s] = from->clearance[s];
+    to->left[s] = from->left[s];
+    to->right[s] = from->right[s];
+    to->heading[s] = from->heading[s];
+    to->braking[s] = from->braking[s];
+    to->starting[s] = from->starting[s];
+    to->limit[s] = from->limit[s];
+}
+
+void speeds_run(const Course *course, const Speeds *from, Speeds *to, size_t low, size_t high, size_t *first,
+                size_t *last) {
+    const Way *way = course->way;
+    size_t count = way->count, s;
+    for (s = low; s <= high; s++)
+        find_limit(course, to, s);
+    for (s = high + 1; s-- > 0;) {
+        if (s < low)
+            take_over(to, from, s);
+        double limit = to->limit[s];
+        size_t piece = way->stations[s].piece;
+        double next = s == high ? s + 1 < count ? from->back[s + 1] : limit : to->back[s + 1];
+        if (s < way->pieces[piece].last)
+            limit = real_min(limit, reachable(next, to->braking[s], way->pieces[piece].step));
+        to->back[s] = limit;
+        if (s < low && limit == from->back[s])
+            break;
+    }
+    *first = s < count ? s : 0;
+    for (s = *first; s < count; s++) {
+        if (s > high) {
+            take_over(to, from, s);
+            to->back[s] = from->back[s];
+        }
+        double back = to->back[s];
+        const WayPiece *piece = &way->pieces[way->stations[s].piece];
+        double before = s == *first ? s > 0 ? from->speed[s - 1] : 0 : to->speed[s - 1];
+        to->speed[s] = s > piece->first ? real_min(back, reachable(before, to->starting[s], piece->step)) : back;
+        if (s > high && to->speed[s] == from->speed[s])
+            break;
+    }
+    *last = s < count ? s : count - 1;
+    for (s = *first; s < *last; s++)
+        if (way->stations[s].piece == way->stations[s + 1].piece)
+            count_step(course, to, s);
+}
+
+double speeds_at_joint(const Course *course, size_t k) {
+    const Way *way = course->way;
+    const Joint *joint = &way->joints[k];
+    double time = joint->turns ? fabs(joint->out - joint->in) / course->profile->turn_rate : 0;
+    if (k > 0 && way->pieces[k].direction != way->pieces[k - 1].direction)
+        time += course->profile->reversing_time;
+    return time;
+}
+
+bool speeds_look(const Course *course, Speeds *to, size_t low, size_t high) {
+    const Way *way = course->way;
+    for (size_t s = low; s <= high; s++) {
+        const Station *station = &way->stations[s];
+        Vec2 middle = vec2_along(station->at, course->body->ahead, station->axis);
+        to->clearance[s] = course->centring
+                               ? freespace_sides(course->space, middle, station->axis, course->body->half_length,
+                                                 course->body->half_width, course->sight, &to->left[s], &to->right[s])
+                               : body_clearance(course, station, course->sight);
+        if (to->clearance[s] < course->margin)
+            return false;
+    }
+    for (size_t s = low; s <= high; s++) {
+        const Station *station = &way->stations[s];
+        to->heading[s] = real_atan2(station->axis.y, station->axis.x);
+        if (s == way->pieces[station->piece].last || s == high)
+            continue;
+        double least = real_min(to->clearance[s], to->clearance[s + 1]);
+        int places = least < BETWEEN ? way_places(way, s) : 0;
+        for (int i = 1; i <= places; i++) {
+            Station middle = way_between(way, s, (double)i / (places + 1));
+            least = real_min(least, body_clearance(course, &middle, least));
+            if (least < course->margin)
+                return false;
+        }
+        to->clearance[s] = real_min(to->clearance[s], least);
+    }
+    return true;
+}
+
+void speeds_copy(const Course *course, Speeds *to, const Speeds *from, size_t low, size_t high) {
+    size_t size = (high - low + 1) * sizeof(double);
+    if (course->centring) {
+        memcpy(to->left + low, from->left + low, size);
+        memcpy(to->right + low, from->right + low, size);
+    }
+    memcpy(to->clearance + low, from->clearance + low, size);
+    memcpy(to->heading + low, from->heading + low, size);
+    memcpy(to->braking + low, from->braking + low, size);
+    memcpy(to->starting + low, from->starting + low, size);
+    memcpy(to->limit + low, from->limit + low, size);
+    memcpy(to->back + low, from->back + low, size);
+    memcpy(to->speed + low, from->speed + low, size);
+    memcpy(to->time + low, from->time + low, size);
+    memcpy(to->cost + low, from->cost + low, size);
+}
+
+double speeds_sum(const double *steps, size_t low, size_t high) {
+    double sum = 0;
+    for (size_t s = low; s < high; s++)
+        sum += steps[s];
+    return sum;
+}
