@@ -157,10 +157,27 @@ static void list_hazards(Scene *scene, const House *house, const Observation *ob
     }
 }
 
+/* Returns where a person starts, and, if somebody starts in the same room who leaves by another exit, where to. */
+static const char *name_start(Scene *scene, const House *house, const Observation *observation, size_t i) {
+    const Plan *plan = &house->plan;
+    const char *room = names_room(plan, house->people[i].at);
+    size_t exit = observation->people[i].exit;
+    if (!room || exit >= plan->exit_count)
+        return room;
+    for (size_t k = 0; k < house->person_count; k++) {
+        size_t other = observation->people[k].exit;
+        const char *beside = names_room(plan, house->people[k].at);
+        if (observation->people[k].took_part && other < plan->exit_count && other != exit && beside &&
+            strcmp(beside, room) == 0)
+            return scene_text(scene, "%s, to %s", room, plan->exits[exit].id);
+    }
+    return room;
+}
+
 static void list_person(Scene *scene, const House *house, const Observation *observation, size_t i) {
     const Inhabitant *person = &house->people[i];
     const PersonObservation *observed = &observation->people[i];
-    const char *room = names_room(&house->plan, person->at);
+    const char *room = name_start(scene, house, observation, i);
     const char *profile = names_profile(person->profile->name);
     const char *who = !room ? profile : house->profile_count > 1 ? scene_text(scene, "%s, %s", room, profile) : room;
     ResultTable table = {0};

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "case.h"
 #include "check.h"
+#include "visual/house/house_scene.h"
 #include "visual/house/silhouette.h"
 #include "visual/house/space_scene.h"
 #include "visual/house/trail.h"
@@ -235,6 +236,26 @@ TEST(a_crowd_is_counted_out) {
     film_destroy(film);
     observation_free(&observation);
     house_free(&house);
+}
+
+/* The list names people by the rooms where they start, and by their exits where two who start in one room differ. */
+TEST(people_of_one_room_are_told_apart_by_their_exits) {
+    Shown shown;
+    for (int same = 0; same < 2; same++) {
+        show(&shown, "two-chairs-corridor", (FilmOptions){.panels = 0});
+        if (same)
+            shown.observation.people[0].exit = shown.observation.people[1].exit;
+        Scene scene = {0};
+        house_scene_make(&scene, &shown.house, &shown.observation);
+        const char *names[2] = {0};
+        for (size_t i = 0, k = 0; i < scene.row_count && k < 2; i++)
+            if (scene.rows[i].kind == ROW_LINE && scene.rows[i].mark)
+                names[k++] = scene.rows[i].cells[0];
+        CHECK_TEXT(names[0], same ? "corridor" : "corridor, to east");
+        CHECK_TEXT(names[1], same ? "corridor" : "corridor, to west");
+        scene_clear(&scene);
+        hide(&shown);
+    }
 }
 
 static Profile chair(void) {
