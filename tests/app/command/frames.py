@@ -15,7 +15,7 @@ import sys
 import tempfile
 import time
 
-from program import beam, check, end, expect, house, program, run
+from program import BRIEF, beam, check, end, expect, house, program, run
 
 
 def size_of(png):
@@ -133,12 +133,12 @@ def check_comparison(out):
 def check_beam_plots(out):
     beam = str(pathlib.Path(os.environ["CLEARANCE_SOURCE"]) / "assets/beams/ibs.json")
     points = out / "points.csv"
-    expect(0, "run", beam, "--set", "drive.frequency=190", "--size", "640x360", "--out", str(out / "usual"))
+    expect(0, "run", beam, *BRIEF, "--size", "640x360", "--out", str(out / "usual"))
     names = sorted(f.stem for f in (out / "usual").glob("plot-*.png"))
     check(names == ["plot-force", "plot-phase", "plot-poincare"], f"plots of a beam where nothing is said: {names}")
     check(size_of(out / "usual/plot-phase.png") == (640, 360), "size of a beam's plot")
     points.write_text("deflection [mm],velocity [m/s]\n0.1,-0.5\n")
-    arguments = ("run", beam, "--plots", "phase,spectrum", "--theme", "board", "--measured", str(points))
+    arguments = ("run", beam, *BRIEF, "--plots", "phase,spectrum", "--theme", "board", "--measured", str(points))
     for name in ("first", "second"):
         expect(0, *arguments, "--out", str(out / name))
     for ending in ("png", "svg", "pdf", "csv"):
@@ -157,7 +157,7 @@ def check_beam_plots(out):
 def check_beam(out):
     """A film of a beam: the frames per second of film, and the slow-motion factor."""
     rig = beam("ibs")
-    done = expect(0, "run", rig, "--set", "drive.frequency=190", "--frames", "10", "--slow", "400", "--to", "0.01", "--size",
+    done = expect(0, "run", rig, *BRIEF, "--frames", "10", "--slow", "400", "--to", "0.01", "--size",
                   "640x360", "--out", str(out), "--json")
     check(json.loads(done.stdout)["kind"] == "beam", "the answer, and nothing else, on standard output")
     frames = frames_of(out)
@@ -169,17 +169,17 @@ def check_beam(out):
     check((out / "beam.pdf").read_bytes().startswith(b"%PDF"), "beam.pdf")
     before = {f.name: f.read_bytes() for f in [*frames, out / "beam.png", out / "beam.svg", out / "beam.pdf"]}
     again = out / "again"
-    expect(0, "run", rig, "--set", "drive.frequency=190", "--frames", "10", "--slow", "400", "--to", "0.01", "--size", "640x360",
+    expect(0, "run", rig, *BRIEF, "--frames", "10", "--slow", "400", "--to", "0.01", "--size", "640x360",
            "--out", str(again), "--jobs", "1")
     check({f.name: f.read_bytes() for f in [*frames_of(again), again / "beam.png", again / "beam.svg", again / "beam.pdf"]}
           == before, "the same bytes twice, whatever the number of threads")
-    expect(0, "run", rig, "--frames", "2", "--out", str(again))
+    expect(0, "run", rig, *BRIEF, "--frames", "2", "--out", str(again))
     check(24 <= len(frames_of(again)) <= 30, "8 cycles take some 13 seconds", len(frames_of(again)))
-    expect(0, "run", rig, "--frames", "1", "--from", "0.33", "--to", "9", "--size", "320x200", "--out", str(again))
+    expect(0, "run", rig, *BRIEF, "--frames", "1", "--from", "0.33", "--to", "9", "--size", "320x200", "--out", str(again))
     check(len(frames_of(again)) == 3, "as far as the record goes", len(frames_of(again)))
-    expect(0, "run", rig, "--frames", "1", "--from", "9", "--size", "320x200", "--out", str(again),
+    expect(0, "run", rig, *BRIEF, "--frames", "1", "--from", "9", "--size", "320x200", "--out", str(again),
            says="after the end of the record at 0.333333 s")
-    undamped = ("run", rig, "--set", "beam.damping_ratio=0", "--quiet")
+    undamped = ("run", rig, *BRIEF, "--set", "beam.damping_ratio=0", "--quiet")
     resonance = json.loads(expect(0, *undamped, "--json").stdout)["natural_frequencies"][1]
     expect(1, *undamped, "--set", f"drive.frequency={resonance!r}", "--out", str(again),
            says="not one whole cycle was recorded")

@@ -9,6 +9,9 @@ import sys
 source = pathlib.Path(os.environ.get("CLEARANCE_SOURCE", ".")).resolve()
 program = pathlib.Path(sys.argv[1]).resolve()
 failed = []
+BRIEF = ("--set", "drive.frequency=190", "--set", "run.transient_cycles=20", "--set", "run.cycles=20", "--set", "beam.modes=2")
+"""A beam with a quick verdict, for tests of something else: the default one lives through 20,000 cycles 64 times."""
+
 
 
 def house(name):

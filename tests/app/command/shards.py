@@ -14,7 +14,7 @@ import tempfile
 import time
 
 import program as of
-from program import beam, check, end, expect, house, program
+from program import BRIEF, beam, check, end, expect, house, program
 
 SHORT = ("--set", "run.transient_cycles=20", "--set", "run.cycles=20", "--set", "beam.modes=4")
 SWEEP = (beam("ibs"), *SHORT, "--vary", "drive.frequency=285:305:21", "--vary", "joint.clearance=1e-4:2e-4:3",
@@ -23,7 +23,7 @@ STUDIES = {
     "a sweep with carried passes": SWEEP,
     "earthquakes": (house("bedroom-after-earthquake"), "--shake", "7", "--report", "--quiet"),
     "types": (beam("ibs"), *SHORT, "--vary", "drive.frequency=250:300:3", "--types", "drive.frequency", "--quiet"),
-    "chance, thoroughly": (beam("ibs"), *SHORT, "--runs", "9", "--thorough", "--quiet"),
+    "chance, thoroughly": (beam("ibs"), *BRIEF, "--runs", "9", "--thorough", "--quiet"),
     "a house of four chairs": (house("ube-techno-house"), "--vary", "person.p-a.delay=0:4:3", "--quiet"),
 }
 

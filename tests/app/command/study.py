@@ -143,7 +143,7 @@ def check_going_on(folder):
 def check_killed(folder):
     """After a power failure only the runs since the last commit are repeated."""
     flat, out = draft(folder), os.path.join(folder, "killed")
-    arguments = [flat, "--vary", "door.d1.width=0.85:1.1:241", "--runs", "2", "--jobs", "1"]
+    arguments = [flat, "--vary", "door.d1.width=0.85:1.1:121", "--runs", "2", "--jobs", "1"]
     process = subprocess.Popen([program, "study", *arguments, "--out", out], stdout=subprocess.DEVNULL,
                                stderr=subprocess.DEVNULL)
     store = pathlib.Path(out, "study.sqlite")

@@ -2,6 +2,7 @@
 offscreen driver or with a real mouse and keyboard under Xvfb."""
 
 import atexit
+import inspect
 import json
 import os
 import pathlib
@@ -188,14 +189,16 @@ class Screen:
         return self.until(lambda s: self.log_count >= count)
 
     def until(self, what):
-        """Waits for a state; returns the last state read, even if the wait failed."""
+        """Waits for a state; returns the last state read. It is a failure that it does not come while the program runs."""
         begun = time.monotonic()
         while time.monotonic() - begun < PATIENCE and self.program.poll() is None:
             now = self.look()
             if now and what(now):
                 return now
             time.sleep(0.01)
-        return self.look()
+        now = self.look()
+        check(self.program.poll() is not None or what(now), "the state that is waited for comes", inspect.stack()[1].lineno)
+        return now
 
     def keys(self, *names):
         """Presses and releases keys like ctrl+z, one after another. A repeated key is sent after the previous one was
