@@ -139,7 +139,7 @@ pictures = {"run, files", "run, report", "run, frames", "run, movie", "compare, 
             "run of a beam, files", "export"}
 computes_nothing = {"export", "export, text", "import", "schema"}  # no poll
 slow = {"check, suggest", "check, suggest, json", "types of a beam", "types of a house", "run of a beam",
-        "run of a beam, json", "run of a beam, files"}
+        "run of a beam, json", "run of a beam, files", "paper"}
 
 # A line with one of these words says no; the complete answer must hold the same line.
 NO = re.compile(r"cannot pass|cannot leave|needs at least|blocked|no exit|has no exit|not periodic|not out|no change was|"

@@ -30,6 +30,12 @@ def beam(name):
     return str(source / "assets" / "beams" / f"{name}.json")
 
 
+CRANK = str(source / "assets" / "cranks" / "ssc.json")
+PERIODIC = ("--set", "drive.frequency=10", "--set", "run.transient_cycles=10", "--set", "run.cycles=16", "--set",
+            "coupler.modes=1", "--set", "coupler.axial=0")
+"""With these settings the crank's verdict is quick; the default one is watched for 6,400 revolutions."""
+
+
 def check(good, what, detail=""):
     print(("ok   " if good else "FAIL ") + what + ("" if good else f": {str(detail)[:500]}"), flush=True)
     if not good:
