@@ -427,8 +427,9 @@ static bool is_one_chance(const Options *options, Fault *fault) {
 /* Refuses options that have no effect: the page of the paper has its own ranges, runs and types, and types without
  * --vary are told at one point. */
 static bool is_one_question(const Options *options, Fault *fault) {
-    static const char *const idle[] = {"--vary",      "--runs",     "--shake", "--spread", "--sweep",   "--measured",
-                                       "--no-series", "--thorough", "--types", "--route",  "--driving", "--seed"};
+    static const char *const idle[] = {"--vary",     "--runs",      "--shake",    "--spread", "--sweep",
+                                       "--measured", "--no-series", "--thorough", "--lanes",  "--types",
+                                       "--route",    "--driving",   "--seed"};
     enum { IDLE = sizeof idle / sizeof *idle, IDLE_WITH_TYPES = 8 };
     bool ranges = options->study.axis_count || options->study.runs > 1;
     const char *own = options->follow             ? "--follow"

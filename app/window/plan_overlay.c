@@ -341,14 +341,18 @@ static bool is_written(const Layout *layout, const char *name) {
     return false;
 }
 
-/* Returns the name of the thing under the pointer while nothing is being done; NULL: none, or it is written there. */
-static const char *hovered_name(const Window *window, Tab *tab, const GestureView *gesture) {
+/* Returns the thing under the pointer while nothing is being done. */
+static Item hovered_item(const Window *window, Tab *tab, const GestureView *gesture) {
     const int left = SDL_WINDOW_EVENT_LEFT;
     if (!has_pointer(window) || window->dialog != DIALOG_NONE || gesture->active || window->input.down[left] ||
         editor_tool(tab_editor(tab)) != TOOL_SELECT || !tab->view_layers.painted)
-        return NULL;
+        return (Item){0};
     Vec2 at = vec2_sub(vec2_scale(window->mouse, 1 / window->unit), window->frame.view.low);
-    Item item = tab->laboratory->pick(tab->session, view_layers_floor(&tab->view_layers, at), tab_time(tab), (Item){0});
+    return tab->laboratory->pick(tab->session, view_layers_floor(&tab->view_layers, at), tab_time(tab), (Item){0});
+}
+
+/* Returns the name of a thing; NULL: it is none, or the name is written on the plan. */
+static const char *unwritten_name(const Tab *tab, Item item) {
     const char *name = item.kind ? tab->laboratory->item_name(tab->session, item) : NULL;
     return name && !is_written(&tab->view_layers.still, name) ? name : NULL;
 }
@@ -364,12 +368,14 @@ void plan_overlay_show(Window *window) {
     const GestureView *gesture = editor_gesture(editor);
     show_read_out(window, gesture, &labels); /* reserves its place before labels are placed */
     const char *words = preview_words(window, gesture);
-    const char *name = words ? NULL : hovered_name(window, tab, gesture);
+    Item hovered = hovered_item(window, tab, gesture), selected = tab->laboratory->selected(tab->session);
+    const char *name = words ? NULL : unwritten_name(tab, hovered);
     snprintf(window->hovered, sizeof window->hovered, "%s", name ? name : "");
     words = words ? words : name ? window->hovered : NULL; /* a copy: other names are asked for below */
     Vec2 above = vec2_add(vec2_scale(window->mouse, 1 / window->unit), vec2(0, -HAND)); /* never under the pointer */
     Box box = words ? label_box(window, &labels, above, words) : box_empty();
-    if (!gesture->active && !window->present && editor_tool(editor) == TOOL_SELECT)
+    bool tagged = name && hovered.kind == selected.kind && hovered.index == selected.index;
+    if (!gesture->active && !window->present && editor_tool(editor) == TOOL_SELECT && !tagged)
         selected_name_show(window);
     show_marks(window, tab, gesture, &labels);
     if (words)

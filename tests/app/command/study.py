@@ -226,6 +226,7 @@ def check_paper(folder):
     check((out / "paper.pdf").read_bytes().startswith(b"%PDF"), "paper.pdf")
     check(len(list(out.glob("plot-figure-*.png"))) == 10, "a picture of each figure")
     expect(2, "study", house("straight-corridor"), "--paper", says="is not one")
+    expect(2, "study", beam, "--paper", "--lanes", "0", says="--lanes has no effect with --paper")
 
 
 def check_wrong_stores(folder):
