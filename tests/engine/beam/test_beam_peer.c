@@ -80,7 +80,7 @@ static double apart_from(const Rig *rig, const double *start, size_t cycles) {
 }
 
 /* From a certified orbit of a short period for that period, from other motions for two cycles. */
-LONG_TEST(cvode_agrees_at_twelve_untuned_frequencies_of_both_sets) {
+TEST(cvode_agrees_at_twelve_untuned_frequencies_of_both_sets) {
     static const char *const sets[] = {"ibs", "ibs-r"};
     int seen[RESPONSE_INTERRUPTED + 1] = {0};
     for (int s = 0; s < 2; s++)
