@@ -190,3 +190,74 @@ void planar_map_ring(const void *numbers, double *point, double *derivative) {
     point[1] = stretch * (s * x + c * y);
     put(derivative, c * a[0] - s * a[1], s * a[0] + c * a[1], c * a[2] - s * a[3], s * a[2] + c * a[3]);
 }
+
+/* An oscillator that hits a stop ------------------------------------------------------------------------------------
+ */
+
+/* A motion between impacts: gamma sin(omega t), and swing cos + push sin of the time since `from`. */
+typedef struct Flight {
+    double omega, gamma, from, swing, push;
+} Flight;
+
+static Flight take_off(double omega, double from, const double *point) {
+    double gamma = 1 / (1 - omega * omega);
+    return (Flight){omega, gamma, from, point[0] - gamma * sin(omega * from),
+                    point[1] - gamma * omega * cos(omega * from)};
+}
+
+static void fly(const Flight *flight, double time, double *point) {
+    double c = cos(time - flight->from), s = sin(time - flight->from), turn = flight->omega * time;
+    point[0] = flight->gamma * sin(turn) + flight->swing * c + flight->push * s;
+    point[1] = flight->gamma * flight->omega * cos(turn) - flight->swing * s + flight->push * c;
+}
+
+/* Returns when a flight reaches the gap from below, or `end`. */
+static double find_impact(const Flight *flight, double gap, double end) {
+    enum { LOOKS = 400, HALVINGS = 60 };
+    double before = flight->from, point[PLANE];
+    for (int i = 1; i <= LOOKS; i++) {
+        double after = flight->from + (end - flight->from) * i / LOOKS;
+        fly(flight, after, point);
+        for (int k = 0; k < HALVINGS && point[0] > gap; k++) {
+            double middle = (before + after) / 2, there[PLANE];
+            fly(flight, middle, there);
+            *(there[0] > gap ? &after : &before) = middle;
+        }
+        if (point[0] > gap)
+            return after;
+        before = after;
+    }
+    return end;
+}
+
+/* Turns the derivative (2 x 2, column by column) by a flight of so long. */
+static void carry(double *d, double time) {
+    double c = cos(time), s = sin(time);
+    for (double *column = d; column < d + PLANE * PLANE; column += PLANE) {
+        double x = column[0], y = column[1];
+        column[0] = c * x + s * y;
+        column[1] = c * y - s * x;
+    }
+}
+
+void planar_map_impact(const void *numbers, double *point, double *derivative) {
+    const double *n = numbers, period = 2 * M_PI / n[1];
+    put(derivative, 1, 0, 0, 1);
+    for (double from = 0; from < period;) {
+        Flight flight = take_off(n[1], from, point);
+        double time = find_impact(&flight, n[0], period);
+        fly(&flight, time, point);
+        carry(derivative, time - from);
+        if (time < period) {
+            /* an impact that is earlier by dx / v leaves -r dx, and -r dv + (1 + r) acceleration dx / v */
+            double late = (1 + n[2]) * (sin(n[1] * time) - n[0]) / point[1];
+            for (double *column = derivative; column < derivative + PLANE * PLANE; column += PLANE) {
+                column[1] = late * column[0] - n[2] * column[1];
+                column[0] *= -n[2];
+            }
+            point[0] = n[0];
+            point[1] *= -n[2];
+        }
+        from = time;
+    }
+}

@@ -32,3 +32,7 @@ void planar_map_ring(const void *numbers, double *point, double *derivative);
 
 /* A rotation by `turn` whole turns that shrinks by `factor`. numbers: turn, factor. */
 void planar_map_spiral(const void *numbers, double *point, double *derivative);
+
+/* The oscillator x'' + x = sin(omega t), whose velocity v becomes -r v where x reaches the gap, once in a period of
+ * the drive; y is its velocity. numbers: gap, omega, r. */
+void planar_map_impact(const void *numbers, double *point, double *derivative);

@@ -12,7 +12,7 @@
 /* A map whose first number is the parameter. */
 typedef struct Numbered {
     PlanarMap map;
-    double numbers[2];
+    double numbers[3];
     double bend; /* the map's number is the parameter less so many times the square of the second one */
 } Numbered;
 
@@ -139,6 +139,84 @@ TEST(curves_of_tori_and_pitchforks_are_the_closed_form) {
     }
 }
 
+/* Sets `speeds` to those of the impacts of the two motions with one impact a cycle of x'' + x = sin(w t), x <= gap, in
+ * which v becomes -r v [Shaw and Holmes 1983]: (gap + a v)^2 + (b v)^2 = c^2, with a = (1 + r) / (2 tan(pi / w)),
+ * b = (1 - r) / (2 w), c = 1 / (w^2 - 1). They meet where gap = c sqrt(1 + (a / b)^2). */
+static double find_speeds(double w, double r, double gap, double speeds[2]) {
+    double a = (1 + r) / (2 * tan(M_PI / w)), b = (1 - r) / (2 * w), c = 1 / (w * w - 1), square = a * a + b * b;
+    double root = sqrt(fmax(0, square * c * c - b * b * gap * gap));
+    speeds[0] = (-a * gap + root) / square;
+    speeds[1] = (-a * gap - root) / square;
+    return c * sqrt(1 + (a / b) * (a / b));
+}
+
+/* Returns the sum of the two multipliers of such a motion, which follows from the acceleration at the impact; their
+ * product is r^2. */
+static double impact_sum(double w, double r, double gap, double speed) {
+    double a = (1 + r) / (2 * tan(M_PI / w)), time = 2 * M_PI / w;
+    return -2 * r * cos(time) - (1 + r) * sin(time) * (w * w * gap / speed + (w * w - 1) * a);
+}
+
+static double larger_of(double sum, double product) {
+    double root = sum * sum / 4 - product;
+    return root < 0 ? sqrt(product) : fabs(sum) / 2 + sqrt(root);
+}
+
+/* Returns the gap at which the sum of the multipliers is -(1 + r^2). */
+static double impact_flip(double w, double r) {
+    double a = (1 + r) / (2 * tan(M_PI / w)), b = (1 - r) / (2 * w), c = 1 / (w * w - 1), time = 2 * M_PI / w;
+    double share = ((1 + r * r - 2 * r * cos(time)) / ((1 + r) * sin(time)) - (w * w - 1) * a) / (w * w);
+    return share * c / hypot(share + a, b);
+}
+
+/* Returns the sum of the multipliers by central differences of the map. */
+static double differences_sum(const double *numbers, const double *point) {
+    const double small = 1e-7;
+    double sum = 0, unused[4];
+    for (int k = 0; k < 2; k++) {
+        double up[2] = {point[0], point[1]}, down[2] = {point[0], point[1]};
+        up[k] += small;
+        down[k] -= small;
+        planar_map_impact(numbers, up, unused);
+        planar_map_impact(numbers, down, unused);
+        sum += (up[k] - down[k]) / (2 * small);
+    }
+    return sum;
+}
+
+/* The faster one is followed from the flip over the fold to the slower one. */
+TEST(an_oscillator_that_hits_one_stop_folds_and_flips_where_its_closed_form_does) {
+    const double w = 1.2, r = 0.6;
+    Numbered numbered = {.map = {planar_map_impact, NULL, 0}, .numbers = {0, w, r}};
+    FollowFamily family = {.at = map_at, .context = &numbered, .from = 0, .to = 25};
+    double point[2] = {0}, speeds[2], fold = find_speeds(w, r, 2, speeds), derivative[4], apart = 0;
+    map_at(&numbered, 2);
+    for (int i = 0; i < 200; i++)
+        planar_map_impact(numbered.numbers, point, derivative);
+    FollowBranch branch;
+    CHECK(follow_run(&branch, &family, 2, point, 1, 0.05, NULL));
+    check_point(&branch, FOLLOW_FOLD, 0, fold, 1e-6);
+    check_point(&branch, FOLLOW_FLIP, 0, impact_flip(w, r), 1e-6);
+    size_t turn = 0;
+    while (turn < branch.count && branch.points[turn].kind != FOLLOW_FOLD)
+        turn++;
+    for (size_t i = 0; i < branch.count; i++) {
+        const FollowPoint *at = &branch.points[i];
+        find_speeds(w, r, at->value, speeds);
+        double sum = impact_sum(w, r, at->value, speeds[i > turn]);
+        map_at(&numbered, at->value);
+        if (fabs(at->value - fold) < 0.01) /* the two speeds there are a root of what rounding leaves */
+            continue;
+        CHECK_NEAR(differences_sum(numbered.numbers, follow_state(&branch, i)), sum, 1e-6 * fmax(1, fabs(sum)));
+        apart = fmax(apart, fabs(at->largest / larger_of(sum, r * r) - 1));
+        CHECK_NEAR(at->largest / larger_of(sum, r * r), 1, 1e-8);
+    }
+    printf("     fold at %.6f, flip at %.6f; %zu multipliers, at most %.1e beside the closed form\n", fold,
+           impact_flip(w, r), branch.count, apart);
+    CHECK(branch.below == FOLLOW_RANGE && branch.count > 100 && turn + 10 < branch.count);
+    follow_clear(&branch);
+}
+
 /* Beams --------------------------------------------------------------------------------------------------------------
  */
 
@@ -164,7 +242,8 @@ static void end(Driven *driven) {
     rig_clear(&driven->rig);
 }
 
-/* Without contact the motion is the closed form's, and the branch of set B at 250 Hz ends by touching at 63.0773 N. */
+/* Without contact the motion is the closed form's, and the branch of set B at 250 Hz ends by touching at 63.0773 N. The
+ * slowest of the decays of the free beam is its largest multiplier. */
 TEST(the_free_branch_of_set_b_ends_by_touching_where_its_amplitude_is_the_clearance) {
     Driven driven = {.rig = oscillator_beam_rig("ibs", NULL), .by_force = true, .frequency = 250};
     driven.clearance = driven.rig.clearance;
@@ -177,6 +256,13 @@ TEST(the_free_branch_of_set_b_ends_by_touching_where_its_amplitude_is_the_cleara
     CHECK(follow_run(&branch, &family, 50, state, 1, 0.1, NULL));
     printf("     touches at %.4f N, %zu points\n", edge, branch.count);
     CHECK_NEAR(edge, 63.0773, 1e-4);
+    double slowest = -HUGE_VAL;
+    for (size_t i = 0; i < driven.own.free.blocks; i++)
+        if (driven.own.free.lambda.re[i] != 0)
+            slowest = fmax(slowest, driven.own.free.lambda.re[i]);
+    for (size_t i = 0; i < branch.count; i++)
+        if (branch.points[i].peak == 0)
+            CHECK_NEAR(branch.points[i].largest, exp(slowest * driven.own.period), 1e-10);
     check_point(&branch, FOLLOW_TOUCH, 0, edge,
                 3e-6 * (family.to - family.from)); /* the difference by force crosses it */
     follow_clear(&branch);
