@@ -23,6 +23,11 @@ ResultTable result_beam_motion(const Beam *beam, const Response *response) {
                                    .text = either_side(&table.arena, beam->clearance),
                                    .unit = "mm"});
     result_verdict_add(&table, response, "cycle");
+    result_add(&table, (ResultRow){.key = "mirror_image",
+                                   .label = "mirror image",
+                                   .text = response->image == ORBIT_IMAGE_OWN     ? "its own"
+                                           : response->image == ORBIT_IMAGE_OTHER ? "another orbit"
+                                                                                  : NULL});
     result_end(&table);
     return table;
 }

@@ -246,6 +246,9 @@ static void say_peaks(Text *text, const Survival *survival, const char *cycle) {
 
 void result_verdict_say(Text *text, const Response *response, const char *cycle) {
     say_tried(text, response, cycle);
+    if (response->image == ORBIT_IMAGE_OTHER)
+        text_add(text,
+                 "Its mirror image, with the forces of the two sides exchanged, is another orbit: they are a pair\n");
     if (!response->survival.lanes)
         return;
     say_lasting(text, &response->survival, cycle);

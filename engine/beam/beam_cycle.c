@@ -58,6 +58,18 @@ static void unit_tangents(void *motion) {
     motion_unit_tangents(motion);
 }
 
+static void mirror(void *own) {
+    Motion *motion = own;
+    double half = motion->rig->period / 2, *state = memory_zeroed(motion->rig->free.states, sizeof *state);
+    while (motion->status == CYCLE_GOOD && motion->phase < half)
+        motion_step(motion, half - motion->phase);
+    motion_state(motion, state);
+    for (size_t i = 0; i < motion->rig->free.states; i++)
+        state[i] = -state[i];
+    motion_set_state(motion, state);
+    memory_free(state);
+}
+
 static CycleStatus run(void *motion) {
     return motion_cycle(motion);
 }
@@ -149,6 +161,7 @@ const CycleKind beam_cycle = {.columns = columns,
                               .tangent = tangent_of,
                               .set_tangent = set_tangent,
                               .unit_tangents = unit_tangents,
+                              .mirror = mirror,
                               .run = run,
                               .status = status_of,
                               .tally = tally_of,

@@ -68,6 +68,10 @@ typedef struct CycleKind {
     void (*set_tangent)(void *motion, size_t index, const double *tangent);
     void (*unit_tangents)(void *motion); /* sets tangent i to the i-th unit vector */
 
+    /* Turns a motion that begins a cycle into its own mirror image of half a cycle later, which begins one, too: a
+     * motion as possible as itself. NULL: the cycle has no such symmetry. */
+    void (*mirror)(void *motion);
+
     CycleStatus (*run)(void *motion); /* to the end of the cycle */
     CycleStatus (*status)(const void *motion);
     CycleTally (*tally)(const void *motion);

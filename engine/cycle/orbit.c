@@ -168,6 +168,20 @@ OrbitAnswer orbit_settle(Orbit *orbit, Cycle cycle, const double *state, size_t 
     return whole ? ORBIT_GOOD : good ? ORBIT_INTERRUPTED : ORBIT_NONE;
 }
 
+OrbitImage orbit_image(const Orbit *orbit, Cycle cycle) {
+    if (!cycle.kind->mirror)
+        return ORBIT_IMAGE_NONE;
+    CycleMotion motion = cycle_create(cycle, 0);
+    double *state = memory_zeroed(orbit->states, sizeof *state);
+    cycle.kind->set_state(motion.own, orbit->point);
+    cycle.kind->mirror(motion.own);
+    cycle.kind->state(motion.own, state);
+    bool own = orbit_distance(orbit, cycle, state) < ORBIT_APART;
+    memory_free(state);
+    cycle_destroy(&motion);
+    return own ? ORBIT_IMAGE_OWN : ORBIT_IMAGE_OTHER;
+}
+
 double orbit_peak(const Orbit *orbit, Cycle cycle) {
     CycleMotion motion = cycle_create(cycle, 0);
     cycle.kind->set_state(motion.own, orbit->point);

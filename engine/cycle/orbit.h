@@ -21,6 +21,16 @@ typedef enum OrbitLeaving {
     ORBIT_NEIMARK, /* as a complex pair: a torus */
 } OrbitLeaving;
 
+/* Mirror images (CycleKind's mirror). Twice the mirror image is a motion one cycle later: an orbit that is its own
+ * image has an odd period, and one of an even period always has another one beside it. */
+typedef enum OrbitImage {
+    ORBIT_IMAGE_NONE, /* the cycle has no such symmetry */
+    ORBIT_IMAGE_OWN,
+    ORBIT_IMAGE_OTHER, /* another orbit: the two are a pair, with the forces of both sides exchanged */
+} OrbitImage;
+
+#define ORBIT_APART 1e-6 /* fraction of a state's length: orbits farther apart are two */
+
 typedef enum OrbitAnswer {
     ORBIT_GOOD,
     ORBIT_NONE, /* the iteration does not converge, or the motion chatters or diverges */
@@ -53,6 +63,9 @@ bool orbit_is_stable(const Orbit *orbit);
 /* Returns the distance of a state from the orbit's nearest point at a cycle's end, as a fraction of that point's
  * length. */
 double orbit_distance(const Orbit *orbit, Cycle cycle, const double *state);
+
+/* Tells what the mirror image of the orbit is. */
+OrbitImage orbit_image(const Orbit *orbit, Cycle cycle);
 
 /* Returns the largest force on the orbit, N; 0: it is without contact. */
 double orbit_peak(const Orbit *orbit, Cycle cycle);

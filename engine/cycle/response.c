@@ -182,6 +182,7 @@ static void note_orbit(Response *response, Cycle cycle) {
     response->settled = orbit_distance(&response->orbit, cycle, response->section.state) < ORBIT_SETTLED;
     response->exponent = (ChaosExponent){real_log(response->orbit.largest) / (double)response->orbit.period, 0};
     response->orbit_peak = orbit_peak(&response->orbit, cycle);
+    response->image = orbit_image(&response->orbit, cycle);
     response->zero_one = NAN;
 }
 

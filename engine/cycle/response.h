@@ -60,6 +60,7 @@ typedef struct Response {
     Trace trace;            /* columns of the kind; from the end of the transient */
     Orbit orbit;            /* when periodic, or a transient that has settled; otherwise of period 0 */
     double orbit_peak;      /* N, the largest force on it; 0: without contact, or no orbit */
+    OrbitImage image;       /* what its mirror image is */
     ChaosExponent exponent; /* largest exponent per cycle, of the orbit if periodic; NAN: unknown */
     ChaosExponent second;   /* second exponent, of a quasi-periodic motion; otherwise NAN */
     double zero_one;        /* the largest K of those tried; NAN if periodic or unknown */

@@ -16,7 +16,8 @@
  * 16 miss.
  *
  * P is what the experiment measures (a beam: the largest peak force; a house: the time to complete). Answers are one
- * when their outcomes are and their measures agree; a motion and its mirror image are one, for theirs do. Beyond the
+ * when their outcomes are and their measures agree; a motion and its mirror image are one, for theirs do. The mirror
+ * image of a start leads to the mirror image of its answer, so that no start needs to be tried with its own. Beyond the
  * window, each parameter is followed outwards alone to where things change: neighbours.h. */
 #pragma once
 

@@ -1,4 +1,5 @@
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -178,4 +179,60 @@ TEST(a_beam_that_comes_to_rest_is_periodic) {
     response_clear(&response);
     rig_clear(&rig);
     beam_free(&beam);
+}
+
+/* Settles a motion on its orbit and tells the largest forces of both sides on it. */
+static OrbitImage settle(const Rig *rig, const double *start, Orbit *orbit, double peak[CYCLE_SIDES]) {
+    Cycle cycle = beam_cycle_of(rig);
+    double state[STATES_MOST];
+    memcpy(state, start, rig->free.states * sizeof *state);
+    CHECK(orbit_map(cycle, state, 600, NULL, NULL) == ORBIT_GOOD);
+    CHECK(orbit_settle(orbit, cycle, state, 4, 1e-2, NULL) == ORBIT_GOOD);
+    Motion motion = motion_create(rig, 0);
+    motion_set_state(&motion, orbit->point);
+    for (size_t i = 0; i < orbit->period; i++)
+        motion_cycle(&motion);
+    memcpy(peak, motion.peak, sizeof motion.peak);
+    motion_destroy(&motion);
+    return orbit_image(orbit, cycle);
+}
+
+/* A start and its mirror image: at 64 Hz set B has a pair of orbits, which hit one side harder than the other; at 203.7
+ * Hz a period of 4 cannot be its own image; at 190 Hz one orbit is. */
+TEST(the_mirror_image_of_a_start_leads_to_the_mirror_image_of_its_orbit) {
+    static const struct {
+        const char *setting;
+        size_t period;
+        OrbitImage image;
+    } cases[] = {{"drive.frequency=64", 1, ORBIT_IMAGE_OTHER},
+                 {"drive.frequency=203.7", 4, ORBIT_IMAGE_OTHER},
+                 {"drive.frequency=190", 1, ORBIT_IMAGE_OWN}};
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        Rig rig = oscillator_beam_rig("ibs", cases[c].setting);
+        Cycle cycle = beam_cycle_of(&rig);
+        double start[STATES_MOST] = {0}, peak[CYCLE_SIDES], mirrored[CYCLE_SIDES];
+        Orbit orbit, image;
+        CHECK(settle(&rig, start, &orbit, peak) == cases[c].image);
+        CycleMotion motion = cycle_create(cycle, 0);
+        cycle.kind->set_state(motion.own, start);
+        cycle.kind->mirror(motion.own);
+        cycle.kind->state(motion.own, start);
+        CHECK(settle(&rig, start, &image, mirrored) == cases[c].image);
+        CHECK(orbit.period == cases[c].period && image.period == orbit.period);
+        printf("     %s: %.3f and %.3f N, from the mirror image %.3f and %.3f N\n", cases[c].setting, peak[0], peak[1],
+               mirrored[0], mirrored[1]);
+        CHECK((orbit_distance(&orbit, cycle, image.point) > 1e-2) == (cases[c].image == ORBIT_IMAGE_OTHER));
+        cycle.kind->set_state(motion.own, orbit.point);
+        cycle.kind->mirror(motion.own);
+        cycle.kind->state(motion.own, start);
+        CHECK_NEAR(orbit_distance(&image, cycle, start), 0, 1e-8);
+        CHECK_NEAR(image.largest, orbit.largest, 1e-8);
+        for (int side = 0; side < CYCLE_SIDES; side++)
+            CHECK_NEAR(mirrored[side], peak[1 - side], 1e-6);
+        CHECK((fabs(peak[0] - peak[1]) > 10) == (cases[c].image == ORBIT_IMAGE_OTHER));
+        cycle_destroy(&motion);
+        orbit_clear(&orbit);
+        orbit_clear(&image);
+        rig_clear(&rig);
+    }
 }
