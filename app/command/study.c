@@ -9,12 +9,12 @@
 #include "base/text.h"
 #include "command/answer.h"
 #include "command/command.h"
+#include "command/follow_beam.h"
 #include "command/house_file.h"
 #include "command/output.h"
 #include "command/paper.h"
 #include "command/progress.h"
 #include "command/report_files.h"
-#include "command/run_beam.h"
 #include "command/shake_answer.h"
 #include "command/study_answer.h"
 #include "command/study_laboratory.h"
@@ -455,7 +455,7 @@ int command_study(const Options *options) {
     if (options->types && !options->study.axis_count && options->study.runs < 2)
         return study_types_answer(options);
     if (options->follow)
-        return run_beam_follow(options);
+        return follow_beam_file(options);
     if (options->paper)
         return paper_answer(options);
     if (!open_study(&job, &fault))
