@@ -61,6 +61,7 @@ static const char *end_words(FollowEnd end) {
     static const char *const words[] = {[FOLLOW_RANGE] = "the end of the range",
                                         [FOLLOW_LOST] = "where no step leads on",
                                         [FOLLOW_LONG] = "where it grew too long",
+                                        [FOLLOW_IMAGE] = "the pitchfork at which it meets its mirror image",
                                         [FOLLOW_STOPPED] = "where it was interrupted"};
     return words[end];
 }
@@ -76,13 +77,17 @@ static const char *row_name(const FollowBranch *branch, size_t i) {
 
 static void print_branch(const Follower *follower, const FollowBranch *branch) {
     bool begun = branch != follower->follow.branches;
-    printf(begun ? "\nThe orbit of period %zu that begins there, followed in %s from %g to %g %s: %zu points; it "
-                   "ends at %s\n\n"
-                 : "The orbit of period %zu, followed in %s from %g to %g %s: %zu points; above it ends at %s",
-           branch->period, follower->name, follower->from, follower->to, unit_of(follower), branch->count,
+    bool both = !begun || branch->start > 0;
+    printf("%sThe orbit of period %zu%s, followed in %s from %g to %g %s: %zu points; %s ends at %s", begun ? "\n" : "",
+           branch->period,
+           !begun ? ""
+           : both ? " that is its own mirror image"
+                  : " that begins there",
+           follower->name, follower->from, follower->to, unit_of(follower), branch->count, both ? "above it" : "it",
            end_words(branch->above));
-    if (!begun)
-        printf(", below at %s\n\n", end_words(branch->below));
+    if (both)
+        printf(", below at %s", end_words(branch->below));
+    printf("\n\n");
     printf("%-16s %14s %12s %24s  %s\n", "point", unit_of(follower), "peak, N", "multiplier", "beside it");
     for (size_t i = 0; i < branch->count; i++) {
         const FollowPoint *point = &branch->points[i];

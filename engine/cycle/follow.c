@@ -194,16 +194,16 @@ static size_t count_pairs(const Place *place, size_t states) {
     return count;
 }
 
-/* True if the event lies between two places. */
+/* True if the event lies between two places. At a pitchfork the tangent may be that of either curve: that the curve
+ * does not turn is asked of places farther away. */
 static bool is_between(FollowKind kind, const Place *a, const Place *b, size_t states) {
     switch (kind) {
     case FOLLOW_FOLD:
         return (a->tangent[states] > 0) != (b->tangent[states] > 0);
     case FOLLOW_FLIP:
         return count_flipped(a, states) % 2 != count_flipped(b, states) % 2;
-    case FOLLOW_PITCHFORK: /* a fold is none, nor is the meeting of two real multipliers outside the circle */
-        return count_above(a, states) % 2 != count_above(b, states) % 2 &&
-               (a->tangent[states] > 0) == (b->tangent[states] > 0);
+    case FOLLOW_PITCHFORK: /* the meeting of two real multipliers outside the circle is none */
+        return count_above(a, states) % 2 != count_above(b, states) % 2;
     case FOLLOW_NEIMARK: /* a pair may also split into two real ones, outside the circle */
         return count_pairs(a, states) != count_pairs(b, states) &&
                (a->outside == b->outside + 2 || b->outside == a->outside + 2);
@@ -298,6 +298,36 @@ static bool touches_beyond(Walk *walk, const Place *here, double length) {
     return touches != (here->peak > 0);
 }
 
+/* Sets `skew` (states) to what parts an orbit from its mirror image, in units of the scale, and returns its length.
+ * Returns 0 if its image is itself, or there is none. */
+static double find_skew(const Walk *walk, const Place *place, double *skew) {
+    Cycle cycle = walk->family->at(walk->family->context, value_of(walk, place->at));
+    if (!cycle.given || !cycle.kind->mirror || walk->period % 2 == 0)
+        return 0;
+    CycleMotion motion = cycle_create(cycle, 0);
+    for (size_t i = 0; i < walk->states; i++)
+        skew[i] = place->at[i] * walk->scale;
+    cycle.kind->set_state(motion.own, skew);
+    for (size_t i = 0; i < walk->period / 2; i++)
+        cycle_run(&motion);
+    cycle.kind->mirror(motion.own);
+    cycle.kind->state(motion.own, skew);
+    cycle_destroy(&motion);
+    for (size_t i = 0; i < walk->states; i++)
+        skew[i] = place->at[i] - skew[i] / walk->scale;
+    double length = sqrt(dot(skew, skew, walk->states));
+    return length > ORBIT_APART * sqrt(dot(place->at, place->at, walk->states)) ? length : 0;
+}
+
+/* True if an orbit becomes its mirror image between two places: what parts the two turns round. */
+static bool turns_over(const Walk *walk, const Place *a, const Place *b) {
+    double *skew = memory_zeroed(2 * walk->states, sizeof *skew), *other = skew + walk->states;
+    bool apart = find_skew(walk, a, skew) > 0 && find_skew(walk, b, other) > 0,
+         turns = apart && dot(skew, other, walk->states) < 0;
+    memory_free(skew);
+    return turns;
+}
+
 /* Walking -----------------------------------------------------------------------------------------------------------
  */
 
@@ -323,9 +353,18 @@ static FollowEnd walk_on(Walk *walk, FollowBranch *branch, const Place *start, d
             break;
         }
         static const FollowKind kinds[] = {FOLLOW_FOLD, FOLLOW_FLIP, FOLLOW_PITCHFORK, FOLLOW_NEIMARK, FOLLOW_TOUCH};
-        for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
-            if (is_between(kinds[k], &here, &next, n) && locate(walk, kinds[k], &here, &next, &between))
-                add_point(branch, walk, kinds[k], &between);
+        bool met = false, turned = is_between(FOLLOW_FOLD, &here, &next, n);
+        for (size_t k = 0; k < sizeof kinds / sizeof *kinds && !met; k++) {
+            if ((kinds[k] == FOLLOW_PITCHFORK && turned) || !is_between(kinds[k], &here, &next, n) ||
+                !locate(walk, kinds[k], &here, &next, &between))
+                continue;
+            met = kinds[k] == FOLLOW_FOLD && turns_over(walk, &here, &next);
+            add_point(branch, walk, met ? FOLLOW_PITCHFORK : kinds[k], &between);
+        }
+        if (met) {
+            end = FOLLOW_IMAGE;
+            break;
+        }
         add_point(branch, walk, FOLLOW_STEP, &next);
         copy_place(&here, &next, n);
         if (here.at[n] < 0 || here.at[n] > 1) {
@@ -369,6 +408,22 @@ static void end_walk(Walk *walk) {
     memory_free(walk->memory);
 }
 
+/* Walks both ways from a place, against its tangent first. */
+static void walk_both(Walk *walk, FollowBranch *branch, Place *from, double step) {
+    for (int way = 0; way < 2; way++) {
+        for (size_t i = 0; i <= walk->states; i++)
+            from->tangent[i] = -from->tangent[i];
+        if (way == 0) {
+            branch->below = walk_on(walk, branch, from, step);
+            reverse(branch);
+            branch->start = branch->count;
+            add_point(branch, walk, FOLLOW_STEP, from);
+        } else {
+            branch->above = walk_on(walk, branch, from, step);
+        }
+    }
+}
+
 /* Sets a place of the curve without its tangent. */
 static void set_place(Place *place, const Walk *walk, const double *point, double value) {
     for (size_t i = 0; i < walk->states; i++)
@@ -382,7 +437,7 @@ bool follow_run(FollowBranch *branch, const FollowFamily *family, double value, 
     *branch = (FollowBranch){.period = period};
     if (!cycle.given)
         return false;
-    size_t n = cycle_states(cycle), size = n + 1;
+    size_t n = cycle_states(cycle);
     Walk walk = begin_walk(family, n, period, point, cycle_rest_state(cycle), stop);
     double *room = place_room(n), *other = place_room(n);
     Place start = place_of(room, n), up = place_of(other, n);
@@ -390,17 +445,8 @@ bool follow_run(FollowBranch *branch, const FollowFamily *family, double value, 
     set_place(&start, &walk, point, value);
     start.tangent[n] = 1;
     bool good = step_to(&walk, &start, 0, &up) > 0;
-    if (good) {
-        for (size_t i = 0; i < size; i++)
-            up.tangent[i] = -up.tangent[i];
-        branch->below = walk_on(&walk, branch, &up, step);
-        reverse(branch);
-        branch->start = branch->count;
-        add_point(branch, &walk, FOLLOW_STEP, &up);
-        for (size_t i = 0; i < size; i++)
-            up.tangent[i] = -up.tangent[i];
-        branch->above = walk_on(&walk, branch, &up, step);
-    }
+    if (good)
+        walk_both(&walk, branch, &up, step);
     memory_free(room);
     memory_free(other);
     end_walk(&walk);
@@ -423,6 +469,15 @@ static bool leaving_direction(double *derivative, size_t states, double sign, do
     return good;
 }
 
+/* Returns the direction of the parameter in which a branch does not go from a pitchfork at its end; 0: it is not at its
+ * end. */
+static double beyond_end(const FollowBranch *branch, size_t at) {
+    bool first = at == 0, last = at + 1 == branch->count;
+    if (branch->points[at].kind != FOLLOW_PITCHFORK || branch->count < 2 || (!first && !last))
+        return 0;
+    return branch->points[at].value > branch->points[first ? 1 : at - 1].value ? 1 : -1;
+}
+
 bool follow_branch_off(FollowBranch *begun, const FollowFamily *family, const FollowBranch *branch, size_t at,
                        double step, const Stop *stop) {
     const double *point = follow_state(branch, at);
@@ -440,13 +495,18 @@ bool follow_branch_off(FollowBranch *begun, const FollowFamily *family, const Fo
     begun->states = n;
     set_place(&start, &walk, point, value);
     memcpy(walk.gap, point, n * sizeof *point);
-    bool good = orbit_map(cycle, walk.gap, branch->period, walk.derivative, stop) == ORBIT_GOOD &&
-                leaving_direction(walk.derivative, n, flips ? -1 : 1, start.tangent);
-    double length = step / 4;
+    double length = step / 4, beyond = beyond_end(branch, at);
+    bool good = beyond != 0 || (orbit_map(cycle, walk.gap, branch->period, walk.derivative, stop) == ORBIT_GOOD &&
+                                leaving_direction(walk.derivative, n, flips ? -1 : 1, start.tangent));
+    start.tangent[n] = beyond;
     while (good && length >= SMALLEST * step && !step_to(&walk, &start, length, &next))
         length /= 2;
     good = good && length >= SMALLEST * step && !stop_requested(stop);
-    if (good) {
+    if (good && beyond != 0) {
+        for (size_t i = 0; i <= n; i++)
+            next.tangent[i] *= beyond;
+        walk_both(&walk, begun, &next, step);
+    } else if (good) {
         begun->below = FOLLOW_LOST; /* where it begins */
         add_point(begun, &walk, FOLLOW_STEP, &next);
         begun->above = walk_on(&walk, begun, &next, step);

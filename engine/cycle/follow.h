@@ -10,7 +10,8 @@
  *     fold      dv along the curve is 0: a multiplier is +1, and two orbits meet
  *     flip      a multiplier is -1: an orbit of twice the period begins
  *     pitchfork a multiplier is +1, and the curve does not turn: the orbit loses its mirror symmetry, and two that are
- *               each other's mirror image begin
+ *               each other's mirror image begin. The curve of such a pair does turn there, from one of them to the
+ *               other, where the orbit that is its own image goes on: it is not followed into what is known of it
  *     Neimark   a pair of multipliers is on the unit circle: a torus begins
  *     touching  a turn of the motion reaches a stop or leaves it: the number of contacts of the orbit changes, and the
  *               multipliers may jump; the branch bends, but does not break where the force begins at 0
@@ -61,6 +62,7 @@ typedef enum FollowEnd {
     FOLLOW_RANGE, /* the end of the range */
     FOLLOW_LOST,  /* no step, however small, leads on */
     FOLLOW_LONG,  /* FOLLOW_STEPS_MOST steps */
+    FOLLOW_IMAGE, /* the pitchfork at which it meets its mirror image, its last point */
     FOLLOW_STOPPED,
 } FollowEnd;
 
@@ -81,8 +83,8 @@ bool follow_run(FollowBranch *branch, const FollowFamily *family, double value, 
                 double step, const Stop *stop);
 
 /* Follows the orbit that begins at a flip, of twice the period, or at a pitchfork, the point `at` of a branch of the
- * family, whether it is stable or not: along the direction in which motions leave there. Returns false if there is none
- * in reach. */
+ * family, whether it is stable or not: along the direction in which motions leave there. From the pitchfork at which a
+ * branch ends it is the orbit that is its own mirror image, both ways. Returns false if there is none in reach. */
 bool follow_branch_off(FollowBranch *begun, const FollowFamily *family, const FollowBranch *branch, size_t at,
                        double step, const Stop *stop);
 

@@ -6,15 +6,31 @@
 #include "base/parallel.h"
 #include "base/parameters_number.h"
 
-static bool begins_another(FollowKind kind) {
-    return kind == FOLLOW_FLIP || kind == FOLLOW_PITCHFORK;
+/* Share of the range within which two pitchforks are one: that of an orbit, and that of the pair beside it. */
+static const double ONE_FORK = 1e-5;
+
+/* True if the same pitchfork is on another branch. */
+static bool is_known(const BeamFollow *follow, const BeamFamily *family, size_t b, const FollowPoint *point) {
+    double near = ONE_FORK * (family->follow.to - family->follow.from);
+    for (size_t c = 0; c < follow->count && point->kind == FOLLOW_PITCHFORK; c++)
+        for (size_t i = 0; i < follow->branches[c].count && c != b; i++) {
+            const FollowPoint *other = &follow->branches[c].points[i];
+            if (other->kind == FOLLOW_PITCHFORK && fabs(other->value - point->value) <= near &&
+                follow->branches[c].period == follow->branches[b].period)
+                return true;
+        }
+    return false;
+}
+
+static bool begins_another(const BeamFollow *follow, const BeamFamily *family, size_t b, const FollowPoint *point) {
+    return point->kind == FOLLOW_FLIP || (point->kind == FOLLOW_PITCHFORK && !is_known(follow, family, b, point));
 }
 
 /* Follows the orbits that begin at flips and pitchforks of those that are known, as many as there is room for. */
 static void follow_others(BeamFollow *follow, BeamFamily *family, const Stop *stop) {
     for (size_t b = 0; b < follow->count; b++)
         for (size_t i = 0; i < follow->branches[b].count && follow->count < BEAM_FOLLOW_BRANCHES; i++)
-            if (begins_another(follow->branches[b].points[i].kind) && !stop_requested(stop)) {
+            if (begins_another(follow, family, b, &follow->branches[b].points[i]) && !stop_requested(stop)) {
                 FollowBranch *next = &follow->branches[follow->count];
                 if (follow_branch_off(next, &family->follow, &follow->branches[b], i, BEAM_FOLLOW_STEP, stop))
                     follow->count++;

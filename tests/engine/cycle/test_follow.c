@@ -294,6 +294,62 @@ TEST(a_pitchfork_is_located_and_the_orbit_that_begins_there_is_followed) {
     follow_clear(&branch);
 }
 
+/* Tells the mirror image of the orbit at a point of a branch. */
+static OrbitImage image_at(Driven *driven, const FollowBranch *branch, size_t at) {
+    Orbit orbit;
+    Cycle cycle = beam_at(driven, branch->points[at].value);
+    CHECK(orbit_find(&orbit, cycle, follow_state(branch, at), branch->period, NULL) == ORBIT_GOOD);
+    OrbitImage image = orbit_image(&orbit, cycle);
+    orbit_clear(&orbit);
+    return image;
+}
+
+/* At 210 Hz two orbits of set B are each other's mirror image. They meet at a pitchfork, not at a fold, for the orbit
+ * that is its own image comes through it: unstable beside them, stable beyond. */
+TEST(a_pair_of_mirror_images_meets_at_a_pitchfork_of_the_orbit_between_them) {
+    Driven driven = {.rig = oscillator_beam_rig("ibs", NULL)};
+    driven.force = driven.rig.force;
+    driven.clearance = driven.rig.clearance;
+    double state[128] = {0};
+    CHECK(orbit_map(beam_at(&driven, 210), state, 2000, NULL, NULL) == ORBIT_GOOD);
+    FollowFamily family = {.at = beam_at, .context = &driven, .from = 209, .to = 213};
+    FollowBranch pair, own;
+    CHECK(follow_run(&pair, &family, 210, state, 1, 0.05, NULL));
+    size_t last = pair.count - 1;
+    CHECK(pair.above == FOLLOW_IMAGE && pair.below == FOLLOW_RANGE && !find_point(&pair, FOLLOW_FOLD, 0));
+    CHECK(pair.points[last].kind == FOLLOW_PITCHFORK && image_at(&driven, &pair, 0) == ORBIT_IMAGE_OTHER);
+    check_point(&pair, FOLLOW_PITCHFORK, 0, 211.13579, 1e-5);
+    CHECK(follow_branch_off(&own, &family, &pair, last, 0.05, NULL));
+    CHECK(own.below == FOLLOW_RANGE && own.above == FOLLOW_RANGE);
+    check_point(&own, FOLLOW_PITCHFORK, 0, pair.points[last].value, 1e-5);
+    for (size_t i = 0; i < own.count; i++)
+        if (own.points[i].kind == FOLLOW_STEP) {
+            CHECK(image_at(&driven, &own, i) == ORBIT_IMAGE_OWN);
+            CHECK(own.points[i].stable == (own.points[i].value > pair.points[last].value));
+        }
+    follow_clear(&own);
+    follow_clear(&pair);
+    end(&driven);
+}
+
+/* A pitchfork whose pair is unstable lies close to the curve of the pair, where Newton's iteration may end. */
+TEST(a_pitchfork_is_located_where_the_curves_that_cross_are_hard_to_keep_apart) {
+    Driven driven = {.rig = oscillator_beam_rig("ibs", NULL)};
+    driven.force = driven.rig.force;
+    driven.clearance = driven.rig.clearance;
+    double state[128] = {0};
+    FollowFamily family = {.at = beam_at, .context = &driven, .from = 62, .to = 70};
+    Orbit orbit;
+    FollowBranch branch;
+    CHECK(orbit_map(beam_at(&driven, 67), state, 500, NULL, NULL) == ORBIT_GOOD);
+    CHECK(orbit_settle(&orbit, beam_at(&driven, 67), state, 1, 1e-2, NULL) == ORBIT_GOOD);
+    CHECK(follow_run(&branch, &family, 67, orbit.point, 1, 0.02, NULL));
+    check_point(&branch, FOLLOW_PITCHFORK, 0, 64.091645, 1e-5);
+    orbit_clear(&orbit);
+    follow_clear(&branch);
+    end(&driven);
+}
+
 /* Carries a motion on at this value for so many cycles and returns the largest force of the last one. */
 static double carry_on(Driven *driven, double value, double *state, int cycles) {
     Cycle cycle = beam_at(driven, value);
