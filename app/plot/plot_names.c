@@ -41,9 +41,9 @@ static void mark_series(Mask *mask, const PlotLayout *layout, const PlotSeries *
         if (isnan(points[i].x))
             continue;
         if (series->symbol != SYMBOL_NONE)
-            mask_mark_box(mask, box_around(points[i], series->size / 2), SERIES_WEIGHT);
+            mask_mark_box(mask, box_around(points[i], series->size / 2 + series->ground), SERIES_WEIGHT);
         if (series->width > 0 && i && !isnan(points[i - 1].x))
-            mask_mark_line(mask, points[i - 1], points[i], series->width, SERIES_WEIGHT);
+            mask_mark_line(mask, points[i - 1], points[i], series->width + 2 * series->ground, SERIES_WEIGHT);
     }
     memory_free(points);
 }
@@ -219,16 +219,37 @@ static Square largest_square(const PlotRaster *raster, double class, size_t *sid
     return best;
 }
 
-static void add_mark(PlotLayout *layout, const PlotRaster *raster, const PlotClass *marked, Square square) {
+/* Returns the place of a text in a box that is nearest to its middle and covers nothing of a mask; false: there is
+ * none.
+ */
+static bool find_free(const Mask *mask, Box box, Vec2 extent, Vec2 *centre) {
+    Vec2 middle = vec2_scale(vec2_add(box.low, box.high), 0.5), half = vec2_scale(extent, 0.5);
+    int across = (int)floor((box_width(box) - extent.x) / 2 / STRIDE);
+    int along = (int)floor((box_height(box) - extent.y) / 2 / STRIDE);
+    double nearest = HUGE_VAL;
+    for (int row = -along; row <= along && across >= 0; row++)
+        for (int column = -across; column <= across; column++) {
+            Vec2 at = vec2(middle.x + STRIDE * column, middle.y + STRIDE * row);
+            double away = vec2_distance(at, middle);
+            if (away < nearest && mask_cost(mask, (Box){vec2_sub(at, half), vec2_add(at, half)}) == 0) {
+                nearest = away;
+                *centre = at;
+            }
+        }
+    return isfinite(nearest);
+}
+
+static void add_mark(PlotLayout *layout, const Mask *mask, const PlotRaster *raster, const PlotClass *marked,
+                     Square square) {
     Vec2 cell = vec2(box_width(raster->box) / (double)raster->columns, box_height(raster->box) / (double)raster->rows);
     Vec2 high = vec2(raster->box.low.x + cell.x * (double)(square.column + 1),
                      raster->box.low.y + cell.y * (double)(square.row + 1));
-    Vec2 low = vec2_along(high, -(double)square.side, cell);
+    Vec2 low = vec2_along(high, -(double)square.side, cell), centre;
     Vec2 from = plot_frame_point(layout, low), to = plot_frame_point(layout, high);
-    Vec2 extent = text_extent(marked->mark, TEXT_SIZE, true);
-    if (extent.x > to.x - from.x || MARK_HEIGHT > from.y - to.y)
+    Vec2 extent = vec2(text_extent(marked->mark, TEXT_SIZE, true).x, MARK_HEIGHT);
+    if (!find_free(mask, (Box){{from.x, to.y}, {to.x, from.y}}, extent, &centre))
         return;
-    Caption *caption = caption_add(&layout->sheet, marked->mark, TEXT_SIZE, true, vec2_scale(vec2_add(from, to), 0.5));
+    Caption *caption = caption_add(&layout->sheet, marked->mark, TEXT_SIZE, true, centre);
     caption->extent.y = MARK_HEIGHT;
     caption->shape = LABEL_TAG;
     caption->fill = marked->role;
@@ -238,11 +259,16 @@ void plot_names_classes(PlotLayout *layout, const Plot *plot) {
     const PlotRaster *raster = plot->raster;
     if (!raster || !raster->classes)
         return;
+    Mask mask;
+    mask_init(&mask, layout->sheet.frame);
+    for (size_t i = 0; i < plot->series_count; i++)
+        mark_series(&mask, layout, &plot->series[i]);
     size_t *sides = memory_zeroed(raster->columns, sizeof *sides);
     for (size_t c = 0; c < raster->class_count; c++) {
         Square square = largest_square(raster, (double)c, sides);
         if (square.side && raster->classes[c].mark)
-            add_mark(layout, raster, &raster->classes[c], square);
+            add_mark(layout, &mask, raster, &raster->classes[c], square);
     }
     memory_free(sides);
+    mask_clear(&mask);
 }

@@ -1,8 +1,10 @@
 #include "check.h"
 
 #include <cairo.h>
+#include <string.h>
 
 #include "base/memory.h"
+#include "draw/caption.h"
 #include "plot/plot_frame.h"
 #include "plot/plot_layout.h"
 #include "sample_plot.h"
@@ -58,6 +60,35 @@ TEST(every_cell_of_a_map_has_the_colour_of_its_class_and_an_empty_one_none) {
     CHECK_TEXT(table, "frequency [Hz],clearance [mm],period\r\n70,0.15,period 1\r\n170,0.15,not periodic\r\n"
                       "270,0.15,\r\n70,0.25,not periodic\r\n170,0.25,period 1\r\n270,0.25,not periodic\r\n");
     memory_free(table);
+}
+
+/* The marks of a class and of a series would be read as one where they cover each other. */
+TEST(the_mark_of_a_class_keeps_off_the_signs_that_stand_on_it) {
+    static const PlotClass classes[] = {{"period 1", "1", ROLE_CLASS_FIRST, PLOT_PATTERN_PLAIN}};
+    static const double values[] = {0}, middle[] = {170, 0.2};
+    PlotRaster raster = {{{20, 0.1}, {320, 0.3}}, 1, 1, values, classes, 1, {.title = "period"}};
+    PlotSeries sign = {.name = "type I", .x = middle, .y = middle + 1, .count = 1};
+    Plot plot = {.x = {.title = "frequency", .unit = "Hz"}, .y = {.title = "clearance", .unit = "mm"}};
+    plot.raster = &raster;
+    plot.series = &sign;
+    plot.series_count = 1;
+    sign.symbol = SYMBOL_DISC;
+    sign.size = 12;
+    PlotLayout layout;
+    plot_layout_make(&layout, &plot, vec2(640, 400), PLOT_NAMES_ABOVE);
+    Box taken = box_around(plot_frame_point(&layout, vec2(middle[0], middle[1])), sign.size / 2);
+    size_t found = 0;
+    for (size_t i = 0; i < layout.sheet.caption_count; i++) {
+        const Caption *caption = &layout.sheet.captions[i];
+        if (strcmp(caption->text, "1") != 0)
+            continue;
+        Box box = caption_box(caption);
+        found++;
+        CHECK(box.high.x <= taken.low.x || box.low.x >= taken.high.x || box.high.y <= taken.low.y ||
+              box.low.y >= taken.high.y);
+    }
+    CHECK(found == 1);
+    plot_layout_clear(&layout);
 }
 
 TEST(bands_and_areas_fill_what_lies_between_and_nothing_else) {
