@@ -27,8 +27,8 @@ typedef struct Sentences {
     const char *start_decides_at; /* point, answers */
     const char *changes;          /* answers */
     const char *changes_at;       /* point, answers */
-    const char *answer_of_all;    /* of a list: measure, number of starts, outcome */
-    const char *answer_of_some;   /* of a list: measure, number of starts, number of all, outcome */
+    const char *answer_of_all;    /* of a list: measure, number of starts, words of the outcome */
+    const char *answer_of_some;   /* of a list: measure, number of starts, number of all, words of it */
     StartSentences irregular, undecided;
     const char *remedy;
     SlopeSentences slope, steepest;
@@ -45,10 +45,10 @@ static const Sentences all_sentences[] = {
      .steep = "It is periodic throughout, but its largest force changes steeply.",
      .start_decides = "It is periodic throughout, but right here the start decides: %s.",
      .start_decides_at = "It is periodic throughout, but at %s the start decides: %s.",
-     .changes = "It is periodic throughout, but right here it has another period: %s.",
-     .changes_at = "It is periodic throughout, but at %s it has another period: %s.",
-     .answer_of_all = "%1$s (period %3$g) from each of %2$d starts",
-     .answer_of_some = "%1$s (period %4$g) from %2$zu of %3$d starts",
+     .changes = "It is regular throughout, but right here it moves otherwise: %s.",
+     .changes_at = "It is regular throughout, but at %s it moves otherwise: %s.",
+     .answer_of_all = "%1$s (%3$s) from each of %2$d starts",
+     .answer_of_some = "%1$s (%4$s) from %2$zu of %3$d starts",
      .irregular = {"It is not periodic right here, from any of %d starts.",
                    "It is not periodic right here, from %zu of %d starts.",
                    "It is not periodic at %s, from any of %d starts.",
@@ -74,10 +74,10 @@ static const Sentences all_sentences[] = {
      .steep = "Its revolutions repeat throughout, but the largest joint force changes steeply.",
      .start_decides = "Its revolutions repeat throughout, but right here the start decides: %s.",
      .start_decides_at = "Its revolutions repeat throughout, but at %s the start decides: %s.",
-     .changes = "Its revolutions repeat throughout, but right here it has another period: %s.",
-     .changes_at = "Its revolutions repeat throughout, but at %s it has another period: %s.",
-     .answer_of_all = "%1$s (period %3$g) from each of %2$d starts",
-     .answer_of_some = "%1$s (period %4$g) from %2$zu of %3$d starts",
+     .changes = "It is regular throughout, but right here it moves otherwise: %s.",
+     .changes_at = "It is regular throughout, but at %s it moves otherwise: %s.",
+     .answer_of_all = "%1$s (%3$s) from each of %2$d starts",
+     .answer_of_some = "%1$s (%4$s) from %2$zu of %3$d starts",
      .irregular = {"Its revolutions do not repeat right here, from any of %d starts.",
                    "Its revolutions do not repeat right here, from %zu of %d starts.",
                    "Its revolutions do not repeat at %s, from any of %d starts.",
@@ -186,18 +186,23 @@ static const char *list_with(Advice *advice, const char *list, const char *item,
     return index == 0 ? item : text_in_arena(&advice->arena, index + 1 < count ? "%s, %s" : "%s or %s", list, item);
 }
 
+/* Returns what tells answers of one machine apart: a period, or that a regular motion has none. */
+static const char *outcome_of(Advice *advice, double outcome) {
+    return outcome > 0 ? text_in_arena(&advice->arena, "period %g", outcome) : "quasi-periodic";
+}
+
 static const char *answers_of(Advice *advice, const TypesPoint *point) {
     const char *list = NULL;
     for (size_t a = 0; a < point->answer_count; a++) {
         const TypesAnswer *answer = &point->answers[a];
-        const char *measure = measure_of(advice, answer->measure);
+        const char *measure = measure_of(advice, answer->measure), *outcome = outcome_of(advice, answer->outcome);
         const char *item =
-            !answer->starts ? text_in_arena(&advice->arena, "%s (period %g) only carried on from a neighbouring value",
-                                            measure, answer->outcome)
-            : answer->starts < TYPES_STARTS ? text_in_arena(&advice->arena, advice->sentences->answer_of_some, measure,
-                                                            answer->starts, TYPES_STARTS, answer->outcome)
-                                            : text_in_arena(&advice->arena, advice->sentences->answer_of_all, measure,
-                                                            TYPES_STARTS, answer->outcome);
+            !answer->starts
+                ? text_in_arena(&advice->arena, "%s (%s) only carried on from a neighbouring value", measure, outcome)
+            : answer->starts < TYPES_STARTS
+                ? text_in_arena(&advice->arena, advice->sentences->answer_of_some, measure, answer->starts,
+                                TYPES_STARTS, outcome)
+                : text_in_arena(&advice->arena, advice->sentences->answer_of_all, measure, TYPES_STARTS, outcome);
         list = list_with(advice, list, item, a, point->answer_count);
     }
     return list;

@@ -91,6 +91,11 @@ TEST(several_answers_are_listed_with_their_starts) {
         "The nearest trouble is at clearance 0.09 mm (10 % below).\n" BASIS);
     types.points[1].answers[0].starts = TYPES_STARTS;
     types.points[1].answer_count = 1;
+    types.points[1].answers[0].outcome = 0;
+    check_advice("beam", &types, 0,
+                 "Type II: run it here only with close tolerances. It is regular throughout, but at clearance 0.099 mm "
+                 "it moves otherwise: 400 N (quasi-periodic) from each of 16 starts.\n"
+                 "The nearest trouble is at clearance 0.09 mm (10 % below).\n" BASIS);
     check_advice("house", &types, 0,
                  "Type II: this route depends on small changes. All people leave throughout, but at clearance 0.099 mm "
                  "by another route: 400 N from each of 16 starts.\n"
