@@ -32,6 +32,7 @@ echo "testing"
 . tests/checks/tidy.sh
 tidy_begin
 status=0
-meson test -C build-test --no-rebuild --print-errorlogs $suites || status=$?
+# one more than there are processors, since tests of the window wait for the display
+meson test -C build-test --no-rebuild --print-errorlogs --num-processes $(($(nproc) + 1)) $suites || status=$?
 tidy_end build-test || status=1
 exit $status
