@@ -23,7 +23,9 @@ static double rest_state(const void *given) {
     return rig_rest_state(given);
 }
 
-static void *create(const void *given, size_t tangents) {
+/* A cycle of a beam is short: its end is not waited for. */
+static void *create(const void *given, size_t tangents, const Stop *stop) {
+    (void)stop;
     Motion *motion = memory_zeroed(1, sizeof *motion);
     *motion = motion_create(given, tangents);
     return motion;

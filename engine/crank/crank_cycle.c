@@ -84,10 +84,11 @@ static void place_neighbours(Motion *motion, size_t index) {
     }
 }
 
-static void *create(const void *given, size_t tangents) {
+static void *create(const void *given, size_t tangents, const Stop *stop) {
     Motion *motion = memory_zeroed(1, sizeof *motion);
     const Tree *tree = given;
     motion->turn = turn_create(tree, TURN_FINE);
+    motion->turn.stop = stop;
     motion->states = states_of(given);
     motion->tangents = tangents;
     motion->sides = tangents == 1 ? 1 : 2;
@@ -265,6 +266,7 @@ static void many(const void *given, CycleRun *runs, size_t count, const Stop *st
     for (size_t i = 0; i < count; i++) {
         CycleRun *run = &runs[i];
         Turn turn = turn_create(given, TURN_QUICK);
+        turn.stop = stop;
         crank_cycle_set_state(&turn, run->start);
         for (run->recorded = 0; run->recorded < run->cycles && !stop_requested(stop); run->recorded++) {
             double tip[2];
@@ -328,6 +330,7 @@ double crank_cycle_ideal_force(const Crank *crank, const Stop *stop) {
     tight.clearance = tight.start_along = tight.start_across = tight.start_up = 0;
     Tree tree = tree_of(&tight);
     Turn turn = turn_create(&tree, TURN_QUICK);
+    turn.stop = stop;
     int done = 0;
     for (; done < IDEAL_TURNS && turn.status == CYCLE_GOOD && !stop_requested(stop); done++) {
         turn.peak[0] = 0;

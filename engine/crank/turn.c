@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/real.h"
+#include "base/stop.h"
 #include "crank/stepper.h"
 
 /* Errors are measured by this length, m; by it over the coupler's length for angles; rates by the same per TIME_PART of
@@ -29,6 +30,7 @@ static const double BENT_MOST = 0.1;
  * more has numbers so large that it would not end. */
 static const double STEPS_ANY = 1e5, STEPS_PER_RADIAN = 100;
 enum { SAMPLES = 8 /* of the path of a step */, CORRECTIONS_MOST = 20, HALVINGS = 50 };
+enum { POLLED = 256 /* steps between two looks at whether the end is requested: some ms */ };
 
 /* The equations with the ball in its place. */
 static void rates_of(const void *system, double time, const double *state, double *rates) {
@@ -355,7 +357,7 @@ static void take(Turn *turn, const Trial *trial) {
     for (size_t i = 0; i < states; i++)
         if (!isfinite(turn->state[i]))
             turn->status = CYCLE_DIVERGED;
-    if (is_bent(turn->tree, turn->state) || ++turn->cycle_steps > turn->steps_most)
+    if (is_bent(turn->tree, turn->state) || (double)++turn->cycle_steps > turn->steps_most)
         turn->status = CYCLE_DIVERGED;
 }
 
@@ -385,6 +387,10 @@ static void end_revolution(Turn *turn) {
 double turn_step(Turn *turn, double longest) {
     const Tree *tree = turn->tree;
     Trial trial;
+    if (turn->cycle_steps % POLLED == 0 && stop_requested(turn->stop)) {
+        turn->status = CYCLE_INTERRUPTED;
+        return 0;
+    }
     if (!tree->turns)
         longest = real_min(longest, tree->period - turn->time);
     if (!try_accurately(turn, longest, &trial))

@@ -38,8 +38,9 @@ typedef struct Turn {
     double time;  /* s, since the revolution began */
     double state[TREE_STATES_MOST], rates[TREE_STATES_MOST];
     TurnBall ball;
-    double step;                    /* s, proposed */
-    double cycle_steps, steps_most; /* in this revolution, and until it counts as diverged */
+    double step;        /* s, proposed */
+    size_t cycle_steps; /* in this revolution */
+    double steps_most;  /* in a revolution, until it counts as diverged */
 
     size_t switches, cycle_switches; /* since the start; in this revolution */
     size_t touches;                  /* since the start */
@@ -47,6 +48,7 @@ typedef struct Turn {
     double contact_time;             /* s, since the start */
     double peak[CYCLE_SIDES];        /* N, largest force since it was last reset; the second is 0: one wall all round */
     bool unwatched;                  /* the peak is not located, which saves time */
+    const Stop *stop;                /* polled within a revolution; NULL: it is not */
 } Turn;
 
 /* Returns a turn at the start of the tree's crank, see tree_start. */

@@ -1,7 +1,7 @@
 #include "cycle/cycle.h"
 
-CycleMotion cycle_create(Cycle cycle, size_t tangents) {
-    CycleMotion motion = {cycle, cycle.kind->create(cycle.given, tangents), cycle_states(cycle), tangents};
+CycleMotion cycle_create(Cycle cycle, size_t tangents, const Stop *stop) {
+    CycleMotion motion = {cycle, cycle.kind->create(cycle.given, tangents, stop), cycle_states(cycle), tangents};
     cycle.kind->unit_tangents(motion.own);
     return motion;
 }
@@ -32,7 +32,7 @@ void cycle_many(Cycle cycle, CycleRun *runs, size_t count, const Stop *stop) {
     }
     for (size_t i = 0; i < count; i++) {
         CycleRun *run = &runs[i];
-        CycleMotion motion = cycle_create(cycle, 0);
+        CycleMotion motion = cycle_create(cycle, 0, stop);
         cycle.kind->set_state(motion.own, run->start);
         run->recorded = 0;
         while (run->recorded < run->cycles && cycle_status(&motion) == CYCLE_GOOD && !stop_requested(stop))

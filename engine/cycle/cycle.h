@@ -12,8 +12,9 @@
 
 typedef enum CycleStatus {
     CYCLE_GOOD,
-    CYCLE_CHATTERS, /* too many switches in one cycle to follow: the motion stops there */
-    CYCLE_DIVERGED, /* a number became infinite, NaN or larger than the equations allow */
+    CYCLE_CHATTERS,    /* too many switches in one cycle to follow: the motion stops there */
+    CYCLE_DIVERGED,    /* a number became infinite, NaN or larger than the equations allow */
+    CYCLE_INTERRUPTED, /* the end was requested within a cycle: the motion stops there */
 } CycleStatus;
 
 enum { CYCLE_SIDES = 2 /* of a joint: upper and lower, or outer and inner */ };
@@ -57,8 +58,8 @@ typedef struct CycleKind {
     double (*rest_state)(const void *given); /* length of a state below which a motion counts as rest */
 
     /* Creates a motion at rest with `tangents` tangent vectors: deviations of the state to first order, exact or by
-     * neighbours. */
-    void *(*create)(const void *given, size_t tangents);
+     * neighbours. A kind whose cycles may take long polls `stop` within them. */
+    void *(*create)(const void *given, size_t tangents, const Stop *stop);
     void (*destroy)(void *motion);
     void (*copy)(void *to, const void *from); /* of the same `given` and number of tangents */
 
@@ -106,8 +107,9 @@ typedef struct CycleMotion {
     size_t states, tangents;
 } CycleMotion;
 
-/* Creates a motion at rest with unit tangents. */
-CycleMotion cycle_create(Cycle cycle, size_t tangents);
+/* Creates a motion at rest with unit tangents. A request of `stop`, which must outlive it, may end one of its cycles
+ * early; NULL: never. */
+CycleMotion cycle_create(Cycle cycle, size_t tangents, const Stop *stop);
 void cycle_destroy(CycleMotion *motion);
 
 /* Runs many motions; a request of `stop` ends them early. */

@@ -104,7 +104,7 @@ static bool describe(Walk *walk, Place *place) {
         place->outside += size > 1;
     }
     Cycle cycle = walk->family->at(walk->family->context, value_of(walk, place->at));
-    CycleMotion motion = cycle_create(cycle, 0);
+    CycleMotion motion = cycle_create(cycle, 0, walk->stop);
     for (size_t i = 0; i < walk->states; i++)
         walk->gap[i] = place->at[i] * walk->scale;
     cycle.kind->set_state(motion.own, walk->gap);
@@ -115,8 +115,9 @@ static bool describe(Walk *walk, Place *place) {
         cycle_run(&motion);
     place->switches = cycle.kind->tally(motion.own).switches - before;
     place->peak = fmax(peak[0], peak[1]);
+    bool whole = cycle_status(&motion) != CYCLE_INTERRUPTED;
     cycle_destroy(&motion);
-    return true;
+    return whole;
 }
 
 static double *place_room(size_t states) {
@@ -285,7 +286,7 @@ static bool touches_beyond(Walk *walk, const Place *here, double length) {
         walk->family->at(walk->family->context, walk->family->from + at * (walk->family->to - walk->family->from));
     if (!cycle.given)
         return false;
-    CycleMotion motion = cycle_create(cycle, 0);
+    CycleMotion motion = cycle_create(cycle, 0, walk->stop);
     for (size_t i = 0; i < n; i++)
         walk->gap[i] = (here->at[i] + length * here->tangent[i]) * walk->scale;
     cycle.kind->set_state(motion.own, walk->gap);
@@ -293,9 +294,9 @@ static bool touches_beyond(Walk *walk, const Place *here, double length) {
     peak[0] = peak[1] = 0;
     for (size_t i = 0; i < walk->period; i++)
         cycle_run(&motion);
-    bool touches = fmax(peak[0], peak[1]) > 0;
+    bool touches = fmax(peak[0], peak[1]) > 0, whole = cycle_status(&motion) != CYCLE_INTERRUPTED;
     cycle_destroy(&motion);
-    return touches != (here->peak > 0);
+    return whole && touches != (here->peak > 0);
 }
 
 /* Sets `skew` (states) to what parts an orbit from its mirror image, in units of the scale, and returns its length.
@@ -304,7 +305,7 @@ static double find_skew(const Walk *walk, const Place *place, double *skew) {
     Cycle cycle = walk->family->at(walk->family->context, value_of(walk, place->at));
     if (!cycle.given || !cycle.kind->mirror || walk->period % 2 == 0)
         return 0;
-    CycleMotion motion = cycle_create(cycle, 0);
+    CycleMotion motion = cycle_create(cycle, 0, walk->stop);
     for (size_t i = 0; i < walk->states; i++)
         skew[i] = place->at[i] * walk->scale;
     cycle.kind->set_state(motion.own, skew);

@@ -36,9 +36,9 @@ MotionClass motion_class_of(const Response *response) {
 }
 
 MotionClass motion_class_of_record(CycleStatus status, int period, bool touches) {
-    if (status != CYCLE_GOOD)
+    if (status == CYCLE_CHATTERS || status == CYCLE_DIVERGED)
         return status == CYCLE_CHATTERS ? MOTION_CLASS_CHATTERS : MOTION_CLASS_DIVERGED;
-    if (period == SECTION_UNDECIDED)
+    if (status == CYCLE_INTERRUPTED || period == SECTION_UNDECIDED)
         return MOTION_CLASS_UNDETERMINED;
     if (period == SECTION_NONE)
         return MOTION_CLASS_NOT_PERIODIC;

@@ -27,14 +27,17 @@ static double share(double apart, double size, double rest) {
 OrbitAnswer orbit_map(Cycle cycle, double *state, size_t cycles, double *derivative, const Stop *stop) {
     const CycleKind *kind = cycle.kind;
     size_t done = 0;
-    CycleMotion motion = cycle_create(cycle, derivative ? cycle_states(cycle) : 0);
+    CycleMotion motion = cycle_create(cycle, derivative ? cycle_states(cycle) : 0, stop);
     kind->set_state(motion.own, state);
     kind->unit_tangents(motion.own);
     for (; done < cycles && cycle_status(&motion) == CYCLE_GOOD && !stop_requested(stop); done++)
         cycle_run(&motion);
-    OrbitAnswer answer = cycle_status(&motion) != CYCLE_GOOD ? ORBIT_NONE
-                         : done < cycles                     ? ORBIT_INTERRUPTED
-                                                             : ORBIT_GOOD;
+    CycleStatus status = cycle_status(&motion);
+    OrbitAnswer answer = ORBIT_GOOD;
+    if (status == CYCLE_INTERRUPTED || (status == CYCLE_GOOD && done < cycles))
+        answer = ORBIT_INTERRUPTED;
+    else if (status != CYCLE_GOOD)
+        answer = ORBIT_NONE;
     kind->state(motion.own, state);
     for (size_t t = 0; t < motion.tangents; t++)
         kind->tangent(motion.own, t, derivative + t * motion.states);
@@ -122,7 +125,7 @@ bool orbit_is_stable(const Orbit *orbit) {
     return orbit->largest < 1;
 }
 
-double orbit_distance(const Orbit *orbit, Cycle cycle, const double *state) {
+double orbit_distance(const Orbit *orbit, Cycle cycle, const double *state, const Stop *stop) {
     double rest = cycle_rest_state(cycle), nearest = HUGE_VAL, *point = memory_zeroed(2 * orbit->states, sizeof *point),
            *apart = point + orbit->states;
     memcpy(point, orbit->point, orbit->states * sizeof *point);
@@ -130,7 +133,7 @@ double orbit_distance(const Orbit *orbit, Cycle cycle, const double *state) {
         for (size_t k = 0; k < orbit->states; k++)
             apart[k] = state[k] - point[k];
         nearest = fmin(nearest, share(length_of(apart, orbit->states), length_of(point, orbit->states), rest));
-        orbit_map(cycle, point, 1, NULL, NULL);
+        orbit_map(cycle, point, 1, NULL, stop);
     }
     memory_free(point);
     return nearest;
@@ -147,7 +150,7 @@ static bool reduce_period(Orbit *orbit, Cycle cycle, const Stop *stop) {
             return false;
         if (answer == ORBIT_NONE)
             continue;
-        if (orbit_distance(&shorter, cycle, orbit->point) < ORBIT_SETTLED) {
+        if (orbit_distance(&shorter, cycle, orbit->point, stop) < ORBIT_SETTLED) {
             orbit_clear(orbit);
             *orbit = shorter;
             return true;
@@ -161,29 +164,29 @@ OrbitAnswer orbit_settle(Orbit *orbit, Cycle cycle, const double *state, size_t 
     OrbitAnswer answer = orbit_find(orbit, cycle, state, period, stop);
     if (answer != ORBIT_GOOD)
         return answer;
-    bool good = orbit_is_stable(orbit) && orbit_distance(orbit, cycle, state) < near,
-         whole = good && reduce_period(orbit, cycle, stop);
-    if (!whole)
-        orbit_clear(orbit);
-    return whole ? ORBIT_GOOD : good ? ORBIT_INTERRUPTED : ORBIT_NONE;
+    bool near_it = orbit_is_stable(orbit) && orbit_distance(orbit, cycle, state, stop) < near;
+    if (near_it && reduce_period(orbit, cycle, stop) && !stop_requested(stop))
+        return ORBIT_GOOD;
+    orbit_clear(orbit);
+    return stop_requested(stop) ? ORBIT_INTERRUPTED : ORBIT_NONE;
 }
 
-OrbitImage orbit_image(const Orbit *orbit, Cycle cycle) {
+OrbitImage orbit_image(const Orbit *orbit, Cycle cycle, const Stop *stop) {
     if (!cycle.kind->mirror)
         return ORBIT_IMAGE_NONE;
-    CycleMotion motion = cycle_create(cycle, 0);
+    CycleMotion motion = cycle_create(cycle, 0, stop);
     double *state = memory_zeroed(orbit->states, sizeof *state);
     cycle.kind->set_state(motion.own, orbit->point);
     cycle.kind->mirror(motion.own);
     cycle.kind->state(motion.own, state);
-    bool own = orbit_distance(orbit, cycle, state) < ORBIT_APART;
+    bool own = orbit_distance(orbit, cycle, state, stop) < ORBIT_APART;
     memory_free(state);
     cycle_destroy(&motion);
     return own ? ORBIT_IMAGE_OWN : ORBIT_IMAGE_OTHER;
 }
 
-double orbit_peak(const Orbit *orbit, Cycle cycle) {
-    CycleMotion motion = cycle_create(cycle, 0);
+double orbit_peak(const Orbit *orbit, Cycle cycle, const Stop *stop) {
+    CycleMotion motion = cycle_create(cycle, 0, stop);
     cycle.kind->set_state(motion.own, orbit->point);
     double *peak = cycle.kind->peaks(motion.own);
     peak[0] = peak[1] = 0;

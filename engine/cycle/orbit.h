@@ -61,14 +61,15 @@ __attribute__((warn_unused_result)) OrbitAnswer orbit_settle(Orbit *orbit, Cycle
 bool orbit_is_stable(const Orbit *orbit);
 
 /* Returns the distance of a state from the orbit's nearest point at a cycle's end, as a fraction of that point's
- * length. */
-double orbit_distance(const Orbit *orbit, Cycle cycle, const double *state);
+ * length; meaningless when `stop`, which may be NULL, is requested. */
+double orbit_distance(const Orbit *orbit, Cycle cycle, const double *state, const Stop *stop);
 
-/* Tells what the mirror image of the orbit is. */
-OrbitImage orbit_image(const Orbit *orbit, Cycle cycle);
+/* Tells what the mirror image of the orbit is; meaningless when `stop`, which may be NULL, is requested. */
+OrbitImage orbit_image(const Orbit *orbit, Cycle cycle, const Stop *stop);
 
-/* Returns the largest force on the orbit, N; 0: it is without contact. */
-double orbit_peak(const Orbit *orbit, Cycle cycle);
+/* Returns the largest force on the orbit, N; 0: it is without contact. Meaningless when `stop`, which may be NULL, is
+ * requested. */
+double orbit_peak(const Orbit *orbit, Cycle cycle, const Stop *stop);
 
 void orbit_clear(Orbit *orbit);
 

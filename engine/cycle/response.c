@@ -73,11 +73,11 @@ static void note_cycle(Watch *watch) {
     chaos_renew_tangents(&watch->motion, &watch->growth[at]);
 }
 
-/* Adds one cycle to the trace, in as many parts as it has samples. */
+/* Adds one cycle to the trace, in as many parts as it has samples; fewer when it cannot be followed to its end. */
 static void trace_cycle(Trace *trace, CycleMotion *motion, size_t cycle) {
     const CycleKind *kind = motion->cycle.kind;
     double period = cycle_period(motion->cycle), *row = memory_zeroed(kind->column_count, sizeof *row);
-    for (int part = 0; part < kind->samples; part++) {
+    for (int part = 0; part < kind->samples && cycle_status(motion) == CYCLE_GOOD; part++) {
         row[0] = (double)cycle * period + period * part / kind->samples;
         kind->sample(motion->own, part, row);
         trace_add(trace, row);
@@ -142,8 +142,18 @@ static OrbitAnswer find_orbit(Response *response, const Watch *watch, size_t lea
     return ORBIT_NONE;
 }
 
-static ResponseVerdict bad_verdict(const CycleMotion *motion) {
-    return cycle_status(motion) == CYCLE_CHATTERS ? RESPONSE_CHATTERS : RESPONSE_DIVERGED;
+/* Returns the verdict on a motion that could not be followed to the end of a cycle. */
+static ResponseVerdict bad_verdict(CycleStatus status) {
+    switch (status) {
+    case CYCLE_CHATTERS:
+        return RESPONSE_CHATTERS;
+    case CYCLE_DIVERGED:
+        return RESPONSE_DIVERGED;
+    case CYCLE_GOOD:
+    case CYCLE_INTERRUPTED:
+        break;
+    }
+    return RESPONSE_INTERRUPTED;
 }
 
 static bool is_chaotic(const Response *response) {
@@ -178,11 +188,11 @@ static void test_zero_one(Response *response, const Section *seen) {
     memory_free(room);
 }
 
-static void note_orbit(Response *response, Cycle cycle) {
-    response->settled = orbit_distance(&response->orbit, cycle, response->section.state) < ORBIT_SETTLED;
+static void note_orbit(Response *response, Cycle cycle, const Stop *stop) {
+    response->settled = orbit_distance(&response->orbit, cycle, response->section.state, stop) < ORBIT_SETTLED;
     response->exponent = (ChaosExponent){real_log(response->orbit.largest) / (double)response->orbit.period, 0};
-    response->orbit_peak = orbit_peak(&response->orbit, cycle);
-    response->image = orbit_image(&response->orbit, cycle);
+    response->orbit_peak = orbit_peak(&response->orbit, cycle, stop);
+    response->image = orbit_image(&response->orbit, cycle, stop);
     response->zero_one = NAN;
 }
 
@@ -210,7 +220,7 @@ static size_t count_away(const Response *response, const Watch *watch) {
     memcpy(points, orbit->point, orbit->states * sizeof *points);
     for (size_t p = 1; p < orbit->period; p++) {
         memcpy(points + p * orbit->states, points + (p - 1) * orbit->states, orbit->states * sizeof *points);
-        if (orbit_map(cycle, points + p * orbit->states, 1, NULL, NULL) != ORBIT_GOOD)
+        if (orbit_map(cycle, points + p * orbit->states, 1, NULL, watch->stop) != ORBIT_GOOD)
             break;
     }
     size_t away = watch->early.count + watch->analysed.count;
@@ -231,7 +241,7 @@ static ResponseVerdict tell_settled(Response *response, Watch *watch) {
     double growth = watch->early_growth;
     for (size_t i = 0; i < of_record; i++)
         growth += watch->growth[i];
-    note_orbit(response, watch->motion.cycle);
+    note_orbit(response, watch->motion.cycle, watch->stop);
     if (away < RESPONSE_TRANSIENT_LEAST || growth <= GROWS * (double)away)
         return RESPONSE_PERIODIC;
     response->wandering = watch->early;
@@ -243,7 +253,7 @@ static ResponseVerdict tell_settled(Response *response, Watch *watch) {
 
 /* Returns the second exponent of a motion that goes on from its last state. */
 static ChaosExponent second_exponent(const Watch *watch, size_t cycles) {
-    CycleMotion motion = cycle_create(watch->motion.cycle, 2);
+    CycleMotion motion = cycle_create(watch->motion.cycle, 2, watch->stop);
     double *grown = memory_zeroed(cycles, sizeof *grown);
     size_t done = 0;
     watch->motion.cycle.kind->set_state(motion.own, section_last(&watch->analysed));
@@ -266,8 +276,8 @@ static ResponseVerdict tell_torus(Response *response, const Watch *watch) {
     Cycle cycle = watch->motion.cycle;
     switch (find_orbit(response, watch, ORBIT_PERIOD_MOST + 1, ORBIT_LOCKED_MOST, ORBIT_SETTLED)) {
     case ORBIT_GOOD:
-        note_orbit(response, cycle);
-        return RESPONSE_PERIODIC;
+        note_orbit(response, cycle, watch->stop);
+        return stop_requested(watch->stop) ? RESPONSE_INTERRUPTED : RESPONSE_PERIODIC;
     case ORBIT_INTERRUPTED:
         return RESPONSE_INTERRUPTED;
     case ORBIT_NONE:
@@ -282,8 +292,12 @@ static ResponseVerdict tell_torus(Response *response, const Watch *watch) {
     return stop_requested(watch->stop) ? RESPONSE_INTERRUPTED : below ? RESPONSE_QUASI_PERIODIC : RESPONSE_UNDETERMINED;
 }
 
-/* Forgets the exponent and the 0-1 test of fewer cycles than the verdict needs. */
+/* Forgets the orbit, and the exponent and the 0-1 test of fewer cycles than the verdict needs. */
 static ResponseVerdict interrupt(Response *response) {
+    orbit_clear(&response->orbit);
+    response->settled = false;
+    response->orbit_peak = 0;
+    response->image = ORBIT_IMAGE_NONE;
     response->exponent = (ChaosExponent){NAN, NAN};
     response->zero_one = NAN;
     return RESPONSE_INTERRUPTED;
@@ -293,10 +307,12 @@ static ResponseVerdict interrupt(Response *response) {
 static ResponseVerdict decide(Response *response, Watch *watch) {
     const CycleKind *kind = watch->motion.cycle.kind;
     for (size_t cycles = kind->cycles_least;; cycles *= 2) {
+        ResponseVerdict verdict;
         switch (watch->analysed.count > 1 ? find_orbit(response, watch, 1, ORBIT_PERIOD_MOST, NEAR_RETURN)
                                           : ORBIT_NONE) {
         case ORBIT_GOOD:
-            return tell_settled(response, watch);
+            verdict = tell_settled(response, watch);
+            return stop_requested(watch->stop) ? interrupt(response) : verdict;
         case ORBIT_INTERRUPTED:
             return interrupt(response);
         case ORBIT_NONE:
@@ -308,7 +324,7 @@ static ResponseVerdict decide(Response *response, Watch *watch) {
         }
         bool last = cycles > kind->cycles_most;
         if (last || (cycles > 2 * kind->cycles_least && is_neutral(response))) {
-            ResponseVerdict verdict = tell_torus(response, watch);
+            verdict = tell_torus(response, watch);
             if (verdict == RESPONSE_INTERRUPTED)
                 return interrupt(response);
             if (last || verdict != RESPONSE_UNDETERMINED)
@@ -318,10 +334,10 @@ static ResponseVerdict decide(Response *response, Watch *watch) {
             cycle_run(&watch->motion);
             note_cycle(watch);
         }
-        if (cycle_status(&watch->motion) != CYCLE_GOOD)
-            return bad_verdict(&watch->motion);
-        if (watch->analysed.count < cycles)
-            return interrupt(response);
+        if (watch->analysed.count < cycles) {
+            verdict = bad_verdict(cycle_status(&watch->motion));
+            return verdict == RESPONSE_INTERRUPTED ? interrupt(response) : verdict;
+        }
         response->exponent = chaos_exponent(watch->growth, watch->analysed.count);
         test_zero_one(response, &watch->analysed);
     }
@@ -334,15 +350,13 @@ void response_run(Response *response, Cycle cycle, int transient, int cycles, co
                            .zero_one = NAN,
                            .rotation = {NAN, NAN}};
     trace_init(&response->trace, cycle.kind->columns, cycle.kind->column_count);
-    Watch watch = {.motion = cycle_create(cycle, 1), .stop = stop};
+    Watch watch = {.motion = cycle_create(cycle, 1, stop), .stop = stop};
     if (start)
         cycle.kind->set_state(watch.motion.own, start);
     pass_transient(&watch, transient);
     record(response, &watch, cycles);
-    if (cycle_status(&watch.motion) != CYCLE_GOOD)
-        response->verdict = bad_verdict(&watch.motion);
-    else if (response->section.count == (size_t)cycles)
-        response->verdict = decide(response, &watch);
+    response->verdict =
+        response->section.count == (size_t)cycles ? decide(response, &watch) : bad_verdict(cycle_status(&watch.motion));
     response->cycles = watch.analysed.count;
     cycle_destroy(&watch.motion);
     response->analysed = watch.analysed;

@@ -35,8 +35,8 @@ static bool certify(const Watch *watch, Lane *lane, size_t period) {
     Orbit orbit;
     if (orbit_settle(&orbit, watch->cycle, lane->state, period, NEAR_ORBIT, watch->task->stop) != ORBIT_GOOD)
         return false;
-    lane->attractor =
-        (SurvivalAttractor){.period = orbit.period, .peak = orbit_peak(&orbit, watch->cycle), .largest = orbit.largest};
+    lane->attractor = (SurvivalAttractor){
+        .period = orbit.period, .peak = orbit_peak(&orbit, watch->cycle, watch->task->stop), .largest = orbit.largest};
     orbit_clear(&orbit);
     return true;
 }

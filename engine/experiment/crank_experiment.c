@@ -162,6 +162,7 @@ static void run_quickly(Trial *trial, const Crank *crank, const Tree *tree, Cran
     double *room = memory_zeroed(3 * cycles, sizeof *room);
     Record record = {0, room, room + cycles, room + 2 * cycles};
     Turn turn = turn_create(tree, TURN_QUICK);
+    turn.stop = stop;
     if (carry && carry->states == 2 * tree->coordinates)
         crank_cycle_set_state(&turn, carry->state);
     turn.unwatched = true;
@@ -174,8 +175,9 @@ static void run_quickly(Trial *trial, const Crank *crank, const Tree *tree, Cran
     list_peaks(trial, record.peak, 1, record.count);
     if (record.count)
         trial->observed[CRANK_TOUCHES] = (double)(turn.touches - touches) / (double)record.count;
-    trial->done = record.count == cycles || turn.status != CYCLE_GOOD;
-    if (turn.status != CYCLE_GOOD)
+    bool fails = turn.status == CYCLE_CHATTERS || turn.status == CYCLE_DIVERGED;
+    trial->done = record.count == cycles || fails;
+    if (fails)
         trial->observed[CRANK_MOTION] = motion_class_of_record(turn.status, SECTION_UNDECIDED, true);
     else if (record.count == cycles)
         tell_record(trial, crank, &record, trial->observed[CRANK_PEAK_MAX] > 0);

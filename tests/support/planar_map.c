@@ -29,7 +29,8 @@ static double small(const void *given) {
     return 1e-6;
 }
 
-static void *create(const void *given, size_t tangents) {
+static void *create(const void *given, size_t tangents, const Stop *stop) {
+    (void)stop;
     Place *place = memory_zeroed(1, sizeof *place);
     *place = (Place){.map = given, .tangents = tangents};
     return place;

@@ -81,6 +81,9 @@ short = ["--set", "run.transient_cycles=20", "--set", "run.cycles=20", "--set", 
 quiet = [*short, "--set", "drive.frequency=250", "--set", "drive.force=30"]  # a motion without contact
 peaks = written("peaks.csv", "drive.frequency [Hz],peak_max [N]\n190,570\n230,700\n290,1030\n")
 unconfirmed = [*short, "--lanes", "0"]  # whether chaos lasts takes thousands of cycles to see
+crank = str(source / "assets/cranks/ssc.json")
+stiff = ["--set", "coupler.modes=0", "--set", "coupler.axial=0", "--set", "drive.frequency=8", "--set",
+         "joint.clearance=0.00002", "--set", "run.transient_cycles=2", "--set", "run.cycles=4"]  # a rod that does not bend
 
 # name: the words of a command line; OUT is a new folder, PIC a new file in it; "images": pictures, so few points
 verbs = {
@@ -129,6 +132,9 @@ verbs = {
     "run of a beam": ["run", oscillator, *unconfirmed],
     "run of a beam, json": ["run", oscillator, *unconfirmed, "--json"],
     "run of a beam, files": ["run", oscillator, *unconfirmed, "--json", "--out", "OUT"],
+    "run of a crank": ["run", crank, *stiff],
+    "run of a crank, files": ["run", crank, *stiff, "--json", "--out", "OUT"],
+    "study of a crank": ["study", crank, *stiff, "--vary", "drive.frequency=8:9:2", "--json"],
     "paper": ["study", oscillator, *short, "--paper", "--json"],
     "export": ["export", wide, "--to", "svg", "--out", "PIC.svg"],
     "export, text": ["export", wide, "--to", "wkt"],
@@ -136,10 +142,10 @@ verbs = {
     "schema": ["schema", "house"],
 }
 pictures = {"run, files", "run, report", "run, frames", "run, movie", "compare, report", "study of a house, files",
-            "run of a beam, files", "export"}
+            "run of a beam, files", "run of a crank, files", "export"}
 computes_nothing = {"export", "export, text", "import", "schema"}  # no poll
 slow = {"check, suggest", "check, suggest, json", "types of a beam", "types of a house", "run of a beam",
-        "run of a beam, json", "run of a beam, files", "paper"}
+        "run of a beam, json", "run of a beam, files", "run of a crank, files", "paper"}
 
 # A line with one of these words says no; the complete answer must hold the same line.
 NO = re.compile(r"cannot pass|cannot leave|needs at least|blocked|no exit|has no exit|not periodic|not out|no change was|"
@@ -238,6 +244,7 @@ def false_in_json(part, whole):
     kind = part.get("kind")
     partial = {"house": {"hazards", "crowds", "routes"}, "follow": {"points", "begun", "curves", "above", "below", "left_out"},
                "fit": {"headline"}, "beam": {"peaks", "switches", "contact_share", "grazes"},
+               "crank": {"peaks", "switches", "contact_share", "touches"},
                "study": {"regular", "not_regular", "cannot_be_told", "verdicts", "ranges", "best", "worst", "distribution",
                          "first_fault"},
                "shake": {"everybody_out", "time", "people", "furniture", "worst", "blocked_elsewhere", "caught"}}

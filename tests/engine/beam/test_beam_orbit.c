@@ -61,7 +61,7 @@ TEST(newtons_orbit_is_found_from_nearby_and_repeats) {
     CHECK(orbit_is_stable(&orbit));
     memcpy(again, orbit.point, orbit.states * sizeof *again);
     CHECK(orbit_map(beam_cycle_of(&rig), again, 5, NULL, NULL) == ORBIT_GOOD);
-    CHECK_NEAR(orbit_distance(&orbit, beam_cycle_of(&rig), again), 0, 1e-10);
+    CHECK_NEAR(orbit_distance(&orbit, beam_cycle_of(&rig), again, NULL), 0, 1e-10);
     orbit_clear(&orbit);
     rig_clear(&rig);
 }
@@ -87,9 +87,9 @@ TEST(the_largest_multiplier_is_how_fast_the_orbit_is_approached) {
     for (size_t i = 0; i < orbit.states; i++)
         state[i] = orbit.point[i] * (1 + 1e-4);
     CHECK(orbit_map(beam_cycle_of(&rig), state, 6, NULL, NULL) == ORBIT_GOOD); /* until only the slowest is left */
-    double before = orbit_distance(&orbit, beam_cycle_of(&rig), state);
+    double before = orbit_distance(&orbit, beam_cycle_of(&rig), state, NULL);
     CHECK(orbit_map(beam_cycle_of(&rig), state, 4, NULL, NULL) == ORBIT_GOOD);
-    CHECK_NEAR(orbit_distance(&orbit, beam_cycle_of(&rig), state) / before, orbit.largest * orbit.largest,
+    CHECK_NEAR(orbit_distance(&orbit, beam_cycle_of(&rig), state, NULL) / before, orbit.largest * orbit.largest,
                0.05 * orbit.largest);
     orbit_clear(&orbit);
     rig_clear(&rig);
@@ -194,7 +194,7 @@ static OrbitImage settle(const Rig *rig, const double *start, Orbit *orbit, doub
         motion_cycle(&motion);
     memcpy(peak, motion.peak, sizeof motion.peak);
     motion_destroy(&motion);
-    return orbit_image(orbit, cycle);
+    return orbit_image(orbit, cycle, NULL);
 }
 
 /* A start and its mirror image: at 64 Hz set B has a pair of orbits, which hit one side harder than the other; at 203.7
@@ -213,7 +213,7 @@ TEST(the_mirror_image_of_a_start_leads_to_the_mirror_image_of_its_orbit) {
         double start[STATES_MOST] = {0}, peak[CYCLE_SIDES], mirrored[CYCLE_SIDES];
         Orbit orbit, image;
         CHECK(settle(&rig, start, &orbit, peak) == cases[c].image);
-        CycleMotion motion = cycle_create(cycle, 0);
+        CycleMotion motion = cycle_create(cycle, 0, NULL);
         cycle.kind->set_state(motion.own, start);
         cycle.kind->mirror(motion.own);
         cycle.kind->state(motion.own, start);
@@ -221,11 +221,11 @@ TEST(the_mirror_image_of_a_start_leads_to_the_mirror_image_of_its_orbit) {
         CHECK(orbit.period == cases[c].period && image.period == orbit.period);
         printf("     %s: %.3f and %.3f N, from the mirror image %.3f and %.3f N\n", cases[c].setting, peak[0], peak[1],
                mirrored[0], mirrored[1]);
-        CHECK((orbit_distance(&orbit, cycle, image.point) > 1e-2) == (cases[c].image == ORBIT_IMAGE_OTHER));
+        CHECK((orbit_distance(&orbit, cycle, image.point, NULL) > 1e-2) == (cases[c].image == ORBIT_IMAGE_OTHER));
         cycle.kind->set_state(motion.own, orbit.point);
         cycle.kind->mirror(motion.own);
         cycle.kind->state(motion.own, start);
-        CHECK_NEAR(orbit_distance(&image, cycle, start), 0, 1e-8);
+        CHECK_NEAR(orbit_distance(&image, cycle, start, NULL), 0, 1e-8);
         CHECK_NEAR(image.largest, orbit.largest, 1e-8);
         for (int side = 0; side < CYCLE_SIDES; side++)
             CHECK_NEAR(mirrored[side], peak[1 - side], 1e-6);

@@ -5,14 +5,14 @@
 #include "check.h"
 #include "crank/crank_cycle.h"
 #include "cranks.h"
-#include "cycle/response.h"
+#include "cycle/motion_class.h"
 
 /* Finds the orbit near the motion after some revolutions from the start. */
 static Orbit settled_orbit(const Tree *tree, size_t transient, size_t period) {
     Cycle cycle = crank_cycle_of(tree);
     Orbit orbit = {0};
     double state[TREE_STATES_MOST];
-    CycleMotion motion = cycle_create(cycle, 0);
+    CycleMotion motion = cycle_create(cycle, 0, NULL);
     for (size_t i = 0; i < transient; i++)
         cycle_run(&motion);
     crank_cycle.state(motion.own, state);
@@ -26,7 +26,7 @@ static Orbit settled_orbit(const Tree *tree, size_t transient, size_t period) {
 
 /* Returns the largest force in the revolution after the orbit's point. */
 static double peak_of(const Tree *tree, const Orbit *orbit, int revolution) {
-    CycleMotion motion = cycle_create(crank_cycle_of(tree), 0);
+    CycleMotion motion = cycle_create(crank_cycle_of(tree), 0, NULL);
     crank_cycle.set_state(motion.own, orbit->point);
     for (int i = 0; i < revolution; i++)
         cycle_run(&motion);
@@ -69,7 +69,7 @@ LONG_TEST(orbits_of_other_speeds_are_certified) {
 
 /* Returns the largest exponent over some revolutions after 60 others. */
 static ChaosExponent exponent_of(const Tree *tree, size_t count) {
-    CycleMotion motion = cycle_create(crank_cycle_of(tree), 1);
+    CycleMotion motion = cycle_create(crank_cycle_of(tree), 1, NULL);
     double *growth = memory_zeroed(count, sizeof *growth), none = 0;
     for (size_t i = 0; i < 60; i++) {
         cycle_run(&motion);
@@ -98,7 +98,8 @@ LONG_TEST(largest_exponents_of_chaotic_motions) {
 
 TEST(a_saved_motion_goes_on_with_the_same_bits) {
     Tree tree = cranks_tree("");
-    CycleMotion motion = cycle_create(crank_cycle_of(&tree), 0), again = cycle_create(crank_cycle_of(&tree), 0);
+    CycleMotion motion = cycle_create(crank_cycle_of(&tree), 0, NULL),
+                again = cycle_create(crank_cycle_of(&tree), 0, NULL);
     double saved[TREE_STATES_MOST + 2], one[TREE_STATES_MOST], other[TREE_STATES_MOST];
     CHECK(crank_cycle.saved_size(&tree) <= sizeof saved / sizeof *saved);
     cycle_run(&motion);
@@ -113,11 +114,27 @@ TEST(a_saved_motion_goes_on_with_the_same_bits) {
     cycle_destroy(&again);
 }
 
+TEST(a_request_ends_a_motion_within_its_revolution) {
+    Tree tree = cranks_tree("");
+    Stop stop = {0};
+    CycleMotion motion = cycle_create(crank_cycle_of(&tree), 1, &stop);
+    double row[CRANK_COLUMNS], state[TREE_STATES_MOST] = {0};
+    crank_cycle.sample(motion.own, 0, row);
+    stop_request(&stop);
+    CHECK(cycle_run(&motion) == CYCLE_INTERRUPTED);
+    CHECK(motion_class_of_record(cycle_status(&motion), 0, true) == MOTION_CLASS_UNDETERMINED);
+    cycle_destroy(&motion);
+    CHECK(orbit_map(crank_cycle_of(&tree), state, 1, NULL, &stop) == ORBIT_INTERRUPTED);
+    Crank crank = cranks_read((const char *[]){NULL});
+    CHECK(isnan(crank_cycle_ideal_force(&crank, &stop)));
+    crank_free(&crank);
+}
+
 TEST(a_tangent_is_the_derivative_of_a_revolution) {
     Tree tree = cranks_tree("drive.frequency=10,joint.clearance=1e-4");
     Orbit orbit = settled_orbit(&tree, 8, 1);
     Cycle cycle = crank_cycle_of(&tree);
-    CycleMotion motion = cycle_create(cycle, 1);
+    CycleMotion motion = cycle_create(cycle, 1, NULL);
     double tangent[TREE_STATES_MOST] = {0}, state[TREE_STATES_MOST], moved[TREE_STATES_MOST], size = 0, apart = 0;
     const double by = 1e-3;
     crank_cycle.set_state(motion.own, orbit.point);

@@ -250,6 +250,22 @@ TEST(a_start_puts_the_ball_where_it_is_told) {
     CHECK_NEAR(state[tree.coordinates] - ideal[tree.coordinates], 0.1, 1e-15);
 }
 
+TEST(a_revolution_ends_soon_after_a_request) {
+    Tree tree = cranks_tree("");
+    Stop stop = {0};
+    Turn turn = turn_create(&tree, 1e-12);
+    turn.stop = &stop;
+    for (int i = 0; i < 300; i++)
+        turn_step(&turn, HUGE_VAL);
+    CHECK(turn.status == CYCLE_GOOD && turn.cycle == 0);
+    stop_request(&stop);
+    size_t steps = turn.cycle_steps;
+    CHECK(turn_cycle(&turn) == CYCLE_INTERRUPTED);
+    CHECK(turn.cycle == 0 && turn.cycle_steps <= steps + 256);
+    stop_withdraw(&stop);
+    CHECK(turn_cycle(&turn) == CYCLE_INTERRUPTED); /* it stops there */
+}
+
 /* At 60,000 rpm the joint bends the coupler so far that its equations say nothing. */
 TEST(a_coupler_that_bends_too_far_ends_the_motion) {
     Tree tree = cranks_tree("drive.frequency=1000");

@@ -299,7 +299,7 @@ static OrbitImage image_at(Driven *driven, const FollowBranch *branch, size_t at
     Orbit orbit;
     Cycle cycle = beam_at(driven, branch->points[at].value);
     CHECK(orbit_find(&orbit, cycle, follow_state(branch, at), branch->period, NULL) == ORBIT_GOOD);
-    OrbitImage image = orbit_image(&orbit, cycle);
+    OrbitImage image = orbit_image(&orbit, cycle, NULL);
     orbit_clear(&orbit);
     return image;
 }
@@ -353,7 +353,7 @@ TEST(a_pitchfork_is_located_where_the_curves_that_cross_are_hard_to_keep_apart) 
 /* Carries a motion on at this value for so many cycles and returns the largest force of the last one. */
 static double carry_on(Driven *driven, double value, double *state, int cycles) {
     Cycle cycle = beam_at(driven, value);
-    CycleMotion motion = cycle_create(cycle, 0);
+    CycleMotion motion = cycle_create(cycle, 0, NULL);
     cycle.kind->set_state(motion.own, state);
     double *peak = cycle.kind->peaks(motion.own);
     for (int i = 0; i < cycles; i++) {
