@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "beam/beam.h"
+#include "crank/crank.h"
 #include "command/answer.h"
 #include "command/command.h"
 #include "command/house_file.h"
@@ -492,6 +493,10 @@ static bool learned(const Fit *fit) {
 int command_fit(const Options *options) {
     Job job = {.options = options, .is_beam = beam_is_file(options->files[0])};
     Fault fault = {0};
+    if (crank_is_file(options->files[0])) {
+        fprintf(stderr, "clearance: fit is for houses and beams, %s is a crank\n", options->files[0]);
+        return EXIT_WRONG_INPUT;
+    }
     if (options->out && !output_directory(options->out))
         return EXIT_WRONG_INPUT;
     bool shown = progress_is_shown(options);

@@ -378,8 +378,8 @@ static void add_neighbours(Advice *advice) {
 static void add_basis(Advice *advice, int cycles) {
     const Types *types = advice->types;
     if (cycles)
-        text_format(advice->text, "This rests on %zu runs of %d cycles from %d starts within 1 %% of here.",
-                    types->runs, cycles, TYPES_STARTS);
+        text_format(advice->text, "This rests on %zu runs of %d %ss from %d starts within 1 %% of here.", types->runs,
+                    cycles, experiment_cycle(advice->experiment), TYPES_STARTS);
     else
         text_format(advice->text, "This rests on %zu runs from %d starts within 1 %% of here.", types->runs,
                     TYPES_STARTS);

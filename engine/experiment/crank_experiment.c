@@ -263,6 +263,7 @@ static void begin(Experiment *experiment, Given *given) {
                                .verdict_count = MOTION_CLASSES,
                                .verdict_quick = MOTION_CLASS_NOT_PERIODIC,
                                .turning = "drive.frequency",
+                               .cycle = "revolution",
                                .carries = true,
                                .batch = 1,
                                .given = given,

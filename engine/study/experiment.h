@@ -51,6 +51,7 @@ typedef struct Experiment {
     size_t verdict_quick;        /* the first of the words of quick runs */
 
     const char *turning; /* frequency, Hz, of a shaft, which people read in rpm: its name; NULL: none */
+    const char *cycle;   /* the word for what repeats: "revolution"; NULL: "cycle" */
     const char *chance;  /* what differs between runs of one point: "drivers"; NULL: only their seeds */
     bool slow;           /* True if a trial may take seconds */
     uint64_t special;    /* seed of a start of its own, which is always among those of a type; 0: none */
@@ -83,6 +84,11 @@ typedef struct Experiment {
 /* True if people read the parameter in rpm. */
 static inline bool experiment_turns(const Experiment *experiment, const char *name) {
     return experiment->turning && strcmp(experiment->turning, name) == 0;
+}
+
+/* Returns the word for what repeats. */
+static inline const char *experiment_cycle(const Experiment *experiment) {
+    return experiment->cycle ? experiment->cycle : "cycle";
 }
 
 /* Returns the word of a trial's class, or NULL. */

@@ -431,7 +431,8 @@ static bool fill_map(Map *map, size_t observable) {
         map->to->plot.title = "Regions of types";
         classify_type(map);
     } else if (strcmp(shown->name, "period") == 0) {
-        map->to->plot.title = "Periodic or not, and the period in cycles";
+        map->to->plot.title =
+            text_in_arena(map->arena, "Periodic or not, and the period in %ss", experiment_cycle(experiment));
         classify_period(map);
     } else if (experiment->verdict_count && observable == experiment->verdict) {
         classify_motion(map);
@@ -463,7 +464,7 @@ static const char *basins_title(const Study *study, Arena *arena) {
         return "Basins: where each start leads";
     double cycles = experiment->nominal(experiment->given, "run.transient_cycles") +
                     experiment->nominal(experiment->given, "run.cycles");
-    return text_in_arena(arena, "Basins: where each start is after %.0f cycles", cycles);
+    return text_in_arena(arena, "Basins: where each start is after %.0f %ss", cycles, experiment_cycle(experiment));
 }
 
 static void add_basins(StudyPlots *plots, const Study *study, size_t pass, const Measured *measured) {

@@ -98,6 +98,8 @@ def check_too_fast():
 
 def check_faults():
     expect(2, "run", str(source / "tests/data/bad/cranks/does-not-close.json"), says="the mechanism does not close")
+    refused = expect(2, "fit", crank, "--fit", "joint.clearance", says="clearance: fit is for houses and beams, ")
+    check(refused.stderr.count("\n") == 1 and not refused.stdout, f"fit of a crank says one line: {refused}")
     expect(2, "run", crank, "--report", says="--report needs --out DIR")
     expect(2, "run", crank, "--plots", "displacement", "--out", "/nowhere", says="displacement")
     expect(2, "run", crank, "--plots", "phase", says="--plots needs --out DIR")

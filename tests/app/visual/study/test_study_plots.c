@@ -186,6 +186,24 @@ TEST(a_map_of_periods_has_the_classes_that_there_are_and_the_second_axis_the_rat
     free_study(&study);
 }
 
+TEST(a_map_of_periods_counts_in_the_experiments_own_cycles) {
+    Experiment crank = beam;
+    crank.cycle = "revolution";
+    const Experiment *const experiments[] = {&beam, &crank};
+    static const char *const titles[] = {"Periodic or not, and the period in cycles",
+                                         "Periodic or not, and the period in revolutions"};
+    for (size_t e = 0; e < 2; e++) {
+        Study study = make_study(experiments[e], 2, 2, 1, 1);
+        StudyPlots plots = study_plots_make(&study, NULL);
+        const Plot *plot = find_plot(&plots, "map-period");
+        CHECK(plot);
+        if (plot)
+            CHECK_TEXT(plot->title, titles[e]);
+        study_plots_free(&plots);
+        free_study(&study);
+    }
+}
+
 TEST(a_map_tells_what_cannot_be_told_from_what_is_not_run) {
     Study study = make_study(&beam, 3, 2, 1, 1);
     study.trials[1].observed[OUTCOME] = study.trials[1].observed[REGULAR] = NAN;
