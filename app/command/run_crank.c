@@ -216,6 +216,7 @@ int run_crank_file(const Options *options) {
     if (!crank_read(&run.crank, options->files[0], options->settings, options->setting_count, &fault))
         return house_file_report(&fault);
     run.tree = tree_of(&run.crank);
+    run.ideal = crank_cycle_ideal_force(&run.crank, &progress_stop);
     response_run(&run.response, crank_cycle_of(&run.tree), run.crank.transient_cycles, run.crank.cycles, NULL,
                  &progress_stop);
     SurvivalTask watch = survival_task(&crank_cycle, options->lanes, options->jobs, &progress_stop);
@@ -224,7 +225,6 @@ int run_crank_file(const Options *options) {
     if (interrupted)
         fprintf(stderr, "clearance: interrupted after %zu recorded revolutions; the results up to there are kept\n",
                 run.response.section.count);
-    run.ideal = crank_cycle_ideal_force(&run.crank, &progress_stop);
     run.motion = result_crank_motion(&run.crank, &run.response);
     run.forces = result_crank_forces(&run.tree, &run.response, run.ideal);
     json_t *answer = make_answer(&run);

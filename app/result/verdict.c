@@ -84,7 +84,8 @@ static void add_shape(ResultTable *table, const Response *response, const char *
 void result_verdict_add(ResultTable *table, const Response *response, const char *cycle) {
     Arena *arena = &table->arena;
     const ChaosExponent *exponent = &response->exponent;
-    bool periodic = response->orbit.period > 0, known = isfinite(exponent->value);
+    bool periodic = response->orbit.period > 0, known = isfinite(exponent->value),
+         interrupted = response->verdict == RESPONSE_INTERRUPTED;
     const char *words = known ? text_in_arena(arena, "%+.3f \u00b1 %.3f", exponent->value, exponent->error) : NULL;
     result_add(table, (ResultRow){.key = "verdict", .label = "response", .text = response_name(response)});
     result_add(table, (ResultRow){.key = "quick",
@@ -94,13 +95,14 @@ void result_verdict_add(ResultTable *table, const Response *response, const char
     result_add(table, (ResultRow){.key = "period",
                                   .label = text_in_arena(arena, "period in %ss", cycle),
                                   .kind = RESULT_COUNT,
-                                  .number = (double)response->orbit.period,
+                                  .number = interrupted ? (double)NAN : (double)response->orbit.period,
                                   .unknown = !periodic});
     result_add(table, (ResultRow){.key = "settled",
                                   .label = "settled",
                                   .kind = RESULT_FLAG,
                                   .number = response->settled,
-                                  .unknown = !periodic});
+                                  .unknown = !periodic,
+                                  .omitted = interrupted});
     result_add(table, (ResultRow){.key = "lyapunov",
                                   .label = text_in_arena(arena, "largest exponent per %s", cycle),
                                   .kind = RESULT_NUMBER,

@@ -132,9 +132,7 @@ verbs = {
     "run of a beam": ["run", oscillator, *unconfirmed],
     "run of a beam, json": ["run", oscillator, *unconfirmed, "--json"],
     "run of a beam, files": ["run", oscillator, *unconfirmed, "--json", "--out", "OUT"],
-    "run of a crank": ["run", crank, *stiff],
-    "run of a crank, files": ["run", crank, *stiff, "--json", "--out", "OUT"],
-    "study of a crank": ["study", crank, *stiff, "--vary", "drive.frequency=8:9:2", "--json"],
+    "run of a crank, json": ["run", crank, *stiff, "--json"],
     "paper": ["study", oscillator, *short, "--paper", "--json"],
     "export": ["export", wide, "--to", "svg", "--out", "PIC.svg"],
     "export, text": ["export", wide, "--to", "wkt"],
@@ -142,10 +140,10 @@ verbs = {
     "schema": ["schema", "house"],
 }
 pictures = {"run, files", "run, report", "run, frames", "run, movie", "compare, report", "study of a house, files",
-            "run of a beam, files", "run of a crank, files", "export"}
+            "run of a beam, files", "export"}
 computes_nothing = {"export", "export, text", "import", "schema"}  # no poll
 slow = {"check, suggest", "check, suggest, json", "types of a beam", "types of a house", "run of a beam",
-        "run of a beam, json", "run of a beam, files", "run of a crank, files", "paper"}
+        "run of a beam, json", "run of a beam, files", "run of a crank, json", "paper"}
 
 # A line with one of these words says no; the complete answer must hold the same line.
 NO = re.compile(r"cannot pass|cannot leave|needs at least|blocked|no exit|has no exit|not periodic|not out|no change was|"
