@@ -132,3 +132,10 @@ double cranks_energy(const Tree *tree, const double *state) {
         energy += tree->support_stiffness[i] / 2 * state[tree->rod + i] * state[tree->rod + i];
     return energy;
 }
+
+double cranks_whole_energy(const Tree *tree, const double *state, BallPlace place) {
+    TreePose pose = tree_pose(tree, 0, state);
+    double inside = place == BALL_CONTACT ? ball_read(tree, &pose).distance - tree->clearance : 0;
+    double turns = state[2 * tree->coordinates - 1];
+    return cranks_energy(tree, state) + tree->inertia / 2 * turns * turns + tree->stiffness / 2 * inside * inside;
+}
