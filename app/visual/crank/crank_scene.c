@@ -24,6 +24,9 @@ static const double DEFLECTION = 0.35, ARROW = 1.1;
 
 static const double OUTERMOST = 1.6; /* radii of the loupe: the path is drawn no farther from its middle */
 
+/* In the loupe's radius: its title over its middle, above the overlaps that the path shows. */
+static const double TITLE = 1.36;
+
 static const double AT_WALL =
     0.95; /* of the loupe's radius: the ball is seen at the wall, and not before or behind it */
 
@@ -107,7 +110,7 @@ CrankScale crank_scene_scale(const Crank *crank, const Tree *tree, double reach,
     scale.socket = vec2(right + 1.9 * scale.loupe, middle + 0.52 * half);
     scale.polar = vec2(scale.socket.x, middle - 0.54 * half);
     scale.box = (Box){vec2(-2.3 * scale.unit, middle - 1.06 * half),
-                      vec2(scale.polar.x + 2.2 * scale.reach, middle + 1.02 * half)};
+                      vec2(scale.polar.x + 2.2 * scale.reach, middle + 1.08 * half)};
     return scale;
 }
 
@@ -252,7 +255,7 @@ static void add_loupe_still(const Drawing *d) {
              scene_text(d->scene, "clearance %g mm, overlap x %g", MILLI * d->tree->clearance, CRANK_SCENE_OVERLAP));
     add_name_with_room(d, vec2(scale->socket.x, scale->socket.y - 1.17 * scale->loupe),
                        scene_text(d->scene, "seen %s", crank_scene_sights[scale->sight]));
-    add_name_with_room(d, vec2(scale->socket.x, scale->socket.y + 1.17 * scale->loupe), "ball in its socket");
+    add_name_with_room(d, vec2(scale->socket.x, scale->socket.y + TITLE * scale->loupe), "ball in its socket");
 }
 
 /* Returns the colour of a share of the largest force. */
@@ -353,7 +356,7 @@ static void add_polar(const Drawing *d, const CrankMoment *moment) {
 void crank_scene_still(Scene *scene, const Crank *crank, const Tree *tree, const CrankScale *scale) {
     Drawing d = {scene, tree, scale};
     const char *text = scale->bend > 1 ? scene_text(scene, "bending and support x %g", scale->bend) : "true to scale";
-    add_name(&d, vec2(scale->place, -1.05 * scale->unit), text);
+    add_name(&d, vec2(scale->place, -1.1 * scale->unit), text);
     add_guide(&d);
     add_disc(&d);
     add_grounds(&d);
