@@ -186,6 +186,9 @@ void result_verdict_name(Text *text, const Response *response, const char *cycle
     case RESPONSE_DIVERGED:
         text_format(text, "The numbers diverged after %zu %ss", response->cycles, cycle);
         break;
+    case RESPONSE_STIFF:
+        text_format(text, "Too stiff to follow, after %zu %ss", response->cycles, cycle);
+        break;
     case RESPONSE_INTERRUPTED:
         text_format(text, "Interrupted before a verdict, after %zu recorded %ss", response->section.count, cycle);
         break;

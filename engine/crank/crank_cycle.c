@@ -179,7 +179,7 @@ static CycleStatus status_of(const void *own) {
 
 static CycleTally tally_of(const void *own) {
     const Turn *turn = &((const Motion *)own)->turn;
-    return (CycleTally){turn->switches, 0, turn->contact_time, turn->touches};
+    return (CycleTally){turn->switches, 0, turn->contact_time, turn->touches, turn->evaluations};
 }
 
 static double *peaks_of(void *own) {
@@ -290,6 +290,7 @@ const CycleKind crank_cycle = {
     .closing = 1e-9,
     .cycles_least = 200,
     .cycles_most = 1600,
+    .dear = CRANK_DEAR,
     .lanes = CRANK_LANES,
     .lane_cycles = CRANK_LANE_CYCLES,
     .lane_apart = 100,
@@ -322,8 +323,8 @@ Cycle crank_cycle_of(const Tree *tree) {
     return (Cycle){&crank_cycle, tree};
 }
 
-/* Revolutions in which a joint without clearance settles. */
-enum { IDEAL_TURNS = 20 };
+/* Revolutions in which a joint without clearance settles, and evaluations until it is given up: some seconds. */
+enum { IDEAL_TURNS = 20, IDEAL_WORK = 20000000 };
 
 double crank_cycle_ideal_force(const Crank *crank, const Stop *stop) {
     Crank tight = *crank;
@@ -331,6 +332,7 @@ double crank_cycle_ideal_force(const Crank *crank, const Stop *stop) {
     Tree tree = tree_of(&tight);
     Turn turn = turn_create(&tree, TURN_QUICK);
     turn.stop = stop;
+    turn.evaluations_most = IDEAL_WORK;
     int done = 0;
     for (; done < IDEAL_TURNS && turn.status == CYCLE_GOOD && !stop_requested(stop); done++) {
         turn.peak[0] = 0;

@@ -33,6 +33,9 @@ enum { CRANK_SAMPLES = 1440 /* rows of the trace per revolution: 4 per degree */
  * enough to exclude (95 %) a half-life below 1,000 revolutions when none settles. */
 enum { CRANK_LANES = 16, CRANK_LANE_CYCLES = 400 };
 
+/* Evaluations of the right side in a revolution above which it is dear: it usually takes 40,000 to 60,000. */
+enum { CRANK_DEAR = 100000 };
+
 extern const CycleKind crank_cycle;
 
 /* Returns the cycle of a tree, which must outlive it. */

@@ -26,9 +26,9 @@ static const double ANGLE_LOCATED = 1e-14;
 /* Bending or stretch that changes the coupler's length by more than this part of it is beyond what small bending
  * describes: such a motion does not come back. */
 static const double BENT_MOST = 0.1;
-/* Steps in a revolution are at most STEPS_ANY, and so many per radian of the fastest vibration: a motion that needs
- * more has numbers so large that it would not end. */
-static const double STEPS_ANY = 1e5, STEPS_PER_RADIAN = 100;
+/* Steps in a revolution are at most STEPS_ANY, and so many per radian of the fastest vibration, and never more than
+ * STEPS_MOST, some seconds: a motion that needs more has large numbers, or parts too stiff or damped for its speed. */
+static const double STEPS_ANY = 1e5, STEPS_PER_RADIAN = 100, STEPS_MOST = 1e6;
 enum { SAMPLES = 8 /* of the path of a step */, CORRECTIONS_MOST = 20, HALVINGS = 50 };
 enum { POLLED = 256 /* steps between two looks at whether the end is requested: some ms */ };
 
@@ -215,7 +215,19 @@ typedef struct Trial {
     TurnBall ball;
 } Trial;
 
+/* Ends the motion if that is requested, or if it has taken all the steps that it may. */
+static void watch_steps(Turn *turn) {
+    bool spent = turn->evaluations_most && turn->evaluations > turn->evaluations_most;
+    if (turn->status != CYCLE_GOOD)
+        return;
+    if (turn->cycle_steps++ % POLLED == 0 && stop_requested(turn->stop))
+        turn->status = CYCLE_INTERRUPTED;
+    else if (spent || (double)turn->cycle_steps > turn->steps_most)
+        turn->status = CYCLE_STIFF;
+}
+
 static void try_step(Turn *turn, double length, Trial *trial) {
+    watch_steps(turn);
     Stepper stepper = stepper_of(turn);
     trial->length = length;
     trial->error = stepper_try(&stepper, turn->time, length, turn->state, turn->rates, trial->state, trial->rates);
@@ -298,6 +310,8 @@ static bool try_accurately(Turn *turn, double longest, Trial *trial) {
     double length = real_min(turn->step, longest);
     while (turn->status == CYCLE_GOOD) {
         try_step(turn, length, trial);
+        if (turn->status != CYCLE_GOOD)
+            break;
         double next = stepper_next(length, trial->error);
         if (trial->error <= 1) {
             turn->step = length < turn->step ? real_max(turn->step, next) : next;
@@ -343,7 +357,7 @@ static double steps_most(const Tree *tree) {
         fastest = real_max(fastest, tree->axial_stiffness / (tree->end_mass + tree->mass / 3));
     if (tree->bending)
         fastest = real_max(fastest, tree->sine_stiffness[tree->bending - 1] / (tree->mass / 2));
-    return STEPS_ANY + STEPS_PER_RADIAN * sqrt(fastest) * tree->period;
+    return real_min(STEPS_MOST, STEPS_ANY + STEPS_PER_RADIAN * sqrt(fastest) * tree->period);
 }
 
 static void take(Turn *turn, const Trial *trial) {
@@ -357,7 +371,7 @@ static void take(Turn *turn, const Trial *trial) {
     for (size_t i = 0; i < states; i++)
         if (!isfinite(turn->state[i]))
             turn->status = CYCLE_DIVERGED;
-    if (is_bent(turn->tree, turn->state) || (double)++turn->cycle_steps > turn->steps_most)
+    if (is_bent(turn->tree, turn->state))
         turn->status = CYCLE_DIVERGED;
 }
 
@@ -387,10 +401,6 @@ static void end_revolution(Turn *turn) {
 double turn_step(Turn *turn, double longest) {
     const Tree *tree = turn->tree;
     Trial trial;
-    if (turn->cycle_steps % POLLED == 0 && stop_requested(turn->stop)) {
-        turn->status = CYCLE_INTERRUPTED;
-        return 0;
-    }
     if (!tree->turns)
         longest = real_min(longest, tree->period - turn->time);
     if (!try_accurately(turn, longest, &trial))

@@ -5,8 +5,9 @@
  * the instant and corrected until |F| or k |gap| is below 1e-9 N; the largest force of a contact is located likewise. A
  * revolution ends at theta = 0 mod 2 pi. At a touch the force jumps by c_d |d|'; the state does not.
  *
- * A motion has diverged when a number is infinite or NaN, when the coupler's bending or stretch changes its length by a
- * tenth, which small bending does not describe, or when a revolution takes so many steps that it would not end.
+ * A motion has diverged when a number is infinite or NaN, or when the coupler's bending or stretch changes its length
+ * by a tenth, which small bending does not describe. It is too stiff when a revolution takes so many steps that it
+ * would not end, or when it has taken all the work that it may.
  *
  * A turn is a plain value: an assignment copies it, and the copy goes on with the same bits. */
 #pragma once
@@ -39,12 +40,13 @@ typedef struct Turn {
     double state[TREE_STATES_MOST], rates[TREE_STATES_MOST];
     TurnBall ball;
     double step;        /* s, proposed */
-    size_t cycle_steps; /* in this revolution */
-    double steps_most;  /* in a revolution, until it counts as diverged */
+    size_t cycle_steps; /* tried in this revolution */
+    double steps_most;  /* in a revolution, until it counts as too stiff */
 
     size_t switches, cycle_switches; /* since the start; in this revolution */
     size_t touches;                  /* since the start */
     size_t evaluations;              /* of the right side, since the start */
+    size_t evaluations_most;         /* until it counts as too stiff; 0: any number */
     double contact_time;             /* s, since the start */
     double peak[CYCLE_SIDES];        /* N, largest force since it was last reset; the second is 0: one wall all round */
     bool unwatched;                  /* the peak is not located, which saves time */

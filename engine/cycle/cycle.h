@@ -14,6 +14,7 @@ typedef enum CycleStatus {
     CYCLE_GOOD,
     CYCLE_CHATTERS,    /* too many switches in one cycle to follow: the motion stops there */
     CYCLE_DIVERGED,    /* a number became infinite, NaN or larger than the equations allow */
+    CYCLE_STIFF,       /* one cycle needs more steps than are taken: the motion stops there */
     CYCLE_INTERRUPTED, /* the end was requested within a cycle: the motion stops there */
 } CycleStatus;
 
@@ -24,6 +25,7 @@ typedef struct CycleTally {
     size_t switches, grazes;
     double contact_time; /* s */
     size_t touches;      /* contacts that began; 0 for a kind that does not count them */
+    size_t work;         /* evaluations of the equations; 0 for a kind that does not count them */
 } CycleTally;
 
 /* A motion among many, and what is recorded of it. */
@@ -46,6 +48,10 @@ typedef struct CycleKind {
     int samples;    /* rows of a recording per cycle */
     double closing; /* fraction of a state's length within which an orbit closes: what rounding leaves, with room */
     size_t cycles_least, cycles_most; /* after the transient, on which a verdict rests; the most until it is given up */
+
+    /* Work of a cycle above which it is dear: of dear cycles fewer are run, so that an answer comes in bounded time.
+     * 0: no cycle is dear. */
+    size_t dear;
 
     /* How a motion that is not periodic is watched (survival.h), by what a cycle costs: by default `lanes` motions for
      * `lane_cycles` cycles each, which forget within `lane_apart` cycles the motion that they were started on; one

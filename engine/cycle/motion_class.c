@@ -29,6 +29,7 @@ MotionClass motion_class_of(const Response *response) {
     case RESPONSE_DIVERGED:
         return MOTION_CLASS_DIVERGED;
     case RESPONSE_UNDETERMINED:
+    case RESPONSE_STIFF:
     case RESPONSE_INTERRUPTED:
         break;
     }
@@ -38,7 +39,7 @@ MotionClass motion_class_of(const Response *response) {
 MotionClass motion_class_of_record(CycleStatus status, int period, bool touches) {
     if (status == CYCLE_CHATTERS || status == CYCLE_DIVERGED)
         return status == CYCLE_CHATTERS ? MOTION_CLASS_CHATTERS : MOTION_CLASS_DIVERGED;
-    if (status == CYCLE_INTERRUPTED || period == SECTION_UNDECIDED)
+    if (status != CYCLE_GOOD || period == SECTION_UNDECIDED)
         return MOTION_CLASS_UNDETERMINED;
     if (period == SECTION_NONE)
         return MOTION_CLASS_NOT_PERIODIC;

@@ -22,7 +22,7 @@ typedef enum MotionClass {
 /* (MOTION_CLASSES) "without contact", "periodic", ... */
 extern const char *const motion_class_names[MOTION_CLASSES];
 
-/* Returns the class of a response. An interrupted one is undetermined. */
+/* Returns the class of a response. One that is interrupted or too stiff is undetermined. */
 MotionClass motion_class_of(const Response *response);
 
 /* Largest relative variation of the peaks of a quasi-periodic motion that counts as regular. */

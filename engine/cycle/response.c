@@ -16,12 +16,15 @@ static const double NEAR_RETURN = 0.05;
  * part, is skipped. */
 static const double GROWS = 0.1;
 
+/* Cycles from whose work that of all planned ones is foreseen, and by how much it may be overrated. */
+enum { FORESEEN = 2, DEARER = 2 };
+
 /* The time of the 0-1 test grows with the square of the cycles; it uses only the last ones. */
 enum { ZERO_ONE_CYCLES = 4000 };
 
 const char *response_verdict_name(ResponseVerdict verdict) {
-    static const char *const names[] = {"periodic",     "quasi-periodic", "chaotic",  "transient",
-                                        "undetermined", "chatters",       "diverged", "interrupted"};
+    static const char *const names[] = {"periodic", "quasi-periodic", "chaotic",   "transient",  "undetermined",
+                                        "chatters", "diverged",       "too stiff", "interrupted"};
     return names[verdict];
 }
 
@@ -41,15 +44,33 @@ static const double ROUNDING = 1e-9;
 typedef struct Watch {
     CycleMotion motion;
     const Stop *stop;
-    double *growth; /* (analysed.count) logarithm of the tangent's growth in each cycle */
+    size_t planned;   /* cycles of the transient and of the record */
+    size_t work_most; /* of the motion, until it is given up; 0: it is not */
+    double *growth;   /* (analysed.count) logarithm of the tangent's growth in each cycle */
     size_t growth_capacity;
     Section analysed; /* since the transient */
     Section early;    /* of the transient */
     double early_growth;
 } Watch;
 
+/* True if the motion has taken all the work that it may, or its first cycles show that it will. */
+static bool is_spent(const Watch *watch) {
+    const CycleMotion *motion = &watch->motion;
+    double work = (double)motion->cycle.kind->tally(motion->own).work;
+    size_t done = watch->early.count + watch->analysed.count;
+    if (done >= FORESEEN)
+        work = fmax(work, work / (double)done * (double)watch->planned / DEARER);
+    return watch->work_most && work > (double)watch->work_most;
+}
+
 static bool goes_on(const Watch *watch) {
-    return cycle_status(&watch->motion) == CYCLE_GOOD && !stop_requested(watch->stop);
+    return cycle_status(&watch->motion) == CYCLE_GOOD && !is_spent(watch) && !stop_requested(watch->stop);
+}
+
+/* Returns how many of `cycles` of this work each are run: all unless they are dear. */
+static size_t affordable(const CycleKind *kind, double work, size_t cycles) {
+    double dear = (double)kind->dear;
+    return dear > 0 && work > dear ? (size_t)fmax(1, dear / work * (double)cycles) : cycles;
 }
 
 static void pass_transient(Watch *watch, int cycles) {
@@ -114,6 +135,7 @@ static void record(Response *response, Watch *watch, int cycles) {
     response->touches = (double)(after.touches - before.touches) / seen;
     response->contact_share = (after.contact_time - before.contact_time) / (seen * cycle_period(motion->cycle));
     response->grazes = after.grazes - before.grazes;
+    response->work = (double)after.work / (double)(watch->early.count + section->count + 1);
 }
 
 /* True if the tangent grew in the last quarter of the record. */
@@ -131,6 +153,7 @@ static OrbitAnswer find_orbit(Response *response, const Watch *watch, size_t lea
     double rest = cycle_rest_state(watch->motion.cycle);
     if (tangent_grows(watch))
         return ORBIT_NONE;
+    most = affordable(watch->motion.cycle.kind, response->work, most);
     for (size_t period = least; period <= most && period < seen->count; period++) {
         if (section_return(seen, period, rest) > near)
             continue;
@@ -142,18 +165,20 @@ static OrbitAnswer find_orbit(Response *response, const Watch *watch, size_t lea
     return ORBIT_NONE;
 }
 
-/* Returns the verdict on a motion that could not be followed to the end of a cycle. */
-static ResponseVerdict bad_verdict(CycleStatus status) {
-    switch (status) {
+/* Returns the verdict on a motion that could not be followed for as many cycles as it needs. */
+static ResponseVerdict bad_verdict(const Watch *watch) {
+    switch (cycle_status(&watch->motion)) {
     case CYCLE_CHATTERS:
         return RESPONSE_CHATTERS;
     case CYCLE_DIVERGED:
         return RESPONSE_DIVERGED;
+    case CYCLE_STIFF:
+        return RESPONSE_STIFF;
     case CYCLE_GOOD:
     case CYCLE_INTERRUPTED:
         break;
     }
-    return RESPONSE_INTERRUPTED;
+    return is_spent(watch) ? RESPONSE_STIFF : RESPONSE_INTERRUPTED;
 }
 
 static bool is_chaotic(const Response *response) {
@@ -335,7 +360,9 @@ static ResponseVerdict decide(Response *response, Watch *watch) {
             note_cycle(watch);
         }
         if (watch->analysed.count < cycles) {
-            verdict = bad_verdict(cycle_status(&watch->motion));
+            verdict = bad_verdict(watch);
+            if (verdict == RESPONSE_STIFF && cycles > kind->cycles_least)
+                return RESPONSE_UNDETERMINED;
             return verdict == RESPONSE_INTERRUPTED ? interrupt(response) : verdict;
         }
         response->exponent = chaos_exponent(watch->growth, watch->analysed.count);
@@ -350,13 +377,14 @@ void response_run(Response *response, Cycle cycle, int transient, int cycles, co
                            .zero_one = NAN,
                            .rotation = {NAN, NAN}};
     trace_init(&response->trace, cycle.kind->columns, cycle.kind->column_count);
-    Watch watch = {.motion = cycle_create(cycle, 1, stop), .stop = stop};
+    size_t planned = (size_t)transient + (size_t)cycles, most = cycle.kind->cycles_most;
+    Watch watch = {.motion = cycle_create(cycle, 1, stop), .stop = stop, .planned = planned};
+    watch.work_most = cycle.kind->dear * (planned > most ? planned : most);
     if (start)
         cycle.kind->set_state(watch.motion.own, start);
     pass_transient(&watch, transient);
     record(response, &watch, cycles);
-    response->verdict =
-        response->section.count == (size_t)cycles ? decide(response, &watch) : bad_verdict(cycle_status(&watch.motion));
+    response->verdict = response->section.count == (size_t)cycles ? decide(response, &watch) : bad_verdict(&watch);
     response->cycles = watch.analysed.count;
     cycle_destroy(&watch.motion);
     response->analysed = watch.analysed;
@@ -374,7 +402,9 @@ void response_confirm(Response *response, Cycle cycle, const SurvivalTask *task)
     if (!response_is_quick(response) || !task->lanes)
         return;
     bool settled = response->verdict == RESPONSE_TRANSIENT;
-    Survival survival = survival_run(cycle, settled ? &response->wandering : &response->analysed, task);
+    SurvivalTask affordable_task = *task;
+    affordable_task.cycles = affordable(cycle.kind, response->work, task->cycles);
+    Survival survival = survival_run(cycle, settled ? &response->wandering : &response->analysed, &affordable_task);
     if (!survival.whole)
         return;
     response->survival = survival;

@@ -9,6 +9,7 @@
  * - Transient: was chaotic for RESPONSE_TRANSIENT_LEAST cycles or more and then settled on a stable orbit; or looks
  *   chaotic, but lanes that were started on it settle (survival.h).
  * - Undetermined: none of these can be shown. What was tried is in the response.
+ * - Too stiff: a cycle takes so much work (CycleKind's `dear`) that too few could be run for any verdict.
  *
  * A verdict other than periodic is quick until response_confirm has watched whether the motion lasts. */
 #pragma once
@@ -32,6 +33,7 @@ typedef enum ResponseVerdict {
     RESPONSE_UNDETERMINED,
     RESPONSE_CHATTERS, /* too many switches in a cycle to follow */
     RESPONSE_DIVERGED, /* a number became infinite, NaN or larger than the equations allow */
+    RESPONSE_STIFF,    /* a cycle takes too much work for a verdict in bounded time */
     RESPONSE_INTERRUPTED,
 } ResponseVerdict;
 
@@ -69,6 +71,7 @@ typedef struct Response {
     size_t bands;           /* of chaos, or closed curves of a torus: 1 or more; otherwise 0 */
     Survival survival;      /* of 0 lanes: not confirmed */
     bool settled;           /* the first recorded cycle was already on the orbit */
+    double work;            /* per cycle, of a kind that counts it; otherwise 0 */
     size_t cycles;          /* cycles after the transient on which the verdict rests */
     double contact_share;   /* 1, fraction of the recorded time */
     double switches;        /* per recorded cycle */

@@ -13,6 +13,8 @@
 
 /* Part of the clearance within which the ball begins at random. */
 static const double START_WITHIN = 0.9;
+/* Evaluations of the right side that any quick trial may take: half a minute. */
+enum { QUICK_WORK = 200000000 };
 
 static const Observable observables[CRANK_OBSERVABLES] = {
     [CRANK_REGULAR] = {"regular", "1", "periodic (1) or not within the revolutions seen (0)"},
@@ -157,12 +159,19 @@ static void tell_record(Trial *trial, const Crank *crank, const Record *record, 
         tell_regular(trial, period != SECTION_NONE, (size_t)period);
 }
 
+/* Returns how many evaluations a quick trial may take: more than its revolutions usually do. */
+static size_t quick_work(const Crank *crank) {
+    size_t usual = CRANK_DEAR * ((size_t)crank->transient_cycles + (size_t)crank->cycles);
+    return usual > QUICK_WORK ? usual : QUICK_WORK;
+}
+
 static void run_quickly(Trial *trial, const Crank *crank, const Tree *tree, CrankCarry *carry, const Stop *stop) {
     size_t cycles = (size_t)crank->cycles;
     double *room = memory_zeroed(3 * cycles, sizeof *room);
     Record record = {0, room, room + cycles, room + 2 * cycles};
     Turn turn = turn_create(tree, TURN_QUICK);
     turn.stop = stop;
+    turn.evaluations_most = quick_work(crank);
     if (carry && carry->states == 2 * tree->coordinates)
         crank_cycle_set_state(&turn, carry->state);
     turn.unwatched = true;
@@ -175,7 +184,7 @@ static void run_quickly(Trial *trial, const Crank *crank, const Tree *tree, Cran
     list_peaks(trial, record.peak, 1, record.count);
     if (record.count)
         trial->observed[CRANK_TOUCHES] = (double)(turn.touches - touches) / (double)record.count;
-    bool fails = turn.status == CYCLE_CHATTERS || turn.status == CYCLE_DIVERGED;
+    bool fails = turn.status != CYCLE_GOOD && turn.status != CYCLE_INTERRUPTED;
     trial->done = record.count == cycles || fails;
     if (fails)
         trial->observed[CRANK_MOTION] = motion_class_of_record(turn.status, SECTION_UNDECIDED, true);

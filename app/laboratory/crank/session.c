@@ -67,6 +67,11 @@ static void advance(CrankSession *session) {
                  "In revolution %zu the ball switches more than %d times, and the run ends: use more contact damping, "
                  "a softer contact or a larger clearance",
                  tape->front + 1, TURN_SWITCHES_MOST);
+    else if (tape->status == CYCLE_STIFF)
+        snprintf(session->error, sizeof session->error,
+                 "Revolution %zu takes more than %.0f steps, and the run ends: use a softer or less damped joint, or a "
+                 "higher speed",
+                 tape->front + 1, tape->turn.steps_most);
     else
         snprintf(
             session->error, sizeof session->error,

@@ -25,7 +25,10 @@ static void title_periodic(char *title, size_t size, size_t period, size_t conta
 static void title_lately(MachineAnswer *answer, const MachineNow *now, const MachineLately *lately) {
     size_t size = sizeof answer->title;
     if (now->status != CYCLE_GOOD)
-        snprintf(answer->title, size, now->status == CYCLE_CHATTERS ? "Chatter" : "Diverged");
+        snprintf(answer->title, size, "%s",
+                 now->status == CYCLE_CHATTERS ? "Chatter"
+                 : now->status == CYCLE_STIFF  ? "Too stiff"
+                                               : "Diverged");
     else if (lately->period > 0)
         title_periodic(answer->title, size, (size_t)lately->period, lately->peaks.count);
     else if (lately->period == SECTION_NONE && lately->cycles >= MACHINE_ANSWER_LATELY)
@@ -42,6 +45,7 @@ static void title_verdict(MachineAnswer *answer, const MachineVerdict *verdict) 
                                          [RESPONSE_UNDETERMINED] = "Undetermined",
                                          [RESPONSE_CHATTERS] = "Chatter",
                                          [RESPONSE_DIVERGED] = "Diverged",
+                                         [RESPONSE_STIFF] = "Too stiff",
                                          [RESPONSE_INTERRUPTED] = "Interrupted"};
     if (verdict->facts.verdict == RESPONSE_PERIODIC)
         title_periodic(answer->title, sizeof answer->title, verdict->facts.period, verdict->facts.peaks.count);

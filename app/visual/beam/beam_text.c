@@ -45,7 +45,8 @@ const char *beam_text_title(Scene *scene, const Beam *beam, const Rig *rig, cons
         [RESPONSE_PERIODIC] = "Periodic",         [RESPONSE_QUASI_PERIODIC] = "Quasi-periodic",
         [RESPONSE_CHAOTIC] = "Chaotic",           [RESPONSE_TRANSIENT] = "Transient",
         [RESPONSE_UNDETERMINED] = "Undetermined", [RESPONSE_CHATTERS] = "Chatter",
-        [RESPONSE_DIVERGED] = "Diverged",         [RESPONSE_INTERRUPTED] = "Interrupted"};
+        [RESPONSE_DIVERGED] = "Diverged",         [RESPONSE_STIFF] = "Too stiff",
+        [RESPONSE_INTERRUPTED] = "Interrupted"};
     const char *verdict = verdicts[response->verdict];
     if (response->verdict == RESPONSE_PERIODIC && response->orbit.period > 1)
         verdict = scene_text(scene, "Period %zu", response->orbit.period);

@@ -4,6 +4,7 @@
 #include "check.h"
 #include "crank/stepper.h"
 #include "cranks.h"
+#include "cycle/motion_class.h"
 
 static void oscillate(const void *system, double time, const double *state, double *rates) {
     (void)system;
@@ -272,6 +273,18 @@ TEST(a_revolution_ends_soon_after_a_request) {
     CHECK(turn.cycle == 0 && turn.cycle_steps <= steps + 256);
     stop_withdraw(&stop);
     CHECK(turn_cycle(&turn) == CYCLE_INTERRUPTED); /* it stops there */
+}
+
+TEST(a_revolution_of_too_many_steps_is_too_stiff) {
+    Tree tree = cranks_tree("");
+    Turn few = turn_create(&tree, TURN_FINE), short_of = few;
+    few.steps_most = 500;
+    CHECK(turn_cycle(&few) == CYCLE_STIFF && few.cycle == 0 && few.cycle_steps < 510);
+    short_of.evaluations_most = 100000;
+    for (int i = 0; i < 10; i++)
+        turn_cycle(&short_of);
+    CHECK(short_of.status == CYCLE_STIFF && short_of.cycle > 0 && short_of.evaluations < 101000);
+    CHECK(motion_class_of_record(CYCLE_STIFF, 1, true) == MOTION_CLASS_UNDETERMINED);
 }
 
 /* At 60,000 rpm the joint bends the coupler so far that its equations say nothing. */
