@@ -2,33 +2,6 @@
 
 #include <math.h>
 
-void beam_picture_set_camera(void *context, Camera camera) {
-    BeamSession *session = context;
-    session->view.camera = camera;
-    beam_view_renew(&session->view);
-    beam_view_show(&session->view, &session->tape, session->machine.shown);
-    session->machine.news |= LABORATORY_VIEW;
-}
-
-void beam_picture_set_layers(void *context, unsigned layers) {
-    BeamSession *session = context;
-    session->view.parts = layers & BEAM_SCENE_ALL;
-    beam_view_show(&session->view, &session->tape, session->machine.shown);
-    session->machine.news |= LABORATORY_VIEW;
-}
-
-const Scene *beam_picture_still(void *context) {
-    return &((const BeamSession *)context)->view.still;
-}
-
-const Scene *beam_picture_added(const void *context) {
-    return &((const BeamSession *)context)->added;
-}
-
-const Scene *beam_picture_moving(const void *context) {
-    return &((const BeamSession *)context)->view.moving;
-}
-
 /* The plots over time, and the orbit diagram. */
 
 static const char *const plot_names[] = {"phase", "poincare", "force", "spectrum", "orbit"};

@@ -65,6 +65,13 @@ static void clear_runs(void *context, double time) {
     beam_traces_show(&session->traces, &session->tape, time);
 }
 
+static bool draw(MachineSession *machine_session, double time) {
+    BeamSession *session = (BeamSession *)machine_session;
+    bool restarted = beam_view_show(&session->view, &session->machine.picture, &session->tape, time);
+    beam_traces_show(&session->traces, &session->tape, time);
+    return restarted;
+}
+
 /* Opening -----------------------------------------------------------------------------------------------------------*/
 
 static bool read_files(BeamSession *session, const char *path, const LaboratoryOptions *options, Fault *fault) {
@@ -111,10 +118,12 @@ static void *open_live(const char *path, const LaboratoryOptions *options, Fault
         return NULL;
     }
     session->tape.place = session->opened.name;
-    session->view.parts = BEAM_SCENE_ALL & ~BEAM_SCENE_SOURCES;
+    session->machine.picture.parts = BEAM_SCENE_ALL & ~BEAM_SCENE_SOURCES;
+    session->machine.picture.all = BEAM_SCENE_ALL;
     beam_traces_open(&session->traces);
     session->machine.change_record = change_record;
     session->machine.look = look;
+    session->machine.draw = draw;
     session->machine.state = state_of;
     machine_session_open(&session->machine, &beam_machine, path, options->jobs, &(Machine){.beam = session->opened},
                          &(Machine){.beam = session->file});
@@ -161,16 +170,6 @@ static double reach(void *context, double time) {
             break;
     }
     return tape->front_time;
-}
-
-static bool show(void *context, double time) {
-    BeamSession *session = context;
-    session->machine.shown = time;
-    bool restarted = beam_view_show(&session->view, &session->tape, time);
-    beam_traces_show(&session->traces, &session->tape, time);
-    if (restarted)
-        session->machine.news |= LABORATORY_VIEW;
-    return !restarted;
 }
 
 /* Answer ------------------------------------------------------------------------------------------------------------*/
@@ -237,12 +236,12 @@ const Laboratory beam_laboratory = {
     .update = machine_session_update,
     .span = span,
     .reach = reach,
-    .show = show,
-    .still = beam_picture_still,
-    .added = beam_picture_added,
-    .moving = beam_picture_moving,
-    .set_camera = beam_picture_set_camera,
-    .set_layers = beam_picture_set_layers,
+    .show = machine_picture_show,
+    .still = machine_picture_still,
+    .added = machine_picture_added,
+    .moving = machine_picture_moving,
+    .set_camera = machine_picture_set_camera,
+    .set_layers = machine_picture_set_layers,
     .plot_count = beam_picture_plot_count,
     .plot = beam_picture_plot,
     .points_until = beam_picture_points_until,

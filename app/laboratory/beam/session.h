@@ -17,7 +17,6 @@ typedef struct BeamSession {
     BeamTape tape;
     BeamView view;
     BeamTraces traces;
-    Scene added; /* always empty */
     const char *error;
     TimelineMark marks[BEAM_TAPE_PARTS + 1];
     Arena error_texts; /* holds the texts of errors */

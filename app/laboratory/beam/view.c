@@ -9,37 +9,33 @@ static bool same_scale(const BeamScale *a, const BeamScale *b) {
            same_joint(&a->joint[1], &b->joint[1]);
 }
 
-static void make_still(BeamView *view, const Beam *beam) {
-    Scene *still = &view->still;
-    scene_reset(still);
-    still->bare = still->unscaled = true;
-    still->box = beam_scene_box(&view->scale, true);
-    still->camera = view->camera;
+static void make_still(const BeamView *view, MachinePicture *picture, const Beam *beam) {
+    Scene *still = machine_picture_begin(picture, beam_scene_box(&view->scale, true));
     beam_scene_magnified(still, &view->scale);
     beam_scene_still(still, beam, &view->scale);
 }
 
 /* Takes over the scale and the shape of a part and cycle. True: they have changed. */
-static bool take_cycle(BeamView *view, const BeamPart *part, const BeamCycle *cycle) {
+static bool take_cycle(BeamView *view, MachinePicture *picture, const BeamPart *part, const BeamCycle *cycle) {
     BeamScale scale = beam_scene_scale(&part->beam, cycle->room.reach, cycle->room.tip_reach);
-    scale.parts = view->parts;
-    if (view->serial == part->serial && same_scale(&scale, &view->scale))
+    scale.parts = picture->parts;
+    if (picture->serial == part->serial && same_scale(&scale, &view->scale))
         return false;
     beam_shape_destroy(&view->shape);
     view->shape = beam_shape_create(&part->rig);
     view->scale = scale;
-    view->serial = part->serial;
+    picture->serial = part->serial;
     return true;
 }
 
-bool beam_view_show(BeamView *view, const BeamTape *tape, double time) {
+bool beam_view_show(BeamView *view, MachinePicture *picture, const BeamTape *tape, double time) {
     beam_tape_seek(tape, &view->sight, time);
     const Motion *motion = &view->sight.motion;
     const BeamPart *part = beam_tape_part(tape, view->sight.cycle);
     const BeamCycle *cycle = beam_tape_cycle(tape, view->sight.cycle);
-    bool restarted = take_cycle(view, part, cycle);
+    bool restarted = take_cycle(view, picture, part, cycle);
     if (restarted)
-        make_still(view, &part->beam);
+        make_still(view, picture, &part->beam);
     beam_shape_set(&view->shape, motion);
     BeamMoment moment = {.time = time,
                          .cycle = view->sight.cycle + 1,
@@ -48,19 +44,13 @@ bool beam_view_show(BeamView *view, const BeamTape *tape, double time) {
                          .largest = cycle->room.force};
     for (int side = 0; side < 2; side++)
         moment.last[side] = view->sight.last[side].peak > 0 ? &view->sight.last[side] : NULL;
-    scene_reset(&view->moving);
-    beam_scene_moving(&view->moving, &part->beam, &view->scale, &view->shape, &moment);
-    view->moving.clock = NULL;
+    scene_reset(&picture->moving);
+    beam_scene_moving(&picture->moving, &part->beam, &view->scale, &view->shape, &moment);
+    picture->moving.clock = NULL;
     return restarted;
 }
 
-void beam_view_renew(BeamView *view) {
-    view->serial = 0;
-}
-
 void beam_view_close(BeamView *view) {
-    scene_clear(&view->still);
-    scene_clear(&view->moving);
     beam_shape_destroy(&view->shape);
     beam_tape_close_sight(&view->sight);
 }

@@ -2,33 +2,6 @@
 
 #include <math.h>
 
-void crank_picture_set_camera(void *context, Camera camera) {
-    CrankSession *session = context;
-    session->view.camera = camera;
-    crank_view_renew(&session->view);
-    crank_view_show(&session->view, &session->tape, session->machine.shown);
-    session->machine.news |= LABORATORY_VIEW;
-}
-
-void crank_picture_set_layers(void *context, unsigned layers) {
-    CrankSession *session = context;
-    session->view.parts = layers & CRANK_SCENE_ALL;
-    crank_view_show(&session->view, &session->tape, session->machine.shown);
-    session->machine.news |= LABORATORY_VIEW;
-}
-
-const Scene *crank_picture_still(void *context) {
-    return &((const CrankSession *)context)->view.still;
-}
-
-const Scene *crank_picture_added(const void *context) {
-    return &((const CrankSession *)context)->added;
-}
-
-const Scene *crank_picture_moving(const void *context) {
-    return &((const CrankSession *)context)->view.moving;
-}
-
 /* The plots over time, the orbit diagram, and the map of types. */
 enum { ORBIT = CRANK_TRACES, MAP, PLOTS };
 

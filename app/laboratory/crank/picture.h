@@ -1,13 +1,8 @@
-/* Pictures, plots and sound of a running crank: functions of Laboratory with a CrankSession as context. */
+/* Plots and sound of a running crank: functions of Laboratory with a CrankSession as context. */
 #pragma once
 
 #include "laboratory/crank/session.h"
 
-void crank_picture_set_camera(void *context, Camera camera);
-void crank_picture_set_layers(void *context, unsigned layers);
-const Scene *crank_picture_still(void *context);
-const Scene *crank_picture_added(const void *context);
-const Scene *crank_picture_moving(const void *context);
 size_t crank_picture_plot_count(const void *context);
 LaboratoryPlot crank_picture_plot(const void *context, size_t index);
 size_t crank_picture_points_until(const void *context, size_t index, size_t series, double time);

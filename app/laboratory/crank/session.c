@@ -113,7 +113,7 @@ static void choose(void *context, size_t choice, size_t word) {
     }
     session->view.sight = (CrankSight)word;
     show_sight(session);
-    crank_view_show(&session->view, &session->tape, session->machine.shown);
+    crank_view_show(&session->view, &session->machine.picture, &session->tape, session->machine.shown);
     session->machine.news |= LABORATORY_VIEW | LABORATORY_PARAMETERS;
 }
 
@@ -143,6 +143,13 @@ static void clear_runs(void *context, double time) {
     crank_traces_show(&session->traces, &session->tape, time);
 }
 
+static bool draw(MachineSession *machine_session, double time) {
+    CrankSession *session = (CrankSession *)machine_session;
+    bool restarted = crank_view_show(&session->view, &session->machine.picture, &session->tape, time);
+    crank_traces_show(&session->traces, &session->tape, time);
+    return restarted;
+}
+
 /* Opening -----------------------------------------------------------------------------------------------------------*/
 
 static bool read_files(CrankSession *session, const char *path, const LaboratoryOptions *options, Fault *fault) {
@@ -162,10 +169,11 @@ static void *open_live(const char *path, const LaboratoryOptions *options, Fault
         return NULL;
     }
     crank_tape_open(&session->tape, &session->opened);
-    session->view.parts = CRANK_SCENE_ALL;
+    session->machine.picture.parts = session->machine.picture.all = CRANK_SCENE_ALL;
     crank_traces_open(&session->traces);
     session->machine.change_record = change_record;
     session->machine.look = look_at_answer;
+    session->machine.draw = draw;
     machine_session_open(&session->machine, &crank_machine, path, options->jobs, &(Machine){.crank = session->opened},
                          &(Machine){.crank = session->file});
     session->machine.choice_count = CHOICE_SIGHT + 1;
@@ -212,16 +220,6 @@ static double reach(void *context, double time) {
             break;
     }
     return tape->front_time;
-}
-
-static bool show(void *context, double time) {
-    CrankSession *session = context;
-    session->machine.shown = time;
-    bool restarted = crank_view_show(&session->view, &session->tape, time);
-    crank_traces_show(&session->traces, &session->tape, time);
-    if (restarted)
-        session->machine.news |= LABORATORY_VIEW;
-    return !restarted;
 }
 
 /* Answer ------------------------------------------------------------------------------------------------------------*/
@@ -284,12 +282,12 @@ const Laboratory crank_laboratory = {
     .update = machine_session_update,
     .span = span,
     .reach = reach,
-    .show = show,
-    .still = crank_picture_still,
-    .added = crank_picture_added,
-    .moving = crank_picture_moving,
-    .set_camera = crank_picture_set_camera,
-    .set_layers = crank_picture_set_layers,
+    .show = machine_picture_show,
+    .still = machine_picture_still,
+    .added = machine_picture_added,
+    .moving = machine_picture_moving,
+    .set_camera = machine_picture_set_camera,
+    .set_layers = machine_picture_set_layers,
     .note_plots = machine_session_note_plots,
     .plot_count = crank_picture_plot_count,
     .plot = crank_picture_plot,

@@ -15,7 +15,6 @@ typedef struct CrankSession {
     CrankTape tape;
     CrankView view;
     CrankTraces traces;
-    Scene added; /* always empty */
     char error[200];
     TimelineMark marks[CRANK_TAPE_PARTS + 1];
     char clock[64];

@@ -15,20 +15,15 @@ static bool same_scale(const CrankScale *a, const CrankScale *b) {
 }
 
 /* Takes over the scale of a part and revolution. True: it has changed. */
-static bool take_cycle(CrankView *view, const CrankPart *part, const CrankTapeCycle *cycle) {
+static bool take_cycle(CrankView *view, MachinePicture *picture, const CrankPart *part, const CrankTapeCycle *cycle) {
     CrankScale scale = crank_scene_scale(&part->crank, &part->tree, cycle->reach_room, cycle->force_room);
-    scale.parts = view->parts;
+    scale.parts = picture->parts;
     scale.sight = view->sight;
-    if (view->serial == part->serial && same_scale(&scale, &view->scale))
+    if (picture->serial == part->serial && same_scale(&scale, &view->scale))
         return false;
     view->scale = scale;
-    view->serial = part->serial;
-    Scene *still = &view->still;
-    scene_reset(still);
-    still->bare = still->unscaled = true;
-    still->box = scale.box;
-    still->camera = view->camera;
-    crank_scene_still(still, &part->crank, &part->tree, &scale);
+    picture->serial = part->serial;
+    crank_scene_still(machine_picture_begin(picture, scale.box), &part->crank, &part->tree, &scale);
     return true;
 }
 
@@ -53,11 +48,11 @@ static size_t copy_column(const CrankTape *tape, size_t cycle, size_t row, size_
     return count;
 }
 
-bool crank_view_show(CrankView *view, const CrankTape *tape, double time) {
+bool crank_view_show(CrankView *view, MachinePicture *picture, const CrankTape *tape, double time) {
     size_t row, present, cycle = crank_tape_cycle_at(tape, time, &row);
     const CrankPart *part = crank_tape_part(tape, cycle);
     const CrankTapeCycle *at = crank_tape_cycle(tape, cycle);
-    bool restarted = take_cycle(view, part, at);
+    bool restarted = take_cycle(view, picture, part, at);
     size_t width = part->tree.coordinates, room = 0;
     if (!at->row_count)
         return restarted;
@@ -84,17 +79,11 @@ bool crank_view_show(CrankView *view, const CrankTape *tape, double time) {
     copy_column(tape, cycle, row, FORCE_TURNS, FORCE_STEP, CRANK_TAPE_ANGLE, columns[3], &present);
     moment.force_count =
         copy_column(tape, cycle, row, FORCE_TURNS, FORCE_STEP, CRANK_TAPE_FORCE, columns[4], &moment.present);
-    scene_reset(&view->moving);
-    crank_scene_moving(&view->moving, &part->tree, &view->scale, &moment);
+    scene_reset(&picture->moving);
+    crank_scene_moving(&picture->moving, &part->tree, &view->scale, &moment);
     return restarted;
 }
 
-void crank_view_renew(CrankView *view) {
-    view->serial = 0;
-}
-
 void crank_view_close(CrankView *view) {
-    scene_clear(&view->still);
-    scene_clear(&view->moving);
     memory_free(view->values);
 }

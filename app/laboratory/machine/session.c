@@ -37,6 +37,7 @@ void machine_session_open(MachineSession *session, const MachineKind *kind, cons
 
 void machine_session_close(MachineSession *session) {
     machine_worker_stop(session->worker);
+    machine_picture_close(&session->picture);
     machine_diagram_close(&session->diagram);
     machine_answer_clear(&session->answer);
     machine_verdict_clear(&session->verdict);

@@ -7,6 +7,7 @@
 #include "laboratory/machine/answer.h"
 #include "laboratory/machine/diagram.h"
 #include "laboratory/machine/map.h"
+#include "laboratory/machine/picture.h"
 
 enum { MACHINE_CHOICE_SWEEP, MACHINE_CHOICE_OVER, MACHINE_CHOICES, MACHINE_CHOICES_MOST = 4 };
 
@@ -17,6 +18,7 @@ struct MachineSession {
     char *path;
     Machine now; /* the present machine */
     MachineControls controls;
+    MachinePicture picture;
     MachineDiagram diagram;
     MachineMap map;
     MachineWorker *worker;
@@ -39,11 +41,14 @@ struct MachineSession {
      * NULL: orbits cannot be followed. */
     size_t (*state)(const MachineSession *session, double *state);
 
+    /* Draws the record at a time into the picture, and shows its plots. True: the static layer has changed. */
+    bool (*draw)(MachineSession *session, double time);
+
     /* Rewrites the answer if the record has grown. */
     void (*look)(MachineSession *session);
 };
 
-/* Opens a zeroed session, whose two functions are set, with a copy of the path. `opened` is the file's machine changed
+/* Opens a zeroed session, whose functions are set, with a copy of the path. `opened` is the file's machine changed
  * by the settings, `file` the one without them; their texts must outlive it. */
 void machine_session_open(MachineSession *session, const MachineKind *kind, const char *path, int jobs,
                           const Machine *opened, const Machine *file);
