@@ -140,6 +140,7 @@ const MachineKind beam_machine = {
     .decide = decide,
     .confirm = confirm,
     .cycles = cycles_of,
+    .lanes = SURVIVAL_LANES,
     .open_experiment = open_experiment,
     .close_experiment = beam_experiment_close,
     .be_thorough = be_thorough,

@@ -140,6 +140,7 @@ const MachineKind crank_machine = {
     .decide = decide,
     .confirm = confirm,
     .cycles = cycles_of,
+    .lanes = CRANK_LANES,
     .open_experiment = open_experiment,
     .close_experiment = crank_experiment_close,
     .be_thorough = be_thorough,

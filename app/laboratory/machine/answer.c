@@ -234,7 +234,7 @@ void machine_answer_note_doing(MachineAnswer *answer, const MachineKind *kind, c
         snprintf(answer->doing, size, "orbit diagram: %zu of %zu values", done, all);
         answer->result.part = (double)done / (double)all;
     } else if (news->confirming) {
-        snprintf(answer->doing, size, "verdict: %d motions are watched", SURVIVAL_LANES);
+        snprintf(answer->doing, size, "verdict: %zu motions are watched", kind->lanes);
     } else if (news->bands_all) {
         snprintf(answer->doing, size, "types along the diagram: %zu of %zu", news->bands.count, news->bands_all);
         answer->result.part = (double)news->bands.count / (double)news->bands_all;

@@ -100,6 +100,7 @@ typedef struct MachineKind {
     /* Simulates a machine from its start and tells its motion. False: a fault, or it was stopped. */
     bool (*decide)(const Machine *machine, MachineFacts *facts, const Stop *stop);
     int (*cycles)(const Machine *machine); /* of one run */
+    size_t lanes;                          /* motions that are watched to confirm a verdict */
 
     /* Does the same and confirms a quick verdict by watching motions. False: it is not confirmed, or it was stopped.
      * Only kinds whose facts may be quick have it. */
