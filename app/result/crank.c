@@ -142,9 +142,11 @@ void result_crank_say(Text *text, const Crank *crank, const Tree *tree, const Re
     if (response->verdict == RESPONSE_DIVERGED && tree->turns)
         text_add(text, "The motor may have stalled\n");
     if (response->verdict == RESPONSE_STIFF)
-        text_add(text, "Its revolutions take more steps than are taken: the joint or the coupler is too stiff or too "
-                       "damped for this speed, or the numbers are too large; a softer or less damped joint, a higher "
-                       "speed or fewer run.transient_cycles may help\n");
+        text_add(text,
+                 "Its revolutions would take too many steps: the joint or the coupler is too stiff or too damped for "
+                 "this speed, friction sets in too sharply, or the numbers are too large; a softer or less "
+                 "damped joint, a larger joint.slip_speed, a higher speed or fewer run.transient_cycles may "
+                 "help\n");
     say_contact(text, crank, response);
     if (tree->bending)
         say_meeting(text, crank, tree_bending_frequency(tree, 0), "the coupler's first bending");
