@@ -1,9 +1,11 @@
 /* Lessons: lists them, gives one in the window, tries their goals by their scripts, prints sheets. */
 
 #include <dirent.h>
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/text.h"
@@ -113,14 +115,19 @@ static int check(Lesson *lesson, const Options *options, Arena *arena) {
 static int sheet(Lesson *lesson, const Options *options, Arena *arena) {
     Fault fault = {0};
     AttemptState state = state_of(options);
+    const char *path = text_in_arena(arena, "%s/%s%s.pdf", options->out, name_of(lesson->path, arena),
+                                     options->answers ? "-answers" : "");
+    struct stat status;
+    if (stat(path, &status) == 0 && S_ISDIR(status.st_mode)) { /* said before minutes of work */
+        output_failed(path, EISDIR);
+        return EXIT_WRONG_INPUT;
+    }
     if (!attempt_numbers(lesson, &state, &fault) && !fault.total)
         return tell_interrupted();
     Making making = making_of(options);
     SheetOptions made = {
         .answers = options->answers, .program = making.program, .profiles = state.profiles, .jobs = options->jobs};
     Document printed = lesson_sheet_make(lesson, &made, &fault);
-    const char *path = text_in_arena(arena, "%s/%s%s.pdf", options->out, name_of(lesson->path, arena),
-                                     options->answers ? "-answers" : "");
     int error = fault.total ? 0 : pdf_write(&printed, path, 0);
     document_clear(&printed);
     if (fault.total)

@@ -548,6 +548,8 @@ const char *file_write_reason(int error) {
         return "the file would be larger than the system allows";
     case EISDIR:
         return "a folder has this name";
+    case ENOTDIR:
+        return "a file stands where a folder has to be";
     case ENAMETOOLONG:
         return "the name is too long";
     default:

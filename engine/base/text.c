@@ -228,5 +228,8 @@ int text_make_folder(const char *path) {
         error = mkdir(part, 0777) && errno != EEXIST ? errno : 0;
     }
     memory_free(part);
+    struct stat status;
+    if (!error && stat(path, &status) == 0 && !S_ISDIR(status.st_mode))
+        error = ENOTDIR;
     return error ? error : access(path, W_OK | X_OK) ? errno : 0;
 }

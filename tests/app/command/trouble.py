@@ -4,6 +4,7 @@
 trouble.py CLEARANCE
 """
 
+import json
 import os
 import pathlib
 import signal
@@ -107,7 +108,40 @@ def check_fonts(out):
         check(done.returncode == 0 and done.stderr.count("no font is installed") == 1, f"a warning of {words[0]}", done.stderr)
 
 
-for part in (check_fonts, check_pipes, check_names, check_full):
+def check_sheets(out):
+    """A lesson's sheet that cannot be written is one line, and nothing that was there is lost."""
+    lesson = out / "short.json"
+    lesson.write_text(json.dumps({"format": "clearance-lesson", "version": 1, "title": "short", "laboratory": "house",
+                                  "level": "all", "file": str(corridor), "script": "none",
+                                  "steps": [{"kind": "read", "text": "One line."}],
+                                  "teacher": {"before": [], "questions": [], "mistakes": []}}))
+    places = {name: out / name for name in ("file", "full", "over", "closed")}
+    places["file"].write_text("kept")
+    for name in ("full", "over", "closed"):
+        places[name].mkdir()
+        places[name].chmod(0o777)
+    (places["full"] / "short.pdf").symlink_to("/dev/full")
+    (places["over"] / "short.pdf").mkdir()
+    (places["closed"] / "short.pdf").write_text("kept")
+    (places["closed"] / "short.pdf").chmod(0o444)
+    places["closed"].chmod(0o555)
+    out.chmod(0o755)
+    somebody = {"user": "nobody"} if os.geteuid() == 0 else {}  # root may write everywhere
+    for place, says in ((places["file"], "file cannot be written: a file stands where a folder has to be"),
+                        (places["full"], "full/short.pdf cannot be written: the disk is full"),
+                        (places["over"], "over/short.pdf cannot be written: a folder has this name"),
+                        (places["closed"], "closed cannot be written: Permission denied"),
+                        (pathlib.Path("/dev/full"), "/dev/full cannot be written: a file stands where a folder has to be")):
+        done = run("lesson", "sheet", lesson, "--out", place, **somebody)
+        check(done.returncode == 2 and done.stderr.count("\n") == 1 and says in done.stderr and not done.stdout,
+              f"a sheet into {place}", f"{done.returncode} {done.stderr}")
+    check(places["file"].read_text() == "kept" and (places["closed"] / "short.pdf").read_text() == "kept" and
+          (places["over"] / "short.pdf").is_dir(), "what was there is kept")
+    done = run("lesson", "sheet", lesson, "--out", out / "new" / "folder")
+    check(done.returncode == 0 and (out / "new" / "folder" / "short.pdf").stat().st_size > 1000, "a sheet", done.stderr)
+
+
+for part in (check_fonts, check_pipes, check_names, check_full, check_sheets):
     with tempfile.TemporaryDirectory() as folder:
         part(pathlib.Path(folder))
 end()
