@@ -98,6 +98,8 @@ void house_schedule_apply_edit(HouseSession *session) {
     if (!draft_is_open(session->draft))
         note_history(session);
     ask_missing(session);
+    session->undone |=
+        session->runs[RUN_SHOWN] && house_run_revision(session->runs[RUN_SHOWN]) == draft_revision(session->draft);
     if (session->stored_by_itself && house_run_revision(session->runs[RUN_BEFORE]) == draft_revision(session->draft))
         house_schedule_clear(session); /* nothing has changed */
 }
@@ -417,7 +419,19 @@ void house_schedule_stop(HouseSession *session) {
         ask_missing(session);
 }
 
+/* The numbers of a change that was undone before its run was shown are those of the shown run again. */
+static void take_back_numbers(HouseSession *session) {
+    if (!session->undone || editor_drags_number(session->editor))
+        return;
+    session->undone = false;
+    if (house_run_revision(session->runs[RUN_SHOWN]) != draft_revision(session->draft))
+        return;
+    house_value_rebuild(&session->values, &session->opened, &session->runs[RUN_SHOWN]->house);
+    session->changed |= LABORATORY_PARAMETERS;
+}
+
 void house_schedule_update(HouseSession *session, double time) {
+    take_back_numbers(session);
     update_asked(session, RUN_OLDER, time);
     update_asked(session, RUN_LATEST, time);
     update_asked(session, RUN_MIXED, time);

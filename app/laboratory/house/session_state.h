@@ -84,6 +84,7 @@ typedef struct HouseSession {
     const Crew *crew;          /* the drivers that the picture shows; NULL: none */
     HouseRun *runs[RUN_ROLES]; /* see runs.h; NULL: none */
     bool stored_by_itself;     /* the saved run was saved automatically by a change */
+    bool undone;               /* the shown run is that of the draft again, and its numbers must be taken over */
     bool changes_on_the_way;   /* an edit applies from the displayed time on; otherwise from the beginning */
     double edited;             /* s, of a steady clock, when the newest run was requested; NAN: it is displayed */
     bool settles;              /* that was so long ago that the old run is no longer displayed as if it held */

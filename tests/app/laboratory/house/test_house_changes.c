@@ -184,6 +184,17 @@ TEST(what_is_given_up_leaves_the_plan_and_the_run_before) {
     laboratory->close(session);
 }
 
+TEST(a_number_that_is_undone_before_its_run_is_shown_is_the_old_one_again) {
+    void *session = running_house_open("ube-techno-house", NULL, 0, NULL);
+    running_house_finish(session, 0);
+    double width = running_house_parameter(session, "door.d5.width")->value;
+    CHECK(running_house_set(session, "door.d5.width", 0.97));
+    CHECK(editor_undo(laboratory->editor(session)));
+    running_house_finish(session, 0);
+    CHECK_NEAR(running_house_parameter(session, "door.d5.width")->value, width, 0);
+    laboratory->close(session);
+}
+
 /* True if the displayed run changes its plan at a time, as the note says it. */
 static bool is_mixed_at(void *session, const char *time) {
     Text text = {0};
