@@ -320,14 +320,29 @@ static void show_fold(Card *card, Box box, const char *label, const char *help) 
         card->press = (CardPress){.folds = true};
 }
 
+/* Shows the button that starts a step again in which something plays or is changed; returns its left edge. */
+static double show_restart(Card *card, Box box) {
+    if (!play_restarts(card->play))
+        return box.high.x;
+    ui_at(card->ui, box);
+    if (ui_button(card->ui, &(UiButton){.id = "restart",
+                                        .label = "\u21ba",
+                                        .help = "Start this step again (Ctrl+R): All as the step began; guesses and "
+                                                "hints stay"}))
+        card->press = (CardPress){.restarts = true};
+    return box.low.x - GAP;
+}
+
 static void add_head(Card *card) {
     double height = line_height(card, UI_HEADING), y = card->y + height / 2, right = card->box.high.x;
     if (card->draws) {
-        show_fold(card, (Box){{right - FOLD, card->y - GAP / 2}, {right, card->y + height + GAP / 2}}, "\u25be",
-                  "Fold (C): Make the card one line; guesses and hints stay");
+        Box last = {{right - FOLD, card->y - GAP / 2}, {right, card->y + height + GAP / 2}};
+        show_fold(card, last, "\u25be", "Fold (C): Make the card one line; guesses and hints stay");
+        right = last.low.x - GAP;
+        right = show_restart(card, (Box){{right - FOLD, last.low.y}, {right, last.high.y}});
         ui_draw_text(card->ui, UI_HEADING, ROLE_CHAIR, vec2(card->box.low.x, y), 0,
                      lesson_kind_title((LessonKind)card->step->kind));
-        ui_draw_text(card->ui, UI_BODY, ROLE_DIM_TEXT, vec2(right - FOLD - GAP, y), 1, place_words(card));
+        ui_draw_text(card->ui, UI_BODY, ROLE_DIM_TEXT, vec2(right, y), 1, place_words(card));
     }
     card->y += height + GAP;
 }

@@ -5,9 +5,9 @@
 #include "classroom/play.h"
 #include "widgets/ui.h"
 
-/* A press on the card: a key of play.h, or a request to leave the lesson. */
+/* A press on the card: a key of play.h, or a request to leave the lesson or to start its step again. */
 typedef struct CardPress {
-    bool pressed, leaves, folds;
+    bool pressed, leaves, folds, restarts;
     PlayKey key;
     int digit; /* of an option, from 1 */
 } CardPress;

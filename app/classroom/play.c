@@ -25,6 +25,32 @@ bool play_asks(const Play *play) {
     return step->kind == LESSON_OBSERVE && step->options.count && !play->steps[play->step].chosen;
 }
 
+bool play_restarts(const Play *play) {
+    int kind = play_step(play)->kind;
+    return kind == LESSON_OBSERVE || kind == LESSON_TASK;
+}
+
+const char *play_question(const Play *play) {
+    return play_asks(play)                           ? "What do you see?"
+           : play_step(play)->kind == LESSON_PREDICT ? "What do you think?"
+                                                     : play->lesson.title;
+}
+
+const char *play_reason(const Play *play, PlayKey key) {
+    const PlayStep *shown = &play->steps[play->step];
+    const LessonStep *step = play_step(play);
+    switch (key) {
+    case PLAY_BACK:
+        return play->step ? NULL : "This is the first step";
+    case PLAY_HINT:
+        return (size_t)shown->hints < step->hints.count ? NULL : "This step has no more hints";
+    case PLAY_VOTE:
+        return step->kind == LESSON_PREDICT && !shown->vote ? NULL : "There is nothing to vote on again";
+    default:
+        return NULL;
+    }
+}
+
 bool play_takes(const Play *play, PlayKey key) {
     bool predicts = play_step(play)->kind == LESSON_PREDICT;
     return key == PLAY_DIGIT ? play_step(play)->options.count > 0 : (key != PLAY_VOTE && key != PLAY_UNDO) || predicts;

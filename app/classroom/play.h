@@ -49,8 +49,17 @@ bool play_hides(const Play *play);
 /* True if a result may be seen, but not be said: the class says first what it has seen. */
 bool play_asks(const Play *play);
 
+/* True if the step can be started again: something of it plays, or is changed. */
+bool play_restarts(const Play *play);
+
 /* True if the lesson has begun: hands were counted, or it is past its first step. */
 bool play_is_begun(const Play *play);
+
+/* Returns what stands in the place of an answer that is not said yet: "What do you see?". */
+const char *play_question(const Play *play);
+
+/* Returns why a key has no use in this step; NULL: it has. */
+const char *play_reason(const Play *play, PlayKey key);
 
 /* True if the key belongs to the lesson in this step; otherwise it is the window's. */
 bool play_takes(const Play *play, PlayKey key);

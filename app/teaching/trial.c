@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "lesson/attempt.h"
+#include "lesson/names.h"
 #include "lesson/words.h"
 #include "window/script.h"
 
@@ -109,6 +110,11 @@ static bool follow(Tryout *trial, TrialResult *result, const Script *script, con
         press(trial, command->words[0]);
         return true;
     case SCRIPT_SET:
+        if (names_locked(&trial->play->lesson, command->words[0])) {
+            script_fault(script, command, fault, "%s is locked in this lesson: %s", command->words[0],
+                         names_locked(&trial->play->lesson, command->words[0]));
+            return false;
+        }
         if (trial->count < LESSON_SETTINGS_MOST)
             trial->settings[trial->count++] =
                 text_in_arena(&trial->arena, "%s=%s", command->words[0], command->words[1]);

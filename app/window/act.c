@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "laboratory/import_file.h"
-#include "window/act_play.h"
 #include "window/act_plot.h"
 #include "window/act_view.h"
 #include "window/dialog_pane.h"
@@ -116,6 +115,70 @@ static void toggle_sound(Window *window) {
     window->settings.preferences.sound = window->sound;
     notice_post(window, "%s",
                 window->sound ? "Sound: on. The motion of the tip is audible while a beam plays." : message);
+}
+
+/* Transport -------------------------------------------------------------------------------------------------------- */
+
+enum { STEPS_MANY = 10 };
+
+/* Plays, steps or goes to another time; ignores any other action. */
+static void do_transport(Tab *tab, Action action) {
+    Player *player = &tab->player;
+    RecordSpan span = tab_span(tab);
+    double second = span.pace;
+    switch (action) {
+    case ACTION_PLAY:
+        player_toggle(player, &span);
+        break;
+    case ACTION_STEP:
+    case ACTION_STEP_BACK:
+        player_step(player, action == ACTION_STEP ? 1 : -1, &span);
+        break;
+    case ACTION_STEP_TEN:
+    case ACTION_STEP_BACK_TEN:
+        player_step(player, action == ACTION_STEP_TEN ? STEPS_MANY : -STEPS_MANY, &span);
+        break;
+    case ACTION_SECOND:
+    case ACTION_SECOND_BACK:
+        player_seek(player, player->time + (action == ACTION_SECOND ? second : -second), &span);
+        break;
+    case ACTION_SLOWER:
+    case ACTION_FASTER:
+        player_change_speed(player, action == ACTION_FASTER ? 1 : -1, &span);
+        break;
+    case ACTION_NORMAL_SPEED:
+        player_normal_speed(player);
+        break;
+    case ACTION_START:
+        player_seek(player, span.begin, &span);
+        break;
+    case ACTION_NOW:
+        player_seek(player, span.end, &span);
+        break;
+    case ACTION_LOOP:
+        player->loops = !player->loops;
+        break;
+    case ACTION_MARK_IN:
+        player->in = player->time;
+        player->loops = true;
+        break;
+    case ACTION_MARK_OUT:
+        player->out = player->time;
+        player->loops = true;
+        break;
+    default:
+        break;
+    }
+}
+
+/* Runs again from the beginning, and keeps playing if it was playing. */
+static void run_again(Tab *tab) {
+    RecordSpan span = tab_span(tab);
+    bool plays = tab->player.playing || (span.complete && tab->player.time >= span.end);
+    tab->laboratory->restart(tab->session);
+    span = tab_span(tab);
+    player_seek(&tab->player, span.begin, &span);
+    tab->player.playing = plays;
 }
 
 /* Items ------------------------------------------------------------------------------------------------------------ */
@@ -321,7 +384,7 @@ static bool do_tab(Window *window, Tab *tab, Action action) {
         tab->laboratory->clear_runs(tab->session, tab->player.time);
         return true;
     case ACTION_AGAIN:
-        act_play_again(tab);
+        run_again(tab);
         return true;
     case ACTION_NEXT_THING:
         walk_items(window, tab, 1);
@@ -366,5 +429,5 @@ void act_do(Window *window, Action action, int32_t key, int mods) {
     if (meant != action && act_plot_do(window, meant, 0))
         return;
     if (!do_tab(window, tab, meant) && !act_view_do(window, tab, meant, key))
-        act_play_do(tab, meant);
+        do_transport(tab, meant);
 }

@@ -13,6 +13,7 @@
 #include "laboratory/shipped.h"
 #include "window/autosave.h"
 #include "window/dialog_pane.h"
+#include "window/lesson_view.h"
 #include "window/notice.h"
 #include "window/opening.h"
 #include "window/plan_input.h"
@@ -34,16 +35,18 @@ struct GivenLesson {
     Play play;
     Judge *judge;
     size_t tab;
-    void *session;                    /* of the tab; another one means that something else was opened there */
-    TabState left[LESSON_STEPS_MOST]; /* how the house or machine was when a step was left */
-    bool waits;                       /* a step has begun, and its run shall play once it is there */
-    bool restarted;                   /* the machine was restarted for it */
-    bool folded;                      /* the card is one line */
-    Progress *kept;                   /* of the last time, until the class continues or restarts it; NULL: none */
-    bool offered;                     /* the choice was shown */
-    int unkept;                       /* errno of the last writing; the guesses live only here */
-    uint64_t asked;                   /* digest of the state and step that were asked about; 0: none */
-    bool judged;                      /* that goal is known */
+    void *session;                     /* of the tab; another one means that something else was opened there */
+    TabState left[LESSON_STEPS_MOST];  /* how the house or machine was when a step was left */
+    TabState begun[LESSON_STEPS_MOST]; /* and when it began */
+    LessonView view;
+    bool waits;     /* a step has begun, and its run shall play once it is there */
+    bool restarted; /* the machine was restarted for it */
+    bool folded;    /* the card is one line */
+    Progress *kept; /* of the last time, until the class continues or restarts it; NULL: none */
+    bool offered;   /* the choice was shown */
+    int unkept;     /* errno of the last writing; the guesses live only here */
+    uint64_t asked; /* digest of the state and step that were asked about; 0: none */
+    bool judged;    /* that goal is known */
 };
 
 static Tab *tab_of(Window *window) {
@@ -73,18 +76,11 @@ static void restore_state(Window *window, const TabState *left) {
         reopen(window, left);
 }
 
-/* Settings --------------------------------------------------------------------------------------------------------- */
-
-static void apply_settings(Window *window, const char *set) {
-    const char *settings[LESSON_SETTINGS_MOST];
-    Arena arena = {0};
-    size_t count = lesson_add_settings(set, settings, 0, &arena);
-    for (size_t i = 0; i < count; i++) {
-        Fault fault = {0};
-        tab_set_words(tab_of(window), settings[i], &fault);
-        notice_fault(window, &fault, NAN);
-    }
-    arena_clear(&arena);
+/* Begins the step that the play has come to: its settings, and what it can be started again from. */
+static void begin_step(Window *window) {
+    GivenLesson *given = window->lesson;
+    lesson_view_set(window, tab_of(window), play_step(&given->play)->set);
+    tab_keep(tab_of(window), &given->begun[given->play.step]);
 }
 
 /* Progress --------------------------------------------------------------------------------------------------------- */
@@ -146,8 +142,10 @@ void lesson_close(Window *window) {
     window->lesson = NULL;
     judge_destroy(given->judge);
     memory_free(given->kept);
-    for (size_t s = 0; s < LESSON_STEPS_MOST; s++)
+    for (size_t s = 0; s < LESSON_STEPS_MOST; s++) {
         tab_state_clear(&given->left[s]);
+        tab_state_clear(&given->begun[s]);
+    }
     lesson_free(&given->play.lesson);
     memory_free(given);
     window->dirty = true;
@@ -183,6 +181,7 @@ static void show_step(Window *window) {
     window->drawer = false;
     begin_playing(window);
     tab->plot_panes_stale = true;
+    given->view.looks = true;
     window->dirty = true;
 }
 
@@ -214,7 +213,7 @@ static bool open_lesson(Window *window, const char *path) {
     given->session = tab_of(window)->session;
     settings_add_recent(&window->settings, path);
     ui_focus(window->ui, "view");
-    apply_settings(window, play_step(&given->play)->set);
+    begin_step(window);
     show_step(window);
     read_progress(window);
     return true;
@@ -238,7 +237,7 @@ static void go_on_with(Window *window) {
     Progress *kept = given->kept;
     given->kept = NULL;
     memcpy(play->steps, kept->steps, sizeof play->steps);
-    for (; play->step < kept->step; apply_settings(window, play_step(play)->set)) {
+    for (; play->step < kept->step; begin_step(window)) {
         tab_keep(tab_of(window), &given->left[play->step]);
         play->step++;
     }
@@ -295,14 +294,13 @@ static bool has_headline(const Window *window) {
 
 const char *lesson_question(const Window *window) {
     const Play *play = &window->lesson->play;
-    if (has_headline(window))
-        return play_step(play)->ask;
-    return play_asks(play)                           ? "What do you see?"
-           : play_step(play)->kind == LESSON_PREDICT ? "What do you think?"
-                                                     : play->lesson.title;
+    return has_headline(window) ? play_step(play)->ask : play_question(play);
 }
 
 /* Keys ------------------------------------------------------------------------------------------------------------- */
+
+/* Of the actions from ACTION_LESSON_NEXT on. */
+static const PlayKey keys_of[] = {PLAY_NEXT, PLAY_BACK, PLAY_HINT, PLAY_VOTE};
 
 /* Carries out a key of the play. */
 static void press_key(Window *window, PlayKey key, int digit) {
@@ -317,7 +315,7 @@ static void press_key(Window *window, PlayKey key, int digit) {
         lesson_leave(window);
     window->dirty = true;
     if (play->step > step)
-        apply_settings(window, play_step(play)->set);
+        begin_step(window);
     else if (play->step < step)
         restore_state(window, &given->left[play->step]);
     if (play->step != step)
@@ -325,6 +323,14 @@ static void press_key(Window *window, PlayKey key, int digit) {
     else
         cover(tab_of(window), play);
     keep_progress(window, !play_is_begun(play));
+}
+
+/* Puts the house or machine back as the step began. */
+static void restart_step(Window *window) {
+    GivenLesson *given = window->lesson;
+    plan_input_reset(window);
+    restore_state(window, &given->begun[given->play.step]);
+    show_step(window);
 }
 
 static void fold(Window *window) {
@@ -361,42 +367,28 @@ bool lesson_key(Window *window, const SdlWindowEvent *event) {
 }
 
 bool lesson_do(Window *window, Action action) {
-    static const struct {
-        Action action;
-        PlayKey key;
-    } rows[] = {{ACTION_LESSON_NEXT, PLAY_NEXT},
-                {ACTION_LESSON_BACK, PLAY_BACK},
-                {ACTION_LESSON_HINT, PLAY_HINT},
-                {ACTION_LESSON_VOTE, PLAY_VOTE}};
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
-        if (rows[i].action == action) {
-            if (lesson_is_shown(window))
-                press_key(window, rows[i].key, 0);
-            return true;
-        }
-    if (action == ACTION_LESSON_LEAVE && lesson_is_shown(window))
+    if (action < ACTION_LESSON_NEXT || action > ACTION_LESSON_LEAVE)
+        return false;
+    if (!lesson_is_shown(window))
+        return true;
+    if (action == ACTION_LESSON_LEAVE)
         lesson_leave(window);
-    if (action == ACTION_LESSON_FOLD && lesson_is_shown(window))
+    else if (action == ACTION_LESSON_FOLD)
         fold(window);
-    return action == ACTION_LESSON_LEAVE || action == ACTION_LESSON_FOLD;
+    else if (action != ACTION_LESSON_RESTART)
+        press_key(window, keys_of[action - ACTION_LESSON_NEXT], 0);
+    else if (play_restarts(&window->lesson->play))
+        restart_step(window);
+    return true;
 }
 
 const char *lesson_reason(const Window *window, Action action) {
     if (!lesson_is_shown(window))
         return "No lesson is open: choose one with \"Lessons\"";
     const Play *play = &window->lesson->play;
-    const LessonStep *step = play_step(play);
-    switch (action) {
-    case ACTION_LESSON_BACK:
-        return play->step ? NULL : "This is the first step";
-    case ACTION_LESSON_HINT:
-        return (size_t)play->steps[play->step].hints < step->hints.count ? NULL : "This step has no more hints";
-    case ACTION_LESSON_VOTE:
-        return step->kind == LESSON_PREDICT && !play->steps[play->step].vote ? NULL
-                                                                             : "There is nothing to vote on again";
-    default:
-        return NULL;
-    }
+    if (action == ACTION_LESSON_RESTART)
+        return play_restarts(play) ? NULL : "Nothing plays or is changed in this step";
+    return action < ACTION_LESSON_RESTART ? play_reason(play, keys_of[action - ACTION_LESSON_NEXT]) : NULL;
 }
 
 void lesson_close_panel(Window *window) {
@@ -527,6 +519,8 @@ void lesson_update(Window *window) {
     if (!tab->session || !lesson_is_shown(window))
         return;
     offer_kept(window);
+    lesson_view_look(window, tab, &given->view, play_step(&given->play)->show);
+    lesson_view_hold(window, tab, &given->view, &given->play.lesson.lock, &given->begun[given->play.step]);
     if (play_hides(&given->play) && tab->player.playing) {
         RecordSpan span = tab->laboratory->span(tab->session);
         player_pause(&tab->player, &span);
@@ -570,10 +564,18 @@ void lesson_show(Window *window) {
     CardPress press = card_show(window->ui, &window->lesson->play, window->frame.card, &look, &window->arena);
     if (press.folds)
         fold(window);
+    else if (press.restarts)
+        restart_step(window);
     else if (press.leaves)
         lesson_leave(window);
     else if (press.pressed)
         press_key(window, press.key, press.digit);
+}
+
+void lesson_mark(Window *window) {
+    GivenLesson *given = window->lesson;
+    if (lesson_is_shown(window) && tab_of(window)->session)
+        lesson_view_mark(window, tab_of(window), &given->view, &play_step(&given->play)->mark);
 }
 
 json_t *lesson_state(const Window *window) {
@@ -582,6 +584,7 @@ json_t *lesson_state(const Window *window) {
     json_t *state = play_state(&window->lesson->play);
     json_object_set_new(state, "working", json_boolean(lesson_works(window)));
     json_object_set_new(state, "hides_words", json_boolean(lesson_hides_words(window)));
+    json_object_set_new(state, "framed", json_integer(window->lesson->view.framed));
     json_object_set_new(state, "folded", json_boolean(window->lesson->folded));
     return state;
 }

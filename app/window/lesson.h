@@ -69,6 +69,9 @@ double lesson_width(const Window *window, Vec2 page);
 double lesson_line(const Window *window);
 void lesson_show(Window *window);
 
+/* Draws frames round what the step names, over the view and the parts of the window. */
+void lesson_mark(Window *window);
+
 /* Returns why a row of the menu Learn cannot be used; NULL: it can. */
 const char *lesson_reason(const Window *window, Action action);
 

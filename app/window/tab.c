@@ -337,9 +337,13 @@ void tab_select(Tab *tab, Item item) {
 }
 
 void tab_show_selected(Tab *tab) {
+    tab_show_item(tab, tab->laboratory->selected(tab->session));
+}
+
+bool tab_show_item(Tab *tab, Item item) {
     Box box;
-    if (!box_of(tab, tab->laboratory->selected(tab->session), &box))
-        return;
+    if (!box_of(tab, item, &box))
+        return false;
     tab->fits = false;
     const Scene *still = tab->laboratory->still(tab->session);
     Vec2 all = vec2_scale(vec2_add(still->box.low, still->box.high), 0.5);
@@ -347,6 +351,7 @@ void tab_show_selected(Tab *tab) {
     tab->camera.pan = vec2_sub(vec2_scale(vec2_add(box.low, box.high), 0.5), all);
     tab->camera.zoom = fmin(fmax(fmin(box_width(still->box), box_height(still->box)) / size, 1), ZOOM_MOST);
     tab_apply_camera(tab);
+    return true;
 }
 
 /* Returns the length of a metre, design points, in a view that the plan is fitted to. */
@@ -427,9 +432,9 @@ bool tab_set_words(Tab *tab, const char *setting, Fault *fault) {
 
 /* Keeping a state -------------------------------------------------------------------------------------------------- */
 
-static size_t edits_in_effect(Editor *editor) {
+size_t tab_edits(const Tab *tab) {
     EditStep steps[EDITOR_STEPS_MOST];
-    size_t count = editor_steps(editor, steps), now = count ? steps[0].number - 1 : 0;
+    size_t count = editor_steps(tab_editor(tab), steps), now = count ? steps[0].number - 1 : 0;
     for (size_t i = 0; i < count; i++)
         now = steps[i].done ? steps[i].number : now;
     return now;
@@ -440,7 +445,7 @@ void tab_keep(const Tab *tab, TabState *state) {
     Editor *editor = tab_editor(tab);
     if (editor) {
         state->text = text_copy(editor_text(editor));
-        state->edits = edits_in_effect(editor);
+        state->edits = tab_edits(tab);
         return;
     }
     const PanelParameter *parameters = tab->laboratory->parameters(tab->session, &state->value_count);

@@ -85,6 +85,9 @@ void tab_fit(Tab *tab);
 void tab_select(Tab *tab, Item item);
 void tab_show_selected(Tab *tab);
 
+/* Zooms to an item; false: it is not in the view. */
+bool tab_show_item(Tab *tab, Item item);
+
 /* Returns the time that the plan shows; beside a fix that takes longer it stands at its own end. */
 double tab_time(const Tab *tab);
 
@@ -117,6 +120,9 @@ bool tab_set_words(Tab *tab, const char *setting, Fault *fault);
 void tab_keep(const Tab *tab, TabState *state);
 bool tab_restore(Tab *tab, const TabState *state);
 void tab_state_clear(TabState *state);
+
+/* Returns the number of edits of a house that are in effect, as TabState counts them. */
+size_t tab_edits(const Tab *tab);
 
 /* Returns the first row that has a place, the most dangerous one; NULL: none has. */
 const PanelRow *tab_first_place(const Tab *tab);

@@ -299,6 +299,7 @@ static void show_panes(Window *window) {
     toolbar_show(window);
     tries_show(window);
     timeline_show(window);
+    lesson_mark(window);
     bars_show_strip(window);
     bars_show_message(window);
     dialogs_show(window);

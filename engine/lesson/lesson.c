@@ -75,6 +75,7 @@ static const Parameter step_rows[] = {
     CONDITION_NUMBER(LessonStep, speed, "speed", "1", 0.0625, 64, 1, "speed of playback"),
     CONDITION_NUMBER(LessonStep, from, "from", "s", 0, 3600, 0, "time from which it is watched"),
     WHOLE(LessonStep, minutes, "minutes", 0, 240, 0, "time that a class needs for the step; 0: not said"),
+    TEXT(LessonStep, show, "show", PARAMETER_TEXT, false, "thing of a house that the view shows near"),
 };
 static const Parameter goal_rows[] = {
     CONDITION_ROWS(LessonGoal, condition),
@@ -303,8 +304,21 @@ static void check_step(Reader *reader, const LessonStep *step, const JsonNode *n
         need(reader, step, node, step->text, "text");
 }
 
+/* Adds faults for names of things that the view does not have. */
+static void check_things(Reader *reader, const LessonStep *step, const JsonNode *node) {
+    JsonNode marks = json_member(node, "mark"), show = json_member(node, "show");
+    if (!reader->checks)
+        return;
+    for (size_t m = 0; m < step->mark.count; m++) {
+        JsonNode mark = json_element(&marks, m);
+        names_check_thing(&reader->checker, reader->lesson, step->mark.at[m], true, &mark, reader->fault);
+    }
+    if (*step->show)
+        names_check_thing(&reader->checker, reader->lesson, step->show, false, &show, reader->fault);
+}
+
 static void read_step(Reader *reader, LessonStep *step, const JsonNode *node) {
-    static const char *const more[] = {"options", "wrong", "hints", "goal", "table", NULL};
+    static const char *const more[] = {"options", "wrong", "hints", "goal", "table", "mark", NULL};
     size_t before = reader->fault->total;
     read_rows(reader, &step_table, step, node, more);
     if (!json_is_object(node->value))
@@ -312,6 +326,8 @@ static void read_step(Reader *reader, LessonStep *step, const JsonNode *node) {
     step->options = read_texts(reader, node, "options");
     step->wrong = read_texts(reader, node, "wrong");
     step->hints = read_texts(reader, node, "hints");
+    step->mark = read_texts(reader, node, "mark");
+    check_things(reader, step, node);
     read_goals(reader, step, node);
     read_table(reader, step, node);
     if (reader->fault->total == before)
@@ -433,8 +449,18 @@ static void check_file(Reader *reader, const JsonNode *root) {
                    reader->lesson->file, text_read_reason(errno));
 }
 
+static void read_lock(Reader *reader, const JsonNode *root) {
+    JsonNode list = json_member(root, "lock");
+    reader->lesson->lock = read_texts(reader, root, "lock");
+    for (size_t l = 0; reader->checks && l < reader->lesson->lock.count; l++) {
+        JsonNode element = json_element(&list, l);
+        names_check_lock(&reader->checker, reader->lesson, reader->lesson->lock.at[l], &element, reader->fault);
+    }
+}
+
 static void read_lesson(Reader *reader, const JsonNode *root) {
-    static const char *const more[] = {"format", "version", "learn", "numbers", "steps", "pictures", "teacher", NULL};
+    static const char *const more[] = {"format", "version",  "learn",   "lock", "numbers",
+                                       "steps",  "pictures", "teacher", NULL};
     Lesson *lesson = reader->lesson;
     const char *settings[LESSON_SETTINGS_MOST];
     size_t before = reader->fault->total;
@@ -447,6 +473,7 @@ static void read_lesson(Reader *reader, const JsonNode *root) {
         size_t count = lesson_add_settings(lesson->set, settings, 0, &lesson->arena);
         reader->checks = names_open(&reader->checker, lesson, settings, count, reader->fault);
     }
+    read_lock(reader, root);
     read_numbers(reader, root);
     read_steps(reader, root);
     read_pictures(reader, root);
@@ -505,8 +532,8 @@ json_t *lesson_schema(void) {
     json_t *filled = json_pack("{s:s, s:{s:o, s:o}, s:b}", "type", "object", "properties", "head", texts_schema(),
                                "rows", list_schema(texts_schema()), "additionalProperties", 0);
     json_t *step =
-        object_schema(&step_table, json_pack("{s:o, s:o, s:o, s:o, s:o}", "options", texts_schema(), "wrong",
-                                             texts_schema(), "hints", texts_schema(), "goal",
+        object_schema(&step_table, json_pack("{s:o, s:o, s:o, s:o, s:o, s:o}", "options", texts_schema(), "wrong",
+                                             texts_schema(), "hints", texts_schema(), "mark", texts_schema(), "goal",
                                              list_schema(parameters_schema_table(&goal_table)), "table", filled));
     json_t *teacher =
         json_pack("{s:s, s:{s:o, s:o, s:o}, s:b}", "type", "object", "properties", "before", texts_schema(),
@@ -515,10 +542,11 @@ json_t *lesson_schema(void) {
     json_object_set_new(steps, "minItems", json_integer(1));
     json_object_set_new(steps, "maxItems", json_integer(LESSON_STEPS_MOST));
     json_t *schema = object_schema(
-        &lesson_table, json_pack("{s:{s:s}, s:{s:i}, s:o, s:o, s:o, s:o, s:o}", "format", "const", "clearance-lesson",
-                                 "version", "const", 1, "learn", texts_schema(), "numbers",
-                                 list_schema(parameters_schema_table(&number_table)), "steps", steps, "pictures",
-                                 list_schema(parameters_schema_table(&picture_table)), "teacher", teacher));
+        &lesson_table,
+        json_pack("{s:{s:s}, s:{s:i}, s:o, s:o, s:o, s:o, s:o, s:o}", "format", "const", "clearance-lesson", "version",
+                  "const", 1, "learn", texts_schema(), "lock", texts_schema(), "numbers",
+                  list_schema(parameters_schema_table(&number_table)), "steps", steps, "pictures",
+                  list_schema(parameters_schema_table(&picture_table)), "teacher", teacher));
     json_t *required = json_object_get(schema, "required");
     json_array_append_new(required, json_string("format"));
     json_array_append_new(required, json_string("version"));

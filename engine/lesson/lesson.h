@@ -79,6 +79,8 @@ typedef struct LessonStep {
     LessonTexts options; /* at most LESSON_OPTIONS_MOST */
     LessonTexts wrong;   /* what is said to each option that is wrong; "" to the right one; or none */
     LessonTexts hints;   /* LESSON_HINTS, or none */
+    LessonTexts mark;    /* names of things that have a frame in the view: see names.h */
+    const char *show;    /* name of the thing that the view shows near, or "" */
     LessonGoal *goals;   /* (goal_count) all of them must hold */
     size_t goal_count;
     LessonTable table;
@@ -101,6 +103,7 @@ typedef struct Lesson {
     const char *script; /* path of the script that tries the lesson */
     bool names;         /* each piece of a house has its name in the view, within it or next to it */
     LessonTexts learn;
+    LessonTexts lock;        /* what a class may not change: lists of the house, "walls", or numbers of the machine */
     LessonNumber *numbers;   /* (number_count) */
     LessonStep *steps;       /* (step_count) */
     LessonPicture *pictures; /* (picture_count) */

@@ -34,7 +34,7 @@ engine/beam         cycle mechanics
 engine/crank        cycle mechanics
 engine/study        -
 engine/experiment   beam crank cycle house plan study
-engine/lesson       experiment house inquiry plan study
+engine/lesson       experiment house inquiry plan space study
 engine/exchange     house mechanics plan space
 app/draw            -
 app/paint           draw

@@ -50,6 +50,15 @@ with tempfile.TemporaryDirectory() as folder:
     expect(1, "lesson", "check", str(copy / "legal-no-way.json"),
            says="the number \"enough\" is 0; the lesson holds only if it is at least 1")
 
+# A script that changes what the lesson has locked is found out.
+with tempfile.TemporaryDirectory() as folder:
+    short = pathlib.Path(folder) / "short.json"
+    short.write_text(json.dumps({"format": "clearance-lesson", "version": 1, "title": "t", "laboratory": "house", "level": "all",
+                                 "file": str(source / "houses/straight-corridor.json"), "script": "s", "lock": ["people"],
+                                 "steps": [{"kind": "read", "text": "One."}], "teacher": {"before": []}}))
+    (short.parent / "s").write_text("set person.p1.heading 5\n")
+    expect(1, "lesson", "check", str(short), says="s:1:1: person.p1.heading is locked in this lesson: people")
+
 expect(2, "lesson", "lsit", says="did you mean list?")
 expect(2, "lesson", "sheet", "legal-no-way", says="needs the NAME or FILE")
 expect(2, "lesson", "check", str(source / "tests/data/bad/lessons/truth-beyond.json"), says="truth is 3")

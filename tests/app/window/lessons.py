@@ -3,6 +3,8 @@
 1280 x 720, the wrong way first and then the right one; guesses, a second vote, going back, hints, leaving; and that
 nothing of the result can be seen before the class has guessed."""
 
+import json
+
 import stage
 from classroom import apart, judged, lesson, select, step, type_number
 from stage import Screen, act, check, differing
@@ -215,6 +217,30 @@ place = stage.folder / "hidden"
 check(differing(place / "guess.png", place / "counted.png") == 0, "counting changes nothing in the view")
 check(differing(place / "before.png", place / "after.png") > 200, "the result is seen only after the guess")
 check(found[0]["frame"]["panel"][2] - found[0]["frame"]["panel"][0] == 0, "the panel tells nothing before the guess")
+
+# a step is started again, what is locked is put back, and what a step names has a frame
+short = stage.folder / "short.json"
+task = {"kind": "task", "text": "Do it.", "hints": ["a", "b", "c"], "done": "Done.",
+        "goal": [{"measure": "time", "unit": "s", "high": 900}]}
+short.write_text(json.dumps({"format": "clearance-lesson", "version": 1, "title": "Short", "laboratory": "house", "level": "all",
+                             "file": stage.house("corner-1.80-1.80"), "script": "none", "lock": ["people"],
+                             "steps": [{"kind": "read", "text": "A.", "mark": ["person p1", "answer"], "show": "person p1"},
+                                       task, {"kind": "explain", "ask": "Why?", "model": "So."}],
+                             "teacher": {"before": []}}))
+first, begun, changed, again, held, later, earlier = act(
+    "restart", "until answered", "wait 3", "state STATE", "key PageDown", "until answered", "state STATE",
+    "set run.until 50", "until answered", "state STATE", "key Ctrl+R", "until answered", "wait 3", "state STATE",
+    "set person.p1.heading 5", "wait 3", "until answered", "state STATE", "set run.until 60", "until answered",
+    "key PageDown", "wait 2", "key Ctrl+R", "wait 2", "key PageUp", "wait 2", "until answered", "state STATE",
+    "key Ctrl+R", "wait 2", "until answered", "state STATE", arguments=[short, "--size", "800x450"])
+check(first["lesson"]["framed"] == 2 and begun["lesson"]["framed"] == 0, "what the step names has a frame", first["lesson"])
+check(first["zoom"] > 1.5 > begun["zoom"], "what it shows is near", (first["zoom"], begun["zoom"]))
+check(changed["parameters"]["run.until"] == 50 and again["parameters"] == begun["parameters"] and again["lesson"]["step"] == 2,
+      "Ctrl+R puts the house back as the step began", again["parameters"]["run.until"])
+check(held["parameters"] == begun["parameters"] and not held["edits"] and "Fixed in this lesson: people" in held["message"],
+      "what is locked is put back, and says so", (held["message"], held["edits"]))
+check(later["parameters"]["run.until"] == 60 and later["lesson"]["step"] == 2, "a step that was gone back to is as it was left")
+check(earlier["parameters"] == begun["parameters"], "and starts again from its beginning", earlier["parameters"]["run.until"])
 
 # the card at other sizes, in both themes: beside the view, never over it
 for width, height in ((1280, 720), (1920, 1080), (1024, 600)):

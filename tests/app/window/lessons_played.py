@@ -26,7 +26,7 @@ def smallest_corner(screen, name):
     goal(screen, name, "the corner as it is does not reach the goal", "no", "4")
     check(select(screen, "block"), f"{name}: Tab comes to the block")
     press(screen, "Right", 5)
-    goal(screen, name, "one leg alone is not enough", "no", "4-wrong")
+    goal(screen, name, "one corridor alone is not enough", "no", "4-wrong")
     hints(screen, name)
     press(screen, "Down", 5)
     goal(screen, name, "the arrow keys of the hint reach the goal", "yes", "4-goal")

@@ -8,6 +8,7 @@
 #include "check.h"
 #include "lesson/attempt.h"
 #include "lesson/difference.h"
+#include "lesson/names.h"
 #include "lesson/words.h"
 #include "scratch.h"
 
@@ -84,6 +85,17 @@ TEST(numbers_stand_in_texts_once_they_are_known) {
     CHECK_TEXT(words_unknown(&lesson, "{wide} {narrow}", &arena), "narrow");
     CHECK(!words_unknown(&lesson, "a { and {wide}", &arena) || words_has_number("a { and {wide}"));
     arena_clear(&arena);
+}
+
+TEST(what_is_locked_is_found_by_the_name_of_a_setting) {
+    const char *lists[] = {"walls", "people"}, *numbers[] = {"drive.frequency"};
+    Lesson house = {.laboratory = LESSON_HOUSE, .lock = {lists, 2}};
+    Lesson beam = {.laboratory = LESSON_BEAM, .lock = {numbers, 1}};
+    CHECK_TEXT(names_locked(&house, "person.p1.heading=90"), "people");
+    CHECK_TEXT(names_locked(&house, "wall.w1.thickness"), "walls");
+    CHECK(!names_locked(&house, "door.d3.width=0.9") && !names_locked(&house, "run.until=1"));
+    CHECK_TEXT(names_locked(&beam, "drive.frequency=100"), "drive.frequency");
+    CHECK(!names_locked(&beam, "drive.force=100") && !names_locked(&beam, "drive=1"));
 }
 
 static void note_known(void *context, size_t known) {

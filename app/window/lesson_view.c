@@ -1,0 +1,173 @@
+#include "window/lesson_view.h"
+
+#include <jansson.h>
+#include <math.h>
+#include <string.h>
+
+#include "base/digest.h"
+#include "window/notice.h"
+
+/* Design points. */
+#define ASIDE 9.0 /* of a frame, from its thing */
+#define FRAME 3.0
+#define HALO 7.0 /* of the ground's colour behind the frame */
+
+enum { THINGS_MOST = 4096 /* that are searched for a name */ };
+
+void lesson_view_set(Window *window, Tab *tab, const char *set) {
+    const char *settings[LESSON_SETTINGS_MOST];
+    Arena arena = {0};
+    size_t count = lesson_add_settings(set, settings, 0, &arena);
+    for (size_t i = 0; i < count; i++) {
+        Fault fault = {0};
+        tab_set_words(tab, settings[i], &fault);
+        notice_fault(window, &fault, NAN);
+    }
+    arena_clear(&arena);
+}
+
+/* Finds a thing by its name; kind 0: there is none. */
+static Item find(Tab *tab, const char *name) {
+    const Laboratory *laboratory = tab->laboratory;
+    Item first = laboratory->next(tab->session, (Item){0}, 1), item = first;
+    for (int n = 0; item.kind && n < THINGS_MOST; n++) {
+        const char *key = (laboratory->item_key ? laboratory->item_key : laboratory->item_name)(tab->session, item);
+        if (strcmp(key, name) == 0)
+            return item;
+        item = laboratory->next(tab->session, item, 1);
+        if (item_same(item, first))
+            break;
+    }
+    return (Item){0};
+}
+
+void lesson_view_look(Window *window, Tab *tab, LessonView *view, const char *name) {
+    if (!view->looks || !tab->view_layers.painted)
+        return;
+    Item item = *name ? find(tab, name) : (Item){0};
+    if (*name && (!item.kind || !tab_show_item(tab, item)))
+        return;
+    if (!*name && view->near)
+        tab_fit(tab);
+    view->near = *name;
+    view->looks = false;
+    window->dirty = true;
+}
+
+/* Marks ------------------------------------------------------------------------------------------------------------ */
+
+/* Returns the box round a thing on the page; empty: it is not in the view. */
+static Box box_of(const Window *window, Tab *tab, const char *name) {
+    Vec2 points[LABORATORY_OUTLINE_MOST];
+    Item item = find(tab, name);
+    size_t count = item.kind ? tab->laboratory->outline(tab->session, item, tab_time(tab), points) : 0;
+    Box box = box_empty();
+    for (size_t i = 0; i < count && tab->view_layers.painted; i++)
+        box = box_include(box, vec2_add(window->frame.view.low, view_layers_point(&tab->view_layers, points[i])));
+    return box;
+}
+
+static Box intersect(Box a, Box b) {
+    return (Box){vec2(fmax(a.low.x, b.low.x), fmax(a.low.y, b.low.y)),
+                 vec2(fmin(a.high.x, b.high.x), fmin(a.high.y, b.high.y))};
+}
+
+static void frame(Window *window, Box box) {
+    const Vec2 corners[] = {box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};
+    ui_draw_polyline(window->ui, corners, 4, true, ROLE_PAPER, HALO);
+    ui_draw_polyline(window->ui, corners, 4, true, ROLE_CHAIR, FRAME);
+}
+
+/* Draws a frame within a part of the window; 0: the part is not shown. */
+static int frame_part(Window *window, Box part) {
+    if (box_width(part) <= 2 * HALO)
+        return 0;
+    frame(window, box_expand(part, -HALO / 2));
+    return 1;
+}
+
+/* Draws a frame round a thing; 0: it is not in the view. */
+static int frame_thing(Window *window, Tab *tab, const char *name) {
+    Box box = intersect(box_expand(box_of(window, tab, name), ASIDE), box_expand(window->frame.view, -HALO));
+    if (box.low.x >= box.high.x || box.low.y >= box.high.y)
+        return 0;
+    frame(window, box);
+    return 1;
+}
+
+void lesson_view_mark(Window *window, Tab *tab, LessonView *view, const LessonTexts *names) {
+    int framed = 0;
+    for (size_t n = 0; n < names->count; n++) {
+        const char *name = names->at[n];
+        if (strcmp(name, "plots") == 0)
+            for (size_t p = 0; p < window->frame.pane_count; p++)
+                framed += frame_part(window, window->frame.panes[p]);
+        else
+            framed += strcmp(name, "answer") == 0     ? frame_part(window, window->frame.answer)
+                      : strcmp(name, "timeline") == 0 ? frame_part(window, window->frame.timeline)
+                                                      : frame_thing(window, tab, name);
+    }
+    view->framed = framed;
+}
+
+/* What is locked --------------------------------------------------------------------------------------------------- */
+
+/* Returns the locked list in which two houses, as file texts, differ; NULL: none. */
+static const char *changed_list(const LessonTexts *lock, const char *before, const char *now) {
+    json_t *a = json_loads(before, 0, NULL), *b = json_loads(now, 0, NULL);
+    const char *changed = NULL;
+    for (size_t l = 0; l < lock->count && !changed; l++) {
+        json_t *old = json_object_get(a, lock->at[l]), *new = json_object_get(b, lock->at[l]);
+        if (json_array_size(old) + json_array_size(new) && !json_equal(old, new))
+            changed = lock->at[l];
+    }
+    json_decref(a);
+    json_decref(b);
+    return changed;
+}
+
+/* Undoes the last edit of a locked list, or puts back an undone one with which the step began. */
+static void hold_house(Window *window, Tab *tab, LessonView *view, const LessonTexts *lock, const TabState *begun) {
+    Editor *editor = tab_editor(tab);
+    if (editor_gesture(editor)->active || editor_drags_number(editor) || !begun->text)
+        return;
+    const char *text = editor_text(editor);
+    uint64_t digest = digest_text(DIGEST_START, text);
+    if (digest == view->held)
+        return;
+    view->held = digest;
+    const char *changed = changed_list(lock, begun->text, text);
+    if (!changed)
+        return;
+    if (tab_edits(tab) > begun->edits)
+        editor_undo(editor);
+    else
+        tab_restore(tab, begun);
+    notice_post(window, "Fixed in this lesson: %s. The change was undone.", changed);
+    window->dirty = true;
+}
+
+static void hold_number(Window *window, Tab *tab, const char *name, const TabState *begun) {
+    size_t count;
+    const PanelParameter *parameters = tab->laboratory->parameters(tab->session, &count);
+    for (size_t i = 0; i < count && i < begun->value_count; i++) {
+        if (strcmp(parameters[i].name, name) != 0 || parameters[i].value == begun->values[i])
+            continue;
+        Fault none = {0};
+        notice_post(window, "Fixed in this lesson: %s. The change was undone.", parameters[i].label);
+        tab_set(tab, name, begun->values[i], &none);
+        fault_clear(&none);
+        window->dirty = true;
+        return;
+    }
+}
+
+void lesson_view_hold(Window *window, Tab *tab, LessonView *view, const LessonTexts *lock, const TabState *begun) {
+    if (!lock->count)
+        return;
+    if (tab_editor(tab))
+        hold_house(window, tab, view, lock, begun);
+    else
+        for (size_t l = 0; l < lock->count; l++)
+            hold_number(window, tab, lock->at[l], begun);
+}

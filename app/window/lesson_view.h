@@ -1,0 +1,26 @@
+/* What a step of a lesson does to what is open: its settings, frames round the things that it names, a look at one of
+ * them from near, and what a class may not change. */
+#pragma once
+
+#include "classroom/play.h"
+#include "window/window_state.h"
+
+/* Changes the numbers "NAME=VALUE NAME=VALUE ..."; posts the fault of one that cannot be changed. */
+void lesson_view_set(Window *window, Tab *tab, const char *set);
+
+typedef struct LessonView {
+    bool looks;    /* a step has begun: the view has to show its thing from near, or all again */
+    bool near;     /* the view shows a thing from near */
+    int framed;    /* things with a frame */
+    uint64_t held; /* digest of the house that was last looked at for what is locked */
+} LessonView;
+
+/* After the beginning of a step, shows the thing of that name from near once the view has it; "": all, after a step
+ * that had one. */
+void lesson_view_look(Window *window, Tab *tab, LessonView *view, const char *name);
+
+/* Draws a frame round each thing of the view, and each part of the window, that has one of the names. */
+void lesson_view_mark(Window *window, Tab *tab, LessonView *view, const LessonTexts *names);
+
+/* Takes back a change, since the step began so, of what is locked, and says so. */
+void lesson_view_hold(Window *window, Tab *tab, LessonView *view, const LessonTexts *lock, const TabState *begun);
