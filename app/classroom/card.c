@@ -308,6 +308,18 @@ static void add_hints(Card *card) {
         add_text(card, CARD_TEXT, ROLE_TEXT, text_in_arena(card->arena, "Hint %d: %s", h + 1, card->step->hints.at[h]));
 }
 
+/* Adds the button that shows what can be changed, for a hand at the mouse. */
+static void add_numbers(Card *card) {
+    if (!card->look.numbers)
+        return;
+    ui_at(card->ui, (Box){{card->box.low.x, card->y}, {card->box.high.x, card->y + FOOT}});
+    if (card->draws && ui_button(card->ui, &(UiButton){.id = "numbers",
+                                                       .label = card->look.numbers,
+                                                       .help = "Numbers (Return): Show the numbers to change them"}))
+        card->press = (CardPress){.numbers = true};
+    card->y += FOOT + GAP;
+}
+
 /* The card --------------------------------------------------------------------------------------------------------- */
 
 static const char *place_words(const Card *card) {
@@ -362,6 +374,7 @@ static void add_body(Card *card) {
         add_guesses(card);
     add_goal(card);
     add_hints(card);
+    add_numbers(card);
     if (card->shown->model)
         add_text(card, CARD_TEXT, ROLE_TEXT, step->model);
 }

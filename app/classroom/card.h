@@ -5,18 +5,20 @@
 #include "classroom/play.h"
 #include "widgets/ui.h"
 
-/* A press on the card: a key of play.h, or a request to leave the lesson or to start its step again. */
+/* A press on the card: a key of play.h, or a request to leave the lesson to start its step again, or to show
+ * numbers. */
 typedef struct CardPress {
-    bool pressed, leaves, folds, restarts;
+    bool pressed, leaves, folds, restarts, numbers;
     PlayKey key;
     int digit; /* of an option, from 1 */
 } CardPress;
 
 /* How the card is shown. */
 typedef struct CardLook {
-    bool working;  /* the goal is being judged */
-    bool folded;   /* one line: the step, what came of it so far, and the buttons */
-    bool headline; /* the question stands above, in the place of the answer */
+    bool working;        /* the goal is being judged */
+    bool folded;         /* one line: the step, what came of it so far, and the buttons */
+    bool headline;       /* the question stands above, in the place of the answer */
+    const char *numbers; /* label of a button that shows the numbers to change; NULL: there is none */
 } CardLook;
 
 /* Shows the card in a pane of its own, "lesson". Letters shrink before anything is left out. */

@@ -11,6 +11,7 @@
 #include "classroom/judge.h"
 #include "classroom/progress.h"
 #include "laboratory/shipped.h"
+#include "window/act.h"
 #include "window/autosave.h"
 #include "window/dialog_pane.h"
 #include "window/lesson_view.h"
@@ -560,12 +561,17 @@ double lesson_width(const Window *window, Vec2 page) {
 void lesson_show(Window *window) {
     if (!lesson_is_shown(window) || box_width(window->frame.card) <= 0)
         return;
-    CardLook look = {.working = lesson_works(window), .folded = is_line(window), .headline = has_headline(window)};
+    CardLook look = {.working = lesson_works(window),
+                     .folded = is_line(window),
+                     .headline = has_headline(window),
+                     .numbers = lesson_view_numbers(window, tab_of(window), play_step(&window->lesson->play))};
     CardPress press = card_show(window->ui, &window->lesson->play, window->frame.card, &look, &window->arena);
     if (press.folds)
         fold(window);
     else if (press.restarts)
         restart_step(window);
+    else if (press.numbers)
+        act_do(window, ACTION_EDIT_NUMBERS, 0, 0);
     else if (press.leaves)
         lesson_leave(window);
     else if (press.pressed)

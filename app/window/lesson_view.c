@@ -26,6 +26,17 @@ void lesson_view_set(Window *window, Tab *tab, const char *set) {
     arena_clear(&arena);
 }
 
+const char *lesson_view_numbers(Window *window, const Tab *tab, const LessonStep *step) {
+    Item item = tab->laboratory->selected(tab->session);
+    if (step->kind != LESSON_TASK || box_width(window->frame.panel) > 0)
+        return NULL;
+    if (tab->laboratory->numbers_first)
+        return "Numbers (Return)";
+    return item.kind
+               ? text_in_arena(&window->arena, "Numbers: %s (Return)", tab->laboratory->item_name(tab->session, item))
+               : NULL;
+}
+
 /* Finds a thing by its name; kind 0: there is none. */
 static Item find(Tab *tab, const char *name) {
     const Laboratory *laboratory = tab->laboratory;

@@ -8,6 +8,10 @@
 /* Changes the numbers "NAME=VALUE NAME=VALUE ..."; posts the fault of one that cannot be changed. */
 void lesson_view_set(Window *window, Tab *tab, const char *set);
 
+/* Returns the label of a button for the numbers of what is selected, or of the machine, while the panel is not shown
+ * and the step asks for a change; NULL: there is none. In the frame's arena. */
+const char *lesson_view_numbers(Window *window, const Tab *tab, const LessonStep *step);
+
 typedef struct LessonView {
     bool looks;    /* a step has begun: the view has to show its thing from near, or all again */
     bool near;     /* the view shows a thing from near */

@@ -229,11 +229,14 @@ short.write_text(json.dumps({"format": "clearance-lesson", "version": 1, "title"
                              "teacher": {"before": []}}))
 first, begun, changed, again, held, later, earlier = act(
     "restart", "until answered", "wait 3", "state STATE", "key PageDown", "until answered", "state STATE",
-    "set run.until 50", "until answered", "state STATE", "key Ctrl+R", "until answered", "wait 3", "state STATE",
+    "key Tab", "wait 3", "texts FOLDER/texts", "wait 2", "set run.until 50", "until answered", "state STATE", "key Ctrl+R", "until answered", "wait 3", "state STATE",
     "set person.p1.heading 5", "wait 3", "until answered", "state STATE", "set run.until 60", "until answered",
     "key PageDown", "wait 2", "key Ctrl+R", "wait 2", "key PageUp", "wait 2", "until answered", "state STATE",
     "key Ctrl+R", "wait 2", "until answered", "state STATE", arguments=[short, "--size", "800x450"])
 check(first["lesson"]["framed"] == 2 and begun["lesson"]["framed"] == 0, "what the step names has a frame", first["lesson"])
+labels = (stage.folder / "restart" / "texts").read_text()
+check("Numbers: " in labels, "the card has a button for the numbers of what is selected",
+      [text["string"] for line in labels.splitlines() for text in json.loads(line)])
 check(first["zoom"] > 1.5 > begun["zoom"], "what it shows is near", (first["zoom"], begun["zoom"]))
 check(changed["parameters"]["run.until"] == 50 and again["parameters"] == begun["parameters"] and again["lesson"]["step"] == 2,
       "Ctrl+R puts the house back as the step began", again["parameters"]["run.until"])
