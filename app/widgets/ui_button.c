@@ -103,7 +103,11 @@ bool ui_button(Ui *ui, const UiButton *button) {
                  touch.held && touch.hovered && lives};
     draw_button_ground(ui, box, look);
     draw_label(ui, box, look, button->label);
-    ui_tip_offer(ui, id, box, button->help, touch.hovered, focused);
+    if (touch.clicked && lives)
+        ui->tip_pressed = id;
+    else if (ui->tip_pressed == id && !touch.hovered)
+        ui->tip_pressed = 0;
+    ui_tip_offer(ui, id, box, button->help, touch.hovered && ui->tip_pressed != id, focused);
     return used && lives;
 }
 

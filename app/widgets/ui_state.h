@@ -147,6 +147,7 @@ struct Ui {
     /* tooltips */
     UiTip hover_tip, focus_tip;
     UiId tip_hidden;
+    UiId tip_pressed; /* button that was pressed by the mouse, which has not left it since */
     double hover_time, leave_time;
     Box tip_box;
     bool tip_shown;

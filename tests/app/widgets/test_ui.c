@@ -177,6 +177,25 @@ TEST(help_comes_after_half_a_second_of_hovering_and_goes_with_escape) {
     pane_end(&pane);
 }
 
+TEST(help_of_a_pressed_button_waits_until_the_mouse_has_left_it) {
+    Pane pane = pane_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
+    pane_frame(&pane);
+    pane_move(&pane, middle(pane.pause));
+    pane_down(&pane, middle(pane.pause));
+    pane_up(&pane, middle(pane.pause));
+    uint64_t bare = picture_digest(&pane);
+    for (int i = 0; i < 40; i++)
+        pane_frame(&pane);
+    CHECK(picture_digest(&pane) == bare); /* who has pressed it knows what it does, and looks at the result */
+    pane_move(&pane, middle(pane.canvas));
+    pane_frame(&pane);
+    pane_move(&pane, middle(pane.pause));
+    for (int i = 0; i < 40; i++)
+        pane_frame(&pane);
+    CHECK(picture_digest(&pane) != bare);
+    pane_end(&pane);
+}
+
 TEST(help_comes_with_the_focus_of_a_key) {
     Pane pane = pane_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
     pane_frame(&pane);
