@@ -220,6 +220,14 @@ static void add_option(Card *card, size_t option) {
     card->y += height + GAP / 2;
 }
 
+/* Adds a button as wide as the card. */
+static void add_button(Card *card, const char *id, const char *label, const char *help, CardPress press) {
+    ui_at(card->ui, (Box){{card->box.low.x, card->y}, {card->box.high.x, card->y + FOOT}});
+    if (card->draws && ui_button(card->ui, &(UiButton){.id = id, .label = label, .help = help}))
+        card->press = press;
+    card->y += FOOT + GAP;
+}
+
 static void add_options(Card *card) {
     for (size_t o = 0; o < card->step->options.count; o++)
         add_option(card, o);
@@ -228,10 +236,13 @@ static void add_options(Card *card) {
         return;
     int hands = play_hands(card->shown, card->shown->vote);
     const char *vote = card->shown->vote ? "Second vote: " : "";
-    const char *words = hands ? text_in_arena(card->arena, "%s%d %s; Backspace takes one back", vote, hands,
-                                              hands == 1 ? "hand" : "hands")
+    const char *words = hands ? text_in_arena(card->arena, "%s%d %s; take one back%s", vote, hands,
+                                              hands == 1 ? "hand" : "hands", *vote ? "" : " (Backspace)")
                               : text_in_arena(card->arena, "%sa number key counts a raised hand", vote);
-    if (card->whole)
+    if (card->whole && hands)
+        add_button(card, "undo", words, "Take back (Backspace): One hand less for the last option",
+                   (CardPress){.pressed = true, .key = PLAY_UNDO});
+    else if (card->whole)
         card->y += add_wrapped(card, UI_BODY, ROLE_DIM_TEXT, card->box.low.x, card->box.high.x, card->y, words) + GAP;
 }
 
@@ -310,14 +321,9 @@ static void add_hints(Card *card) {
 
 /* Adds the button that shows what can be changed, for a hand at the mouse. */
 static void add_numbers(Card *card) {
-    if (!card->look.numbers)
-        return;
-    ui_at(card->ui, (Box){{card->box.low.x, card->y}, {card->box.high.x, card->y + FOOT}});
-    if (card->draws && ui_button(card->ui, &(UiButton){.id = "numbers",
-                                                       .label = card->look.numbers,
-                                                       .help = "Numbers (Return): Show the numbers to change them"}))
-        card->press = (CardPress){.numbers = true};
-    card->y += FOOT + GAP;
+    if (card->look.numbers)
+        add_button(card, "numbers", card->look.numbers, "Numbers (Return): Show the numbers to change them",
+                   (CardPress){.numbers = true});
 }
 
 /* The card --------------------------------------------------------------------------------------------------------- */
