@@ -97,10 +97,16 @@ static int frame_part(Window *window, Box part) {
     return 1;
 }
 
+/* True if the panel lies over the view at this box. */
+static bool is_covered(const Window *window, Box box) {
+    Box under = intersect(box, window->frame.panel);
+    return window->frame.drawer && under.low.x < under.high.x && under.low.y < under.high.y;
+}
+
 /* Draws a frame round a thing; 0: it is not in the view. */
 static int frame_thing(Window *window, Tab *tab, const char *name) {
     Box box = intersect(box_expand(box_of(window, tab, name), ASIDE), box_expand(window->frame.view, -HALO));
-    if (box.low.x >= box.high.x || box.low.y >= box.high.y)
+    if (box.low.x >= box.high.x || box.low.y >= box.high.y || is_covered(window, box))
         return 0;
     frame(window, box);
     return 1;
