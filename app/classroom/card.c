@@ -43,6 +43,7 @@ typedef struct Card {
     int size;   /* of `styles` */
     bool whole; /* with remarks, the guesses behind the result, conditions that hold, earlier hints */
     bool draws; /* otherwise it is only measured */
+    bool roomy; /* below the text there is room for a button */
     CardLook look;
     CardPress press;
 } Card;
@@ -319,13 +320,6 @@ static void add_hints(Card *card) {
         add_text(card, CARD_TEXT, ROLE_TEXT, text_in_arena(card->arena, "Hint %d: %s", h + 1, card->step->hints.at[h]));
 }
 
-/* Adds the button that shows what can be changed, for a hand at the mouse. */
-static void add_numbers(Card *card) {
-    if (card->look.numbers)
-        add_button(card, "numbers", card->look.numbers, "Numbers (Return): Show the numbers to change them",
-                   (CardPress){.numbers = true});
-}
-
 /* The card --------------------------------------------------------------------------------------------------------- */
 
 static const char *place_words(const Card *card) {
@@ -351,6 +345,18 @@ static double show_restart(Card *card, Box box) {
     return box.low.x - GAP;
 }
 
+static const char numbers_help[] = "Numbers (Return): Show the numbers to change them";
+
+/* Shows the button for numbers as a small one, where a wide one has no room; returns its left edge. */
+static double show_numbers(Card *card, Box box) {
+    if (!card->look.numbers || card->roomy)
+        return box.high.x;
+    ui_at(card->ui, box);
+    if (ui_button(card->ui, &(UiButton){.id = "numbers", .label = "\u270e", .help = numbers_help}))
+        card->press = (CardPress){.numbers = true};
+    return box.low.x - GAP;
+}
+
 static void add_head(Card *card) {
     double height = line_height(card, UI_HEADING), y = card->y + height / 2, right = card->box.high.x;
     if (card->draws) {
@@ -358,6 +364,7 @@ static void add_head(Card *card) {
         show_fold(card, last, "\u25be", "Fold (C): Make the card one line; guesses and hints stay");
         right = last.low.x - GAP;
         right = show_restart(card, (Box){{right - FOLD, last.low.y}, {right, last.high.y}});
+        right = show_numbers(card, (Box){{right - FOLD, last.low.y}, {right, last.high.y}});
         ui_draw_text(card->ui, UI_HEADING, ROLE_CHAIR, vec2(card->box.low.x, y), 0,
                      lesson_kind_title((LessonKind)card->step->kind));
         ui_draw_text(card->ui, UI_BODY, ROLE_DIM_TEXT, vec2(right, y), 1, place_words(card));
@@ -380,7 +387,6 @@ static void add_body(Card *card) {
         add_guesses(card);
     add_goal(card);
     add_hints(card);
-    add_numbers(card);
     if (card->shown->model)
         add_text(card, CARD_TEXT, ROLE_TEXT, step->model);
 }
@@ -543,7 +549,10 @@ CardPress card_show(Ui *ui, const Play *play, Box box, const CardLook *look, Are
             break;
     }
     card.draws = true;
+    card.roomy = card.y + FOOT + GAP <= card.box.high.y;
     add_body(&card);
+    if (look->numbers && card.roomy)
+        add_button(&card, "numbers", look->numbers, numbers_help, (CardPress){.numbers = true});
     show_foot(&card, box);
     ui_pane_end(ui);
     return card.press;
