@@ -200,6 +200,8 @@ static const KeyRow table[] = {
     {ACTION_LESSON_RESTART, KEY_ANYWHERE, "Ctrl+R", MENU_LEARN, "Start this step again",
      "Put the house or machine back as the step began, and play once more what is watched; guesses and hints stay",
      NULL},
+    {ACTION_LESSON_FREE, KEY_ANYWHERE, "Ctrl+U", MENU_LEARN, "Free what is fixed",
+     "Let the class change what the lesson keeps as it is", NULL},
     {ACTION_LESSON_FOLD, KEY_CANVAS, "C", MENU_LEARN, "Fold the card",
      "Fold the card to one line, or unfold it; guesses and hints stay", NULL},
     {ACTION_LESSON_LEAVE, KEY_ANYWHERE, "Ctrl+F4", MENU_LEARN, "Leave the lesson",

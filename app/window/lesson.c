@@ -376,6 +376,8 @@ bool lesson_do(Window *window, Action action) {
         lesson_leave(window);
     else if (action == ACTION_LESSON_FOLD)
         fold(window);
+    else if (action == ACTION_LESSON_FREE)
+        window->lesson->view.free = true;
     else if (action != ACTION_LESSON_RESTART)
         press_key(window, keys_of[action - ACTION_LESSON_NEXT], 0);
     else if (play_restarts(&window->lesson->play))
@@ -389,6 +391,8 @@ const char *lesson_reason(const Window *window, Action action) {
     const Play *play = &window->lesson->play;
     if (action == ACTION_LESSON_RESTART)
         return play_restarts(play) ? NULL : "Nothing plays or is changed in this step";
+    if (action == ACTION_LESSON_FREE)
+        return play->lesson.lock.count && !window->lesson->view.free ? NULL : "Nothing is fixed in this lesson";
     return action < ACTION_LESSON_RESTART ? play_reason(play, keys_of[action - ACTION_LESSON_NEXT]) : NULL;
 }
 

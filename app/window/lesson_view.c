@@ -160,7 +160,7 @@ static void hold_house(Window *window, Tab *tab, LessonView *view, const LessonT
         editor_undo(editor);
     else
         tab_restore(tab, begun);
-    notice_post(window, "Fixed in this lesson: %s. The change was undone.", changed);
+    notice_post(window, "Fixed in this lesson: %s (Ctrl+U frees it). The change was undone.", changed);
     window->dirty = true;
 }
 
@@ -171,7 +171,7 @@ static void hold_number(Window *window, Tab *tab, const char *name, const TabSta
         if (strcmp(parameters[i].name, name) != 0 || parameters[i].value == begun->values[i])
             continue;
         Fault none = {0};
-        notice_post(window, "Fixed in this lesson: %s. The change was undone.", parameters[i].label);
+        notice_post(window, "Fixed in this lesson: %s (Ctrl+U frees it). The change was undone.", parameters[i].label);
         tab_set(tab, name, begun->values[i], &none);
         fault_clear(&none);
         window->dirty = true;
@@ -180,7 +180,7 @@ static void hold_number(Window *window, Tab *tab, const char *name, const TabSta
 }
 
 void lesson_view_hold(Window *window, Tab *tab, LessonView *view, const LessonTexts *lock, const TabState *begun) {
-    if (!lock->count)
+    if (!lock->count || view->free)
         return;
     if (tab_editor(tab))
         hold_house(window, tab, view, lock, begun);

@@ -16,6 +16,7 @@ typedef struct LessonView {
     bool looks;    /* a step has begun: the view has to show its thing from near, or all again */
     bool near;     /* the view shows a thing from near */
     int framed;    /* things with a frame */
+    bool free;     /* the teacher has freed what is locked */
     uint64_t held; /* digest of the house that was last looked at for what is locked */
 } LessonView;
 

@@ -227,12 +227,13 @@ short.write_text(json.dumps({"format": "clearance-lesson", "version": 1, "title"
                              "steps": [{"kind": "read", "text": "A.", "mark": ["person p1", "answer"], "show": "person p1"},
                                        task, {"kind": "explain", "ask": "Why?", "model": "So."}],
                              "teacher": {"before": []}}))
-first, begun, changed, again, held, later, earlier = act(
+first, begun, changed, again, held, later, earlier, freed = act(
     "restart", "until answered", "wait 3", "state STATE", "key PageDown", "until answered", "state STATE",
     "key Tab", "wait 3", "texts FOLDER/texts", "wait 2", "set run.until 50", "until answered", "state STATE", "key Ctrl+R", "until answered", "wait 3", "state STATE",
     "set person.p1.heading 5", "wait 3", "until answered", "state STATE", "set run.until 60", "until answered",
     "key PageDown", "wait 2", "key Ctrl+R", "wait 2", "key PageUp", "wait 2", "until answered", "state STATE",
-    "key Ctrl+R", "wait 2", "until answered", "state STATE", arguments=[short, "--size", "800x450"])
+    "key Ctrl+R", "wait 2", "until answered", "state STATE", "key Ctrl+U", "set person.p1.heading 5", "wait 3",
+    "until answered", "state STATE", arguments=[short, "--size", "800x450"])
 check(first["lesson"]["framed"] == 2 and begun["lesson"]["framed"] == 0, "what the step names has a frame", first["lesson"])
 labels = (stage.folder / "restart" / "texts").read_text()
 check("Numbers: " in labels, "the card has a button for the numbers of what is selected",
@@ -242,6 +243,7 @@ check(changed["parameters"]["run.until"] == 50 and again["parameters"] == begun[
       "Ctrl+R puts the house back as the step began", again["parameters"]["run.until"])
 check(held["parameters"] == begun["parameters"] and not held["edits"] and "Fixed in this lesson: people" in held["message"],
       "what is locked is put back, and says so", (held["message"], held["edits"]))
+check(freed["parameters"]["person.p1.heading"] == 5, "and is free once the teacher frees it", freed["message"])
 check(later["parameters"]["run.until"] == 60 and later["lesson"]["step"] == 2, "a step that was gone back to is as it was left")
 check(earlier["parameters"] == begun["parameters"], "and starts again from its beginning", earlier["parameters"]["run.until"])
 
