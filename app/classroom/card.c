@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "classroom/dots.h"
 #include "lesson/words.h"
 
 /* Design points. */
@@ -229,11 +230,41 @@ static void add_button(Card *card, const char *id, const char *label, const char
     card->y += FOOT + GAP;
 }
 
+/* Adds the dots of guesses that are numbers; `tells`: with the answer. */
+static void add_dots(Card *card, const LessonStep *asked, const PlayStep *guesses, bool tells) {
+    double height = dots_height(guesses);
+    if (card->draws)
+        dots_draw(card->ui, asked, guesses, (Box){{card->box.low.x, card->y}, {card->box.high.x, card->y + height}},
+                  tells, card->arena);
+    card->y += height + GAP;
+}
+
+/* Adds what is typed, the guesses so far, and the button that takes one back. */
+static void add_number_guess(Card *card) {
+    const PlayStep *shown = card->shown;
+    int count = play_hands(shown, shown->vote);
+    const char *unit = strcmp(card->step->unit, "1") == 0 ? "" : card->step->unit;
+    const char *typed = text_in_arena(card->arena, "%s_ %s", shown->typed, unit);
+    card->y += add_wrapped(card, UI_CLOCK, ROLE_TEXT, card->box.low.x, card->box.high.x, card->y, typed);
+    if (card->whole)
+        card->y += add_wrapped(card, UI_BODY, ROLE_DIM_TEXT, card->box.low.x, card->box.high.x, card->y,
+                               "Type a guess, then Return");
+    card->y += GAP;
+    add_dots(card, card->step, shown, false);
+    if (count && card->whole)
+        add_button(card, "undo",
+                   text_in_arena(card->arena, "%s%d %s; take one back", shown->vote ? "Second vote: " : "", count,
+                                 count == 1 ? "guess" : "guesses"),
+                   "Take back (Backspace): The last guess", (CardPress){.pressed = true, .key = PLAY_UNDO});
+}
+
 static void add_options(Card *card) {
     for (size_t o = 0; o < card->step->options.count; o++)
         add_option(card, o);
     card->y += GAP / 2;
-    if (card->step->kind != LESSON_PREDICT)
+    if (*card->step->unit)
+        add_number_guess(card);
+    if (card->step->kind != LESSON_PREDICT || *card->step->unit)
         return;
     int hands = play_hands(card->shown, card->shown->vote);
     const char *vote = card->shown->vote ? "Second vote: " : "";
@@ -266,13 +297,17 @@ static void add_guesses(Card *card) {
     const LessonStep *asked = at == SIZE_MAX ? NULL : &card->play->lesson.steps[at];
     const PlayStep *guesses = asked ? &card->play->steps[at] : NULL;
     bool compares = card->step->kind == LESSON_COMPARE;
-    if (!guesses || !asked->truth || (!compares && (!play_hands(guesses, 0) || !card->whole)))
+    if (!guesses || (!asked->truth && !*asked->unit) || (!compares && (!play_hands(guesses, 0) || !card->whole)))
         return;
     double height = line_height(card, UI_BODY);
+    const char *answer = *asked->unit
+                             ? words_value(asked->answer, -1, asked->unit, card->arena)
+                             : text_in_arena(card->arena, "\u201c%s\u201d", asked->options.at[asked->truth - 1]);
     card->y += GAP;
-    card->y += add_wrapped(
-        card, UI_BOLD, ROLE_TEXT, card->box.low.x, card->box.high.x, card->y,
-        text_in_arena(card->arena, "Your guesses: it was \u201c%s\u201d", asked->options.at[asked->truth - 1]));
+    card->y += add_wrapped(card, UI_BOLD, ROLE_TEXT, card->box.low.x, card->box.high.x, card->y,
+                           text_in_arena(card->arena, "Your guesses: it was %s", answer));
+    if (*asked->unit)
+        add_dots(card, asked, guesses, true);
     for (size_t o = 0; o < asked->options.count; o++, card->y += height) {
         if (!card->draws)
             continue;
@@ -412,7 +447,7 @@ static void show_foot(Card *card, Box pane) {
     const char *hint = text_in_arena(
         card->arena, "Hint %d of %zu (?)",
         card->shown->hints < (int)step->hints.count ? card->shown->hints + 1 : card->shown->hints, step->hints.count);
-    const char *vote = "Vote again (0)";
+    const char *vote = *step->unit ? "Vote again" : "Vote again (0)";
     bool predicts = step->kind == LESSON_PREDICT;
     bool last = card->play->step + 1 == card->play->lesson.step_count;
     const FootButton buttons[] = {
@@ -459,7 +494,8 @@ static const char *line_words(const Card *card, int shorter) {
     const char *words = "";
     if (step->kind == LESSON_PREDICT) {
         const char *before = shown->vote ? "second vote, " : "";
-        words = text_in_arena(card->arena, "%shands", before);
+        words = *step->unit ? text_in_arena(card->arena, "%sguesses: %d", before, shown->number_count[shown->vote])
+                            : text_in_arena(card->arena, "%shands", before);
         for (size_t o = 0; o < step->options.count; o++)
             words =
                 text_in_arena(card->arena, "%s%s %zu: %d", words, o ? "," : "", o + 1, shown->hands[shown->vote][o]);

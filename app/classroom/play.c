@@ -1,6 +1,7 @@
 #include "classroom/play.h"
 
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 const LessonStep *play_step(const Play *play) {
@@ -52,8 +53,20 @@ const char *play_reason(const Play *play, PlayKey key) {
 }
 
 bool play_takes(const Play *play, PlayKey key) {
-    bool predicts = play_step(play)->kind == LESSON_PREDICT;
-    return key == PLAY_DIGIT ? play_step(play)->options.count > 0 : (key != PLAY_VOTE && key != PLAY_UNDO) || predicts;
+    const LessonStep *step = play_step(play);
+    switch (key) {
+    case PLAY_DIGIT:
+        return step->options.count > 0 || *step->unit;
+    case PLAY_POINT:
+        return *step->unit;
+    case PLAY_ADD:
+        return *step->unit && *play->steps[play->step].typed;
+    case PLAY_VOTE:
+    case PLAY_UNDO:
+        return step->kind == LESSON_PREDICT;
+    default:
+        return true;
+    }
 }
 
 bool play_is_begun(const Play *play) {
@@ -64,13 +77,16 @@ static const struct {
     const char *name;
     PlayKey key;
     int digit;
-} keys[] = {
-    {"PageDown", PLAY_NEXT, 0},  {"PageUp", PLAY_BACK, 0},    {"?", PLAY_HINT, 0},         {"0", PLAY_VOTE, 0},
-    {"Keypad 0", PLAY_VOTE, 0},  {"Backspace", PLAY_UNDO, 0}, {"1", PLAY_DIGIT, 1},        {"2", PLAY_DIGIT, 2},
-    {"3", PLAY_DIGIT, 3},        {"4", PLAY_DIGIT, 4},        {"5", PLAY_DIGIT, 5},        {"6", PLAY_DIGIT, 6},
-    {"7", PLAY_DIGIT, 7},        {"8", PLAY_DIGIT, 8},        {"9", PLAY_DIGIT, 9},        {"Keypad 1", PLAY_DIGIT, 1},
-    {"Keypad 2", PLAY_DIGIT, 2}, {"Keypad 3", PLAY_DIGIT, 3}, {"Keypad 4", PLAY_DIGIT, 4}, {"Keypad 5", PLAY_DIGIT, 5},
-    {"Keypad 6", PLAY_DIGIT, 6}, {"Keypad 7", PLAY_DIGIT, 7}, {"Keypad 8", PLAY_DIGIT, 8}, {"Keypad 9", PLAY_DIGIT, 9}};
+} keys[] = {{"PageDown", PLAY_NEXT, 0},    {"PageUp", PLAY_BACK, 0},    {"?", PLAY_HINT, 0},
+            {"0", PLAY_DIGIT, 0},          {"Keypad 0", PLAY_DIGIT, 0}, {".", PLAY_POINT, 0},
+            {",", PLAY_POINT, 0},          {"Keypad .", PLAY_POINT, 0}, {"Return", PLAY_ADD, 0},
+            {"Keypad Enter", PLAY_ADD, 0}, {"Backspace", PLAY_UNDO, 0}, {"1", PLAY_DIGIT, 1},
+            {"2", PLAY_DIGIT, 2},          {"3", PLAY_DIGIT, 3},        {"4", PLAY_DIGIT, 4},
+            {"5", PLAY_DIGIT, 5},          {"6", PLAY_DIGIT, 6},        {"7", PLAY_DIGIT, 7},
+            {"8", PLAY_DIGIT, 8},          {"9", PLAY_DIGIT, 9},        {"Keypad 1", PLAY_DIGIT, 1},
+            {"Keypad 2", PLAY_DIGIT, 2},   {"Keypad 3", PLAY_DIGIT, 3}, {"Keypad 4", PLAY_DIGIT, 4},
+            {"Keypad 5", PLAY_DIGIT, 5},   {"Keypad 6", PLAY_DIGIT, 6}, {"Keypad 7", PLAY_DIGIT, 7},
+            {"Keypad 8", PLAY_DIGIT, 8},   {"Keypad 9", PLAY_DIGIT, 9}};
 enum { KEYS = sizeof keys / sizeof *keys };
 
 const char *const *play_key_names(size_t *count) {
@@ -101,7 +117,7 @@ void play_judge(Play *play) {
 }
 
 int play_hands(const PlayStep *step, int vote) {
-    int all = 0;
+    int all = step->number_count[vote];
     for (size_t o = 0; o < LESSON_OPTIONS_MOST; o++)
         all += step->hands[vote][o];
     return all;
@@ -135,8 +151,48 @@ static bool count_hand(Play *play, int digit) {
     return true;
 }
 
+/* Types a character of a guess that is a number. */
+static bool type_character(PlayStep *shown, char character) {
+    size_t length = strlen(shown->typed);
+    if (length == PLAY_TYPED_MOST || (character == '.' && strchr(shown->typed, '.')))
+        return false;
+    shown->typed[length] = character;
+    shown->typed[length + 1] = 0;
+    return true;
+}
+
+static bool add_number(PlayStep *shown) {
+    int *count = &shown->number_count[shown->vote];
+    bool good = strcmp(shown->typed, ".") != 0 && *shown->typed && *count < PLAY_NUMBERS_MOST;
+    if (good)
+        shown->numbers[shown->vote][(*count)++] = strtod(shown->typed, NULL);
+    *shown->typed = 0;
+    return good;
+}
+
+static bool take_back_number(PlayStep *shown) {
+    size_t length = strlen(shown->typed);
+    if (!length && !shown->number_count[shown->vote])
+        return false;
+    if (length)
+        shown->typed[length - 1] = 0;
+    else
+        shown->number_count[shown->vote]--;
+    return true;
+}
+
+static bool vote_again(Play *play) {
+    PlayStep *shown = &play->steps[play->step];
+    if (play_step(play)->kind != LESSON_PREDICT || shown->vote)
+        return false;
+    shown->vote = 1;
+    return true;
+}
+
 static bool take_back(Play *play) {
     PlayStep *shown = &play->steps[play->step];
+    if (*play_step(play)->unit)
+        return take_back_number(shown);
     if (play_step(play)->kind != LESSON_PREDICT || !shown->chosen || !shown->hands[shown->vote][shown->chosen - 1])
         return false;
     shown->hands[shown->vote][shown->chosen - 1]--;
@@ -159,14 +215,17 @@ bool play_key(Play *play, PlayKey key, int digit) {
         shown->hints++;
         return true;
     case PLAY_VOTE:
-        if (play_step(play)->kind != LESSON_PREDICT || shown->vote)
-            return false;
-        shown->vote = 1;
-        return true;
+        return vote_again(play);
     case PLAY_UNDO:
         return take_back(play);
+    case PLAY_POINT:
+        return *play_step(play)->unit && type_character(shown, '.');
+    case PLAY_ADD:
+        return add_number(shown);
     default:
-        return count_hand(play, digit);
+        return *play_step(play)->unit ? type_character(shown, (char)('0' + digit))
+               : digit == 0           ? vote_again(play)
+                                      : count_hand(play, digit);
     }
 }
 
@@ -177,9 +236,12 @@ json_t *play_state(const Play *play) {
     json_t *hands = json_array();
     for (size_t o = 0; o < step->options.count; o++)
         json_array_append_new(hands, json_integer(shown->hands[shown->vote][o]));
-    return json_pack("{s:s, s:i, s:i, s:s, s:s, s:i, s:o, s:i, s:i, s:b, s:b, s:b}", "title", play->lesson.title,
-                     "step", (int)play->step + 1, "steps", (int)play->lesson.step_count, "kind",
+    json_t *numbers = json_array();
+    for (int n = 0; n < shown->number_count[shown->vote]; n++)
+        json_array_append_new(numbers, json_real(shown->numbers[shown->vote][n]));
+    return json_pack("{s:s, s:i, s:i, s:s, s:s, s:i, s:o, s:o, s:s, s:i, s:i, s:b, s:b, s:b}", "title",
+                     play->lesson.title, "step", (int)play->step + 1, "steps", (int)play->lesson.step_count, "kind",
                      lesson_kind_word((LessonKind)step->kind), "goal", goals[shown->goal], "hints", shown->hints,
-                     "hands", hands, "vote", shown->vote + 1, "chosen", shown->chosen, "model", shown->model, "hides",
-                     play_hides(play), "numbered", play->numbered);
+                     "hands", hands, "numbers", numbers, "typed", shown->typed, "vote", shown->vote + 1, "chosen",
+                     shown->chosen, "model", shown->model, "hides", play_hides(play), "numbered", play->numbered);
 }

@@ -12,15 +12,23 @@
 
 typedef enum PlayGoal { PLAY_GOAL_OPEN, PLAY_GOAL_NO, PLAY_GOAL_YES } PlayGoal;
 
-enum { PLAY_VOTES = 2 /* the class votes once more after talking */, PLAY_HANDS_MOST = 999 };
+enum {
+    PLAY_VOTES = 2, /* the class votes once more after talking */
+    PLAY_HANDS_MOST = 999,
+    PLAY_NUMBERS_MOST = 60, /* guesses that are numbers, of each vote */
+    PLAY_TYPED_MOST = 10,   /* characters of one */
+};
 
 /* What was done in a step. */
 typedef struct PlayStep {
     int hands[PLAY_VOTES][LESSON_OPTIONS_MOST];
-    int vote;   /* 0, or 1: the second one */
-    int chosen; /* option answered after watching, from 1; 0: none */
-    int hints;  /* shown, 0 to LESSON_HINTS */
-    bool model; /* the model answer is shown */
+    double numbers[PLAY_VOTES][PLAY_NUMBERS_MOST]; /* (number_count) guesses that are numbers */
+    int number_count[PLAY_VOTES];
+    char typed[PLAY_TYPED_MOST + 1]; /* the next one so far */
+    int vote;                        /* 0, or 1: the second one */
+    int chosen;                      /* option answered after watching, from 1; 0: none */
+    int hints;                       /* shown, 0 to LESSON_HINTS */
+    bool model;                      /* the model answer is shown */
     PlayGoal goal;
 } PlayStep;
 
@@ -35,9 +43,12 @@ typedef enum PlayKey {
     PLAY_NEXT,  /* PageDown, as presenters' remotes send it: first shows a model answer, then goes on */
     PLAY_BACK,  /* PageUp */
     PLAY_HINT,  /* ? */
-    PLAY_VOTE,  /* 0: the class votes again, from nothing */
-    PLAY_UNDO,  /* Backspace: takes the last option's hand back */
-    PLAY_DIGIT, /* 1 to 9: counts a hand for an option, or answers */
+    PLAY_VOTE,  /* the class votes again, from nothing */
+    PLAY_UNDO,  /* Backspace: takes the last option's hand back, or the last character or number */
+    PLAY_DIGIT, /* 1 to 9: counts a hand for an option, or answers; 0: as PLAY_VOTE; 0 to 9 of a guess that is a number
+                 */
+    PLAY_POINT, /* of such a guess */
+    PLAY_ADD,   /* Return: adds the typed guess */
 } PlayKey;
 
 /* Returns the step that is shown. */
@@ -64,7 +75,7 @@ const char *play_reason(const Play *play, PlayKey key);
 /* True if the key belongs to the lesson in this step; otherwise it is the window's. */
 bool play_takes(const Play *play, PlayKey key);
 
-/* Carries out a key; `digit` from 1. False: the step has no use for it. */
+/* Carries out a key; `digit` of PLAY_DIGIT. False: the step has no use for it. */
 bool play_key(Play *play, PlayKey key, int digit);
 
 /* Returns the names of all keys, of which some have two: "PageDown", "?", "3", "Keypad 3". */
@@ -76,7 +87,7 @@ bool play_read_key(const char *name, PlayKey *key, int *digit);
 /* Sets the goal of the step by the verdicts of its conditions. */
 void play_judge(Play *play);
 
-/* Returns the hands of a vote. */
+/* Returns the hands, or numbers, of a vote. */
 int play_hands(const PlayStep *step, int vote);
 
 /* Returns the step with the guesses that a step of kind "compare" or "observe" looks back to; SIZE_MAX: none. */

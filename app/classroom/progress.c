@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,6 +12,8 @@
 #include "base/file_write.h"
 #include "base/json.h"
 #include "base/text.h"
+
+#define NUMBER_MOST 1e10 /* of PLAY_TYPED_MOST digits */
 
 enum { LONGEST = 1 << 20 /* bytes of a lesson */, WHEN_MOST = 1 << 30, WHEN_TIMES = 1000 };
 
@@ -69,12 +72,32 @@ static bool read_hands(PlayStep *shown, const LessonStep *step, const json_t *vo
     return true;
 }
 
+/* Reads guesses that are numbers; absent: none. */
+static bool read_numbers(PlayStep *shown, const LessonStep *step, const json_t *votes) {
+    size_t vote, n;
+    json_t *numbers, *number;
+    if (json_array_size(votes) > (*step->unit ? PLAY_VOTES : 0))
+        return false;
+    json_array_foreach(votes, vote, numbers) {
+        if (json_array_size(numbers) > PLAY_NUMBERS_MOST)
+            return false;
+        json_array_foreach(numbers, n, number) {
+            if (!json_is_number(number) || fabs(json_number_value(number)) > NUMBER_MOST)
+                return false;
+            shown->numbers[vote][n] = json_number_value(number);
+        }
+        shown->number_count[vote] = (int)json_array_size(numbers);
+    }
+    return true;
+}
+
 static bool read_step(PlayStep *shown, const LessonStep *step, const json_t *value) {
     *shown = (PlayStep){.model = json_is_true(json_object_get(value, "model"))};
     return read_whole(&shown->vote, json_object_get(value, "vote"), PLAY_VOTES - 1) &&
            read_whole(&shown->chosen, json_object_get(value, "chosen"), (int)step->options.count) &&
            read_whole(&shown->hints, json_object_get(value, "hints"), (int)step->hints.count) &&
-           read_hands(shown, step, json_object_get(value, "hands"));
+           read_hands(shown, step, json_object_get(value, "hands")) &&
+           read_numbers(shown, step, json_object_get(value, "numbers"));
 }
 
 static bool read_one(Progress *progress, const Lesson *lesson, const json_t *value) {
@@ -139,6 +162,17 @@ bool progress_read(Progress *progress, const Lesson *lesson, const char *folder,
 
 /* Writing ---------------------------------------------------------------------------------------------------------- */
 
+static json_t *numbers_of(const PlayStep *shown, const LessonStep *step) {
+    json_t *votes = json_array();
+    for (int vote = 0; vote <= shown->vote && *step->unit; vote++) {
+        json_t *numbers = json_array();
+        for (int n = 0; n < shown->number_count[vote]; n++)
+            json_array_append_new(numbers, json_real(shown->numbers[vote][n]));
+        json_array_append_new(votes, numbers);
+    }
+    return votes;
+}
+
 static json_t *step_values(const PlayStep *shown, const LessonStep *step) {
     json_t *votes = json_array();
     for (int vote = 0; vote <= shown->vote && step->kind == LESSON_PREDICT; vote++) {
@@ -147,8 +181,8 @@ static json_t *step_values(const PlayStep *shown, const LessonStep *step) {
             json_array_append_new(counts, json_integer(shown->hands[vote][o]));
         json_array_append_new(votes, counts);
     }
-    return json_pack("{s:o, s:i, s:i, s:i, s:b}", "hands", votes, "vote", shown->vote, "chosen", shown->chosen, "hints",
-                     shown->hints, "model", shown->model);
+    return json_pack("{s:o, s:o, s:i, s:i, s:i, s:b}", "hands", votes, "numbers", numbers_of(shown, step), "vote",
+                     shown->vote, "chosen", shown->chosen, "hints", shown->hints, "model", shown->model);
 }
 
 static json_t *play_values(const Play *play, const char *place, const char *mark, int64_t when) {

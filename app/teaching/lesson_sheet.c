@@ -203,6 +203,13 @@ static void add_step(Sheet *sheet, const LessonStep *step, size_t number) {
         add_line(sheet, "", step->text);
     if (*step->ask)
         add_line(sheet, "", step->ask);
+    if (*step->unit)
+        document_add_paragraph(&sheet->document,
+                               sheet->options->answers
+                                   ? document_text(&sheet->document, "The answer: %s",
+                                                   words_value(step->answer, -1, step->unit, &sheet->document.arena))
+                                   : document_text(&sheet->document, "We guess: ____________ %s",
+                                                   strcmp(step->unit, "1") ? step->unit : ""));
     add_options(sheet, step);
     add_table(sheet, &step->table);
     if (sheet->options->answers)

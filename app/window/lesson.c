@@ -11,7 +11,6 @@
 #include "classroom/judge.h"
 #include "classroom/progress.h"
 #include "laboratory/shipped.h"
-#include "window/act.h"
 #include "window/autosave.h"
 #include "window/dialog_pane.h"
 #include "window/lesson_view.h"
@@ -575,7 +574,7 @@ void lesson_show(Window *window) {
     else if (press.restarts)
         restart_step(window);
     else if (press.numbers)
-        act_do(window, ACTION_EDIT_NUMBERS, 0, 0);
+        lesson_view_show_numbers(window);
     else if (press.leaves)
         lesson_leave(window);
     else if (press.pressed)

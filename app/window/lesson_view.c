@@ -37,6 +37,12 @@ const char *lesson_view_numbers(Window *window, const Tab *tab, const LessonStep
                : NULL;
 }
 
+void lesson_view_show_numbers(Window *window) {
+    window->panel = window->drawer = true;
+    ui_focus_number(window->ui, "panel");
+    window->dirty = true;
+}
+
 /* Finds a thing by its name; kind 0: there is none. */
 static Item find(Tab *tab, const char *name) {
     const Laboratory *laboratory = tab->laboratory;

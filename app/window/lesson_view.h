@@ -12,6 +12,9 @@ void lesson_view_set(Window *window, Tab *tab, const char *set);
  * and the step asks for a change; NULL: there is none. In the frame's arena. */
 const char *lesson_view_numbers(Window *window, const Tab *tab, const LessonStep *step);
 
+/* Opens the panel at the first of those numbers. */
+void lesson_view_show_numbers(Window *window);
+
 typedef struct LessonView {
     bool looks;    /* a step has begun: the view has to show its thing from near, or all again */
     bool near;     /* the view shows a thing from near */

@@ -72,6 +72,8 @@ static const Parameter step_rows[] = {
     TEXT(LessonStep, done, "done", PARAMETER_TEXT, false, "said when the goal is reached"),
     TEXT(LessonStep, set, "set", PARAMETER_TEXT, false, "settings with which the step begins"),
     WHOLE(LessonStep, truth, "truth", 0, LESSON_OPTIONS_MOST, 0, "right option, from 1; 0: there is none"),
+    TEXT(LessonStep, unit, "unit", PARAMETER_TEXT, false, "unit of a guess that is a number, 1 of one without"),
+    CONDITION_NUMBER(LessonStep, answer, "answer", "", -1e9, 1e9, HUGE_VAL, "right number, in this unit"),
     CONDITION_NUMBER(LessonStep, speed, "speed", "1", 0.0625, 64, 1, "speed of playback"),
     CONDITION_NUMBER(LessonStep, from, "from", "s", 0, 3600, 0, "time from which it is watched"),
     WHOLE(LessonStep, minutes, "minutes", 0, 240, 0, "time that a class needs for the step; 0: not said"),
@@ -266,7 +268,7 @@ static void need(Reader *reader, const LessonStep *step, const JsonNode *node, c
 
 static void check_options(Reader *reader, const LessonStep *step, const JsonNode *node) {
     JsonNode options = json_member(node, "options"), truth = json_member(node, "truth");
-    bool asks = step->kind == LESSON_PREDICT || (step->kind == LESSON_OBSERVE && *step->ask);
+    bool asks = (step->kind == LESSON_PREDICT && !*step->unit) || (step->kind == LESSON_OBSERVE && *step->ask);
     if (asks && (step->options.count < 2 || step->options.count > LESSON_OPTIONS_MOST))
         json_fault(options.value ? &options : node, reader->fault, "a question has %zu options, must have 2 to %d",
                    step->options.count, LESSON_OPTIONS_MOST);
@@ -274,14 +276,28 @@ static void check_options(Reader *reader, const LessonStep *step, const JsonNode
         json_fault(truth.value ? &truth : node, reader->fault, "truth is %d, must be an option, 1 to %zu", step->truth,
                    step->options.count);
     if (!asks && step->options.count)
-        json_fault(&options, reader->fault, "a step \"%s\" has no options", lesson_kind_word((LessonKind)step->kind));
+        json_fault(&options, reader->fault, "a step \"%s\"%s has no options", lesson_kind_word((LessonKind)step->kind),
+                   *step->unit ? " with a unit" : "");
     JsonNode wrong = json_member(node, "wrong");
     if (step->wrong.count && step->wrong.count != step->options.count)
         json_fault(&wrong, reader->fault, "wrong has %zu texts, must have one for each of the %zu options",
                    step->wrong.count, step->options.count);
 }
 
+/* Adds faults for a guess that is a number. */
+static void check_number_guess(Reader *reader, const LessonStep *step, const JsonNode *node) {
+    JsonNode unit = json_member(node, "unit"), answer = json_member(node, "answer");
+    bool answered = step->answer < HUGE_VAL;
+    if (*step->unit && step->kind != LESSON_PREDICT)
+        json_fault(&unit, reader->fault, "only a step \"predict\" has a unit, of a guess that is a number");
+    else if (*step->unit && !answered)
+        json_fault(node, reader->fault, "a guess in %s needs \"answer\", the right number", step->unit);
+    else if (!*step->unit && answered)
+        json_fault(&answer, reader->fault, "an answer needs \"unit\", 1 if it is a number without one");
+}
+
 static void check_step(Reader *reader, const LessonStep *step, const JsonNode *node) {
+    check_number_guess(reader, step, node);
     check_options(reader, step, node);
     JsonNode hints = json_member(node, "hints");
     if (step->hints.count != 0 && step->hints.count != LESSON_HINTS)

@@ -73,6 +73,8 @@ typedef struct LessonStep {
     const char *done;    /* said when the goal is reached, or "" */
     const char *set;     /* settings with which the step begins, "" as the lesson */
     int truth;           /* right option, from 1; 0: none */
+    const char *unit;    /* of a guess that is a number, 1 of one without; "": the guess is an option */
+    double answer;       /* to it, in the unit; HUGE_VAL: none */
     double speed;        /* of playback, 1 */
     double from;         /* s, time from which it is watched */
     int minutes;         /* that a class needs for it; 0: not said */

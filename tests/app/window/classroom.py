@@ -79,14 +79,14 @@ def picture(screen, name, what):
 
 
 def guess(screen, name, digits, hands):
-    """Counts hands at the second step, and goes on to what is to be watched."""
+    """Counts hands, or types numbers, at the second step, and goes on to what is to be watched."""
     picture(screen, name, "1")
     screen.keys("Next")
     now = step(screen, 2)
     check(now["lesson"]["hides"] and not now["playing"], f"{name}: nothing plays before the guess")
     screen.keys(*digits)
     now = screen.state()
-    check(now["lesson"]["hands"] == hands, f"{name}: the hands are counted", now["lesson"])
+    check((now["lesson"]["numbers"] or now["lesson"]["hands"]) == hands, f"{name}: the hands are counted", now["lesson"])
     check(not now["frame"]["plots"] and now["frame"]["panel"][2] == now["frame"]["panel"][0],
           f"{name}: neither plot nor panel tells the result")
     picture(screen, name, "2")

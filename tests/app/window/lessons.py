@@ -247,6 +247,23 @@ check(freed["parameters"]["person.p1.heading"] == 5, "and is free once the teach
 check(later["parameters"]["run.until"] == 60 and later["lesson"]["step"] == 2, "a step that was gone back to is as it was left")
 check(earlier["parameters"] == begun["parameters"], "and starts again from its beginning", earlier["parameters"]["run.until"])
 
+# guesses that are numbers: typed, added by Return, taken back, a second vote, and kept
+told = json.loads(short.read_text())
+told["steps"] = [{"kind": "predict", "ask": "How wide?", "unit": "m", "answer": 0.9}, {"kind": "compare", "text": "So."}]
+short.write_text(json.dumps(told))
+typed, voted, back = act(
+    "numbers", "until answered", "key 0", "key ,", "key 7", "key Return", "key Return", "key 1", "key .", "key .", "key 2",
+    "key 5", "key Backspace", "key Return", "key 3", "key Return", "key Backspace", "key 8", "wait 2", "state STATE",
+    "key Backspace", "key F10", "key Escape", "key PageDown", "wait 2", "state STATE", "key PageUp", "wait 2", "state STATE",
+    arguments=[short, "--size", "800x450"])
+check(typed["lesson"]["numbers"] == [0.7, 1.2] and typed["lesson"]["typed"] == "8" and typed["lesson"]["step"] == 1,
+      "numbers are typed, with a comma or a point, and taken back", typed["lesson"])
+check(voted["lesson"]["step"] == 2 and back["lesson"]["numbers"] == [0.7, 1.2], "and stay when the lesson goes on and back",
+      back["lesson"])
+offered, on = act("numbers", "wait 3", "state STATE", "key Escape", "wait 3", "state STATE",
+                  arguments=[short, "--size", "800x450"])[-2:]
+check(offered["sheet"] == "kept" and on["lesson"]["numbers"] == [0.7, 1.2], "they are kept for the next time", on["lesson"])
+
 # the card at other sizes, in both themes: beside the view, never over it
 for width, height in ((1280, 720), (1920, 1080), (1024, 600)):
     for key in ("wait 1", "key F5"):

@@ -21,7 +21,7 @@ def hints(screen, name):
 
 
 def smallest_corner(screen, name):
-    guess(screen, name, ("1", "2", "4", "4"), [1, 1, 0, 2])
+    guess(screen, name, ("0", "comma", "6", "5", "Return", "0", "period", "9", "5", "BackSpace", "Return"), [0.65, 0.9])
     watch(screen, name, "1", "2")
     goal(screen, name, "the corner as it is does not reach the goal", "no", "4")
     check(select(screen, "block"), f"{name}: Tab comes to the block")
