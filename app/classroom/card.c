@@ -297,8 +297,9 @@ static void add_guesses(Card *card) {
     const LessonStep *asked = at == SIZE_MAX ? NULL : &card->play->lesson.steps[at];
     const PlayStep *guesses = asked ? &card->play->steps[at] : NULL;
     bool compares = card->step->kind == LESSON_COMPARE;
-    if (!guesses || (!asked->truth && !*asked->unit) || (!compares && (!play_hands(guesses, 0) || !card->whole)))
-        return;
+    if (!guesses || (*asked->unit && !compares) || (!*asked->unit && !asked->truth) ||
+        (!compares && (!play_hands(guesses, 0) || !card->whole)))
+        return; /* a number is often found by a task only, and told later */
     double height = line_height(card, UI_BODY);
     const char *answer = *asked->unit
                              ? words_value(asked->answer, -1, asked->unit, card->arena)

@@ -42,7 +42,10 @@ def smallest_corner(screen, name):
     goal(screen, name, "going back restores the corner that was enough", "yes", "4-back")
     screen.keys("Next")
     step(screen, 5)
-    finish(screen, name, 7)
+    screen.keys("Next")
+    step(screen, 6)
+    picture(screen, name, "6-compare")
+    finish(screen, name, 8)
 
 
 def shortest_not_fastest(screen, name):
