@@ -458,7 +458,9 @@ static void show_foot(Card *card, Box pane) {
          card->play->step > 0,
          false},
         {predicts ? vote : hint,
-         predicts ? "Vote again (0): The class has talked and votes once more" : "Hint (?): The next of three hints",
+         predicts ? (*step->unit ? "Vote again: The class has talked and votes once more"
+                                 : "Vote again (0): The class has talked and votes once more")
+                  : "Hint (?): The next of three hints",
          {.pressed = true, .key = predicts ? PLAY_VOTE : PLAY_HINT},
          predicts ? !card->shown->vote && play_hands(card->shown, 0) > 0 : card->shown->hints < (int)step->hints.count,
          false},

@@ -5,7 +5,7 @@
 #include "classroom/play.h"
 #include "widgets/ui.h"
 
-/* A press on the card: a key of play.h, or a request to leave the lesson to start its step again, or to show
+/* A press on the card: a key of play.h, or a request to leave the lesson, to start its step again, or to show
  * numbers. */
 typedef struct CardPress {
     bool pressed, leaves, folds, restarts, numbers;

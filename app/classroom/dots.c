@@ -1,6 +1,7 @@
 #include "classroom/dots.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/text.h"
 
@@ -55,7 +56,8 @@ static void draw_vote(Ui *ui, const Axis *axis, const PlayStep *guesses, int vot
 }
 
 static const char *number_text(const LessonStep *step, double value, Arena *arena) {
-    return text_in_arena(arena, "%.4g%s%s", value, *step->unit == '1' ? "" : " ", *step->unit == '1' ? "" : step->unit);
+    bool bare = strcmp(step->unit, "1") == 0;
+    return text_in_arena(arena, "%.6g%s%s", value, bare ? "" : " ", bare ? "" : step->unit);
 }
 
 void dots_draw(Ui *ui, const LessonStep *step, const PlayStep *guesses, Box box, bool tells, Arena *arena) {

@@ -49,6 +49,7 @@ static void add_keys(Sheet *sheet) {
     static const char *const keys[] = {
         "PgDn goes on, as a presenter's remote does, and PgUp goes back.",
         "1 to 9 count a raised hand for that guess, Backspace takes it back, 0 begins a second vote.",
+        "A guess that is a number is typed, with Return after each.",
         "? gives a hint. Ctrl+Z takes a change back, Ctrl+R starts the step again.",
         "C folds the card. F1 tells all keys, F5 enlarges the letters.",
     };

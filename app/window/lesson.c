@@ -299,8 +299,7 @@ const char *lesson_question(const Window *window) {
 
 /* Keys ------------------------------------------------------------------------------------------------------------- */
 
-/* Of the actions from ACTION_LESSON_NEXT on. */
-static const PlayKey keys_of[] = {PLAY_NEXT, PLAY_BACK, PLAY_HINT, PLAY_VOTE};
+static const PlayKey keys_of[] = {PLAY_NEXT, PLAY_BACK, PLAY_HINT, PLAY_VOTE}; /* from ACTION_LESSON_NEXT on */
 
 /* Carries out a key of the play. */
 static void press_key(Window *window, PlayKey key, int digit) {
@@ -311,9 +310,11 @@ static void press_key(Window *window, PlayKey key, int digit) {
     window->echo[0] = 0;
     if (key == PLAY_NEXT || key == PLAY_BACK)
         tab_keep(tab_of(window), &given->left[step]);
-    if (!play_key(play, key, digit) && key == PLAY_NEXT)
-        lesson_leave(window);
     window->dirty = true;
+    if (!play_key(play, key, digit) && key == PLAY_NEXT) {
+        lesson_leave(window);
+        return;
+    }
     if (play->step > step)
         begin_step(window);
     else if (play->step < step)
@@ -376,7 +377,7 @@ bool lesson_do(Window *window, Action action) {
     else if (action == ACTION_LESSON_FOLD)
         fold(window);
     else if (action == ACTION_LESSON_FREE)
-        window->lesson->view.free = true;
+        lesson_view_free(window, &window->lesson->view);
     else if (action != ACTION_LESSON_RESTART)
         press_key(window, keys_of[action - ACTION_LESSON_NEXT], 0);
     else if (play_restarts(&window->lesson->play))
@@ -391,7 +392,7 @@ const char *lesson_reason(const Window *window, Action action) {
     if (action == ACTION_LESSON_RESTART)
         return play_restarts(play) ? NULL : "Nothing plays or is changed in this step";
     if (action == ACTION_LESSON_FREE)
-        return play->lesson.lock.count && !window->lesson->view.free ? NULL : "Nothing is fixed in this lesson";
+        return play->lesson.lock.count && !window->lesson->view.free ? NULL : "Nothing is locked in this lesson";
     return action < ACTION_LESSON_RESTART ? play_reason(play, keys_of[action - ACTION_LESSON_NEXT]) : NULL;
 }
 

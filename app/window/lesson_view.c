@@ -162,11 +162,9 @@ static void hold_house(Window *window, Tab *tab, LessonView *view, const LessonT
     const char *changed = changed_list(lock, begun->text, text);
     if (!changed)
         return;
-    if (tab_edits(tab) > begun->edits)
+    if (tab_edits(tab) > begun->edits || !tab_restore(tab, begun))
         editor_undo(editor);
-    else
-        tab_restore(tab, begun);
-    notice_post(window, "Fixed in this lesson: %s (Ctrl+U frees it). The change was undone.", changed);
+    notice_post(window, "Locked in this lesson: %s (Ctrl+U unlocks it). The change was undone.", changed);
     window->dirty = true;
 }
 
@@ -177,12 +175,18 @@ static void hold_number(Window *window, Tab *tab, const char *name, const TabSta
         if (strcmp(parameters[i].name, name) != 0 || parameters[i].value == begun->values[i])
             continue;
         Fault none = {0};
-        notice_post(window, "Fixed in this lesson: %s (Ctrl+U frees it). The change was undone.", parameters[i].label);
+        notice_post(window, "Locked in this lesson: %s (Ctrl+U unlocks it). The change was undone.",
+                    parameters[i].label);
         tab_set(tab, name, begun->values[i], &none);
         fault_clear(&none);
         window->dirty = true;
         return;
     }
+}
+
+void lesson_view_free(Window *window, LessonView *view) {
+    view->free = true;
+    notice_post(window, "Unlocked: everything can be changed until the lesson ends.");
 }
 
 void lesson_view_hold(Window *window, Tab *tab, LessonView *view, const LessonTexts *lock, const TabState *begun) {

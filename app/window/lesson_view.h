@@ -30,5 +30,8 @@ void lesson_view_look(Window *window, Tab *tab, LessonView *view, const char *na
 /* Draws a frame round each thing of the view, and each part of the window, that has one of the names. */
 void lesson_view_mark(Window *window, Tab *tab, LessonView *view, const LessonTexts *names);
 
+/* Frees what is locked, and says so. */
+void lesson_view_free(Window *window, LessonView *view);
+
 /* Takes back a change, since the step began so, of what is locked, and says so. */
 void lesson_view_hold(Window *window, Tab *tab, LessonView *view, const LessonTexts *lock, const TabState *begun);

@@ -23,7 +23,7 @@ static double rest_state(const void *given) {
     return rig_rest_state(given);
 }
 
-/* A cycle of a beam is short: its end is not waited for. */
+/* A cycle of a beam is short: a request to stop waits for its end. */
 static void *create(const void *given, size_t tangents, const Stop *stop) {
     (void)stop;
     Motion *motion = memory_zeroed(1, sizeof *motion);

@@ -50,7 +50,7 @@ double motion_class_life(const Response *response) {
     const HalfLife *half = &response->survival.half_life;
     if (!response->survival.lanes)
         return (double)response->wandering.count;
-    return isfinite(half->value) ? half->value : half->low;
+    return isfinite(half->value) ? half->value : fmax(half->low, (double)response->wandering.count);
 }
 
 static bool is_even(const Response *response) {

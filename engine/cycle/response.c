@@ -174,8 +174,9 @@ static ResponseVerdict bad_verdict(const Watch *watch) {
         return RESPONSE_DIVERGED;
     case CYCLE_STIFF:
         return RESPONSE_STIFF;
-    case CYCLE_GOOD:
     case CYCLE_INTERRUPTED:
+        return RESPONSE_INTERRUPTED;
+    case CYCLE_GOOD:
         break;
     }
     return is_spent(watch) ? RESPONSE_STIFF : RESPONSE_INTERRUPTED;
@@ -317,14 +318,17 @@ static ResponseVerdict tell_torus(Response *response, const Watch *watch) {
     return stop_requested(watch->stop) ? RESPONSE_INTERRUPTED : below ? RESPONSE_QUASI_PERIODIC : RESPONSE_UNDETERMINED;
 }
 
-/* Forgets the orbit, and the exponent and the 0-1 test of fewer cycles than the verdict needs. */
+/* Forgets the orbit, and what was told from fewer cycles than the verdict needs. */
 static ResponseVerdict interrupt(Response *response) {
     orbit_clear(&response->orbit);
     response->settled = false;
     response->orbit_peak = 0;
     response->image = ORBIT_IMAGE_NONE;
-    response->exponent = (ChaosExponent){NAN, NAN};
+    response->exponent = response->second = (ChaosExponent){NAN, NAN};
     response->zero_one = NAN;
+    response->rotation = (ShapeRotation){NAN, NAN};
+    response->bands = 0;
+    section_clear(&response->wandering);
     return RESPONSE_INTERRUPTED;
 }
 
@@ -404,6 +408,8 @@ void response_confirm(Response *response, Cycle cycle, const SurvivalTask *task)
     bool settled = response->verdict == RESPONSE_TRANSIENT;
     SurvivalTask affordable_task = *task;
     affordable_task.cycles = affordable(cycle.kind, response->work, task->cycles);
+    if (affordable_task.cycles <= cycle.kind->lane_apart) /* so few tell nothing */
+        return;
     Survival survival = survival_run(cycle, settled ? &response->wandering : &response->analysed, &affordable_task);
     if (!survival.whole)
         return;

@@ -9,10 +9,11 @@
 /* Share of the range within which two pitchforks are one: that of an orbit, and that of the pair beside it. */
 static const double ONE_FORK = 1e-5;
 
-/* True if the same pitchfork is on another branch. */
-static bool is_known(const BeamFollow *follow, const BeamFamily *family, size_t b, const FollowPoint *point) {
+/* True if the same pitchfork is on another of the first `count` branches. */
+static bool is_known(const BeamFollow *follow, const BeamFamily *family, size_t b, const FollowPoint *point,
+                     size_t count) {
     double near = ONE_FORK * (family->follow.to - family->follow.from);
-    for (size_t c = 0; c < follow->count && point->kind == FOLLOW_PITCHFORK; c++)
+    for (size_t c = 0; c < count && point->kind == FOLLOW_PITCHFORK; c++)
         for (size_t i = 0; i < follow->branches[c].count && c != b; i++) {
             const FollowPoint *other = &follow->branches[c].points[i];
             if (other->kind == FOLLOW_PITCHFORK && fabs(other->value - point->value) <= near &&
@@ -23,7 +24,8 @@ static bool is_known(const BeamFollow *follow, const BeamFamily *family, size_t 
 }
 
 static bool begins_another(const BeamFollow *follow, const BeamFamily *family, size_t b, const FollowPoint *point) {
-    return point->kind == FOLLOW_FLIP || (point->kind == FOLLOW_PITCHFORK && !is_known(follow, family, b, point));
+    return point->kind == FOLLOW_FLIP ||
+           (point->kind == FOLLOW_PITCHFORK && !is_known(follow, family, b, point, follow->count));
 }
 
 /* Follows the orbits that begin at flips and pitchforks of those that are known, as many as there is room for. */
@@ -154,7 +156,8 @@ void beam_follow_curves(BeamFollow *follow, const BeamFamily *family, const Beam
     bool known = strcmp(family->row->name, "drive.frequency") == 0 && strcmp(plane->name, "joint.clearance") == 0;
     for (size_t b = 0; b < follow->count; b++)
         for (size_t i = 0; i < follow->branches[b].count; i++) {
-            if (!is_curve(follow->branches[b].points[i].kind))
+            const FollowPoint *point = &follow->branches[b].points[i];
+            if (!is_curve(point->kind) || is_known(follow, family, b, point, b))
                 continue;
             if (begun + known == BEAM_FOLLOW_CURVES) {
                 follow->left_out++;

@@ -73,7 +73,7 @@ static const Parameter step_rows[] = {
     TEXT(LessonStep, set, "set", PARAMETER_TEXT, false, "settings with which the step begins"),
     WHOLE(LessonStep, truth, "truth", 0, LESSON_OPTIONS_MOST, 0, "right option, from 1; 0: there is none"),
     TEXT(LessonStep, unit, "unit", PARAMETER_TEXT, false, "unit of a guess that is a number, 1 of one without"),
-    CONDITION_NUMBER(LessonStep, answer, "answer", "", -1e9, 1e9, HUGE_VAL, "right number, in this unit"),
+    CONDITION_NUMBER(LessonStep, answer, "answer", "", 0, 1e9, HUGE_VAL, "right number, in this unit"),
     CONDITION_NUMBER(LessonStep, speed, "speed", "1", 0.0625, 64, 1, "speed of playback"),
     CONDITION_NUMBER(LessonStep, from, "from", "s", 0, 3600, 0, "time from which it is watched"),
     WHOLE(LessonStep, minutes, "minutes", 0, 240, 0, "time that a class needs for the step; 0: not said"),

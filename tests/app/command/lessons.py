@@ -57,7 +57,7 @@ with tempfile.TemporaryDirectory() as folder:
                                  "file": str(source / "houses/straight-corridor.json"), "script": "s", "lock": ["people"],
                                  "steps": [{"kind": "read", "text": "One."}], "teacher": {"before": []}}))
     (short.parent / "s").write_text("set person.p1.heading 5\n")
-    expect(1, "lesson", "check", str(short), says="s:1:1: person.p1.heading is locked in this lesson: people")
+    expect(1, "lesson", "check", str(short), says="s:1:1: set: person.p1.heading is locked in this lesson: people")
 
 expect(2, "lesson", "lsit", says="did you mean list?")
 expect(2, "lesson", "sheet", "legal-no-way", says="needs the NAME or FILE")

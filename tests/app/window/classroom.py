@@ -17,13 +17,9 @@ def judged(s):
     return s["lesson"] and not s["lesson"]["working"] and not s["answer"]["stale"]
 
 
-def wait(screen, what, times=4):
+def wait(screen, what):
     """Waits longer than for a click: a crank on a busy machine needs minutes for a verdict."""
-    for _ in range(times):
-        now = screen.until(what)
-        if what(now):
-            break
-    return now
+    return screen.until(what, patience=4 * stage.PATIENCE)
 
 
 def step(screen, number):

@@ -227,11 +227,12 @@ short.write_text(json.dumps({"format": "clearance-lesson", "version": 1, "title"
                              "steps": [{"kind": "read", "text": "A.", "mark": ["person p1", "answer"], "show": "person p1"},
                                        task, {"kind": "explain", "ask": "Why?", "model": "So."}],
                              "teacher": {"before": []}}))
-first, begun, changed, again, held, later, earlier, freed = act(
+first, begun, changed, again, held, undone, later, earlier, freed = act(
     "restart", "until answered", "wait 3", "state STATE", "key PageDown", "until answered", "state STATE",
     "key Tab", "wait 3", "texts FOLDER/texts", "wait 2", "set run.until 50", "until answered", "state STATE", "key Ctrl+R", "until answered", "wait 3", "state STATE",
     "set person.p1.heading 5", "wait 3", "until answered", "state STATE", "set run.until 60", "until answered",
-    "key PageDown", "wait 2", "key Ctrl+R", "wait 2", "key PageUp", "wait 2", "until answered", "state STATE",
+    "key PageDown", "wait 2", "key Ctrl+Z", "wait 2", "set person.p1.heading 5", "wait 3", "until answered", "state STATE",
+    "key Ctrl+R", "wait 2", "until answered", "key PageUp", "wait 2", "key PageDown", "wait 2", "key Ctrl+R", "wait 2", "key PageUp", "wait 2", "until answered", "state STATE",
     "key Ctrl+R", "wait 2", "until answered", "state STATE", "key Ctrl+U", "set person.p1.heading 5", "wait 3",
     "until answered", "state STATE", arguments=[short, "--size", "800x450"])
 check(first["lesson"]["framed"] == 2 and begun["lesson"]["framed"] == 0, "what the step names has a frame", first["lesson"])
@@ -241,11 +242,21 @@ check("Numbers: " in labels, "the card has a button for the numbers of what is s
 check(first["zoom"] > 1.5 > begun["zoom"], "what it shows is near", (first["zoom"], begun["zoom"]))
 check(changed["parameters"]["run.until"] == 50 and again["parameters"] == begun["parameters"] and again["lesson"]["step"] == 2,
       "Ctrl+R puts the house back as the step began", again["parameters"]["run.until"])
-check(held["parameters"] == begun["parameters"] and not held["edits"] and "Fixed in this lesson: people" in held["message"],
+check(held["parameters"] == begun["parameters"] and not held["edits"] and "Locked in this lesson: people" in held["message"],
       "what is locked is put back, and says so", (held["message"], held["edits"]))
-check(freed["parameters"]["person.p1.heading"] == 5, "and is free once the teacher frees it", freed["message"])
+check(undone["parameters"]["person.p1.heading"] != 5 and undone["lesson"]["step"] == 3,
+      "also after an undo beyond the beginning of the step", undone["parameters"]["person.p1.heading"])
+check(freed["parameters"]["person.p1.heading"] == 5, "and is free once the teacher unlocks it", freed["message"])
 check(later["parameters"]["run.until"] == 60 and later["lesson"]["step"] == 2, "a step that was gone back to is as it was left")
 check(earlier["parameters"] == begun["parameters"], "and starts again from its beginning", earlier["parameters"]["run.until"])
+
+# a lesson of one step is left by the key that goes on
+told = json.loads(short.read_text())
+told["steps"] = [{"kind": "read", "text": "A."}]
+one = stage.folder / "one.json"
+one.write_text(json.dumps(told))
+left, = act("one", "until answered", "key PageDown", "wait 3", "state STATE", arguments=[one, "--size", "800x450"])
+check(not left["lesson"] or left["sheet"] == "lesson", "a lesson of one step ends", (left["lesson"], left["sheet"]))
 
 # guesses that are numbers: typed, added by Return, taken back, a second vote, and kept
 told = json.loads(short.read_text())

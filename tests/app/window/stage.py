@@ -135,14 +135,14 @@ class Screen:
         self.sent = 0  # number of presses and releases sent
         script = self.place / "script"
         frames = 1 + minutes // 20  # a script has at most 1 MiB
-        script.write_text(f"wait {frames}\nstate {self.log.name}\n" * int(minutes * 60 * 30 / frames) + "quit\n")
+        script.write_text(f"wait {frames}\nstate {self.log.name}\n" * int(minutes * 60 * 60 / frames) + "quit\n")
         self.env = environment(self.place / "home", DISPLAY=self.display, SDL_MOUSE_DOUBLE_CLICK_TIME="0")
         if (width, height) != (1280, 720) and whole:
             arguments = ("--size", f"{width}x{height}", *arguments)
         self.errors = open(self.place / "errors", "w")
         self.program = subprocess.Popen([program, "open", *arguments, "--script", str(script)], cwd=self.place,
                                         env=self.env, stdout=self.errors, stderr=self.errors)
-        self.until(lambda s: True)
+        self.until(lambda s: True, may_end=True)
         if self.program.poll() is not None:
             sys.exit(f"the window does not open: {(self.place / 'errors').read_text()}")
         self.window = self.tool("search", "--sync", "--onlyvisible", "--name", "clearance").stdout.split()[0]
@@ -194,16 +194,18 @@ class Screen:
         count = self.log_count + 2
         return self.until(lambda s: self.log_count >= count)
 
-    def until(self, what):
-        """Waits for a state; returns the last state read. It is a failure that it does not come while the program runs."""
+    def until(self, what, patience=PATIENCE, may_end=False):
+        """Waits for a state; returns the last state read. It is a failure that it does not come, unless the program may
+        end instead."""
         begun = time.monotonic()
-        while time.monotonic() - begun < PATIENCE and self.program.poll() is None:
+        while time.monotonic() - begun < patience and self.program.poll() is None:
             now = self.look()
             if now and what(now):
                 return now
             time.sleep(0.01)
         now = self.look()
-        check(self.program.poll() is not None or what(now), "the state that is waited for comes", inspect.stack()[1].lineno)
+        ended = may_end and self.program.poll() is not None
+        check(ended or now and what(now), "the state that is waited for comes", inspect.stack()[1].lineno)
         return now
 
     def keys(self, *names):
@@ -270,7 +272,7 @@ class Screen:
     def end(self):
         self.tool("key", "ctrl+q")
         self.sent += 4
-        if self.until(lambda s: s["sheet"] in ("leave", "lesson")).get("sheet") in ("leave", "lesson"):
+        if self.until(lambda s: s["sheet"] in ("leave", "lesson"), may_end=True).get("sheet") in ("leave", "lesson"):
             self.keys("Tab")
             self.tool("key", "Return")
         try:
