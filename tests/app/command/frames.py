@@ -173,11 +173,11 @@ def check_beam(out):
            "--out", str(again), "--jobs", "1")
     check({f.name: f.read_bytes() for f in [*frames_of(again), again / "beam.png", again / "beam.svg", again / "beam.pdf"]}
           == before, "the same bytes twice, whatever the number of threads")
-    expect(0, "run", rig, *BRIEF, "--frames", "2", "--out", str(again))
+    expect(0, "run", rig, "--lanes", "0", "--frames", "2", "--out", str(again))
     check(24 <= len(frames_of(again)) <= 30, "8 cycles take some 13 seconds", len(frames_of(again)))
-    expect(0, "run", rig, *BRIEF, "--frames", "1", "--from", "0.33", "--to", "9", "--size", "320x200", "--out", str(again))
+    expect(0, "run", rig, "--lanes", "0", "--frames", "1", "--from", "0.33", "--to", "9", "--size", "320x200", "--out", str(again))
     check(len(frames_of(again)) == 3, "as far as the record goes", len(frames_of(again)))
-    expect(0, "run", rig, *BRIEF, "--frames", "1", "--from", "9", "--size", "320x200", "--out", str(again),
+    expect(0, "run", rig, "--lanes", "0", "--frames", "1", "--from", "9", "--size", "320x200", "--out", str(again),
            says="after the end of the record at 0.333333 s")
     undamped = ("run", rig, *BRIEF, "--set", "beam.damping_ratio=0", "--quiet")
     resonance = json.loads(expect(0, *undamped, "--json").stdout)["natural_frequencies"][1]
