@@ -12,6 +12,8 @@ typedef struct Question {
     char *text;
     char *settings[LESSON_SETTINGS_MOST];
     size_t count;
+    double answer;
+    char *selected;
 } Question;
 
 struct Judge {
@@ -34,6 +36,7 @@ static void question_free(Question *question) {
     if (!question)
         return;
     memory_free(question->text);
+    memory_free(question->selected);
     for (size_t i = 0; i < question->count; i++)
         memory_free(question->settings[i]);
     memory_free(question);
@@ -46,7 +49,8 @@ static bool answer(Judge *judge, const Question *question, Fault *fault) {
                           .setting_count = question->count,
                           .profiles = judge->profiles,
                           .jobs = judge->jobs,
-                          .stop = &judge->stop};
+                          .stop = &judge->stop,
+                          .person = {.answer = question->answer, .selected = question->selected}};
     return attempt_goal(&judge->lesson, &judge->lesson.steps[question->step], &state, fault);
 }
 
@@ -157,14 +161,16 @@ void judge_destroy(Judge *judge) {
         end(judge, 2);
 }
 
-void judge_ask(Judge *judge, size_t step, uint64_t state, const char *text, const char *const *settings, size_t count) {
+void judge_ask(Judge *judge, const JudgeQuestion *asked) {
     Question *question = memory_zeroed(1, sizeof *question);
-    question->step = step;
-    question->state = state;
-    question->text = text ? text_copy(text) : NULL;
-    question->count = count < LESSON_SETTINGS_MOST ? count : LESSON_SETTINGS_MOST;
+    *question = (Question){.step = asked->step,
+                           .state = asked->state,
+                           .text = asked->text ? text_copy(asked->text) : NULL,
+                           .count = asked->count,
+                           .answer = asked->person.answer,
+                           .selected = asked->person.selected ? text_copy(asked->person.selected) : NULL};
     for (size_t i = 0; i < question->count; i++)
-        question->settings[i] = text_copy(settings[i]);
+        question->settings[i] = text_copy(asked->settings[i]);
     pthread_mutex_lock(&judge->lock);
     question_free(judge->asked);
     judge->asked = question;

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "lesson/lesson.h"
+#include "lesson/person.h"
 
 typedef struct Judge Judge;
 
@@ -14,9 +14,18 @@ typedef struct Judge Judge;
 Judge *judge_create(const char *path, const char *profiles, int jobs);
 void judge_destroy(Judge *judge);
 
-/* Asks for the goal of a step (from 0) in a state with this number. The texts are copied: `text` a house as file text,
- * or NULL; `settings` (count) NAME=VALUE. Work on an earlier question ends. */
-void judge_ask(Judge *judge, size_t step, uint64_t state, const char *text, const char *const *settings, size_t count);
+/* The goal of a step in a state. */
+typedef struct JudgeQuestion {
+    size_t step;                                /* from 0 */
+    uint64_t state;                             /* digest of all that follows, and of the step */
+    const char *text;                           /* of a house, as file text; NULL: see attempt.h */
+    const char *settings[LESSON_SETTINGS_MOST]; /* (count) NAME=VALUE */
+    size_t count;
+    PersonState person;
+} JudgeQuestion;
+
+/* Asks a question, whose texts are copied. Work on an earlier one ends. */
+void judge_ask(Judge *judge, const JudgeQuestion *question);
 
 /* Says what judge_take has copied. */
 typedef struct JudgeNews {

@@ -1,5 +1,6 @@
 #include "classroom/play.h"
 
+#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -128,6 +129,31 @@ size_t play_guessed(const Play *play) {
         if (play->lesson.steps[s].kind == LESSON_PREDICT)
             return s;
     return SIZE_MAX;
+}
+
+static int compare_numbers(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+double play_answer(const Play *play) {
+    size_t guessed = play_guessed(play);
+    if (guessed == SIZE_MAX)
+        return (double)NAN;
+    const PlayStep *step = &play->steps[guessed];
+    int vote = play_hands(step, 1) ? 1 : 0, count = step->number_count[vote], most = step->chosen;
+    if (!play_hands(step, vote))
+        return (double)NAN;
+    if (count) {
+        double numbers[PLAY_NUMBERS_MOST];
+        memcpy(numbers, step->numbers[vote], (size_t)count * sizeof *numbers);
+        qsort(numbers, (size_t)count, sizeof *numbers, compare_numbers);
+        return numbers[(count - 1) / 2];
+    }
+    for (int o = 1; o <= LESSON_OPTIONS_MOST; o++)
+        if (!most || step->hands[vote][o - 1] > step->hands[vote][most - 1])
+            most = o;
+    return most;
 }
 
 static bool go_on(Play *play) {

@@ -93,6 +93,10 @@ int play_hands(const PlayStep *step, int vote);
 /* Returns the step with the guesses that a step of kind "compare" or "observe" looks back to; SIZE_MAX: none. */
 size_t play_guessed(const Play *play);
 
+/* Returns the last vote of the class in that step: the option with most hands, the one that was chosen last among equal
+ * ones; of numbers the middle one, the lower of two. NAN: there is no guess yet. */
+double play_answer(const Play *play);
+
 /* Returns what scripts expect of: {"step": 2, "steps": 6, "kind": "predict", "goal": "no", "hints": 1, "hands": [9, 14,
  * 5], "vote": 1, "chosen": 0, "hides": true}; new, json_decref it. */
 json_t *play_state(const Play *play);

@@ -15,7 +15,8 @@ typedef struct Tryout {
     const TrialOptions *options;
     const char *settings[LESSON_SETTINGS_MOST];
     size_t count, left[LESSON_STEPS_MOST];
-    bool stale; /* the goal is not judged for these settings yet */
+    const char *selected; /* name of the thing that is selected, or NULL */
+    bool stale;           /* the goal is not judged for these settings and this selection yet */
     Arena arena;
 } Tryout;
 
@@ -55,7 +56,8 @@ static bool judge(Tryout *trial, Fault *fault) {
                           .setting_count = trial->count,
                           .profiles = trial->options->profiles,
                           .jobs = trial->options->jobs,
-                          .stop = trial->options->stop};
+                          .stop = trial->options->stop,
+                          .person = {.answer = play_answer(play), .selected = trial->selected}};
     if (!attempt_goal(&play->lesson, step, &state, fault))
         return false;
     play_judge(play);
@@ -120,6 +122,10 @@ static bool follow(Tryout *trial, TrialResult *result, const Script *script, con
                 text_in_arena(&trial->arena, "%s=%s", command->words[0], command->words[1]);
         trial->stale = true;
         return true;
+    case SCRIPT_SELECT:
+        trial->selected = command->words[0];
+        trial->stale = true;
+        return true;
     case SCRIPT_EXPECT:
         return expect(trial, result, script, command, fault);
     default:
@@ -166,7 +172,7 @@ void trial_check_numbers(const Lesson *lesson, Fault *fault) {
     Arena arena = {0};
     for (size_t n = 0; n < lesson->number_count; n++) {
         const LessonNumber *number = &lesson->numbers[n];
-        const LessonGoal goal = {.condition = number->condition, .than = number->than};
+        const LessonGoal goal = {.condition = number->condition, .than = number->than, .is = ""};
         if (number->condition.verdict != VERDICT_PASSED)
             fault_add(fault, "%s:1:1: the number \"%s\" is %s; the lesson holds only if it is %s", lesson->path,
                       number->name, words_value(number->condition.value, -1, number->condition.unit, &arena),

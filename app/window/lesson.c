@@ -5,7 +5,6 @@
 #include <string.h>
 #include <time.h>
 
-#include "base/digest.h"
 #include "base/file_write.h"
 #include "classroom/card.h"
 #include "classroom/judge.h"
@@ -451,23 +450,12 @@ bool lesson_is_last(const Window *window) {
 /* Asks for the goal in the state on the screen, once for each state. */
 static void ask(Window *window, Tab *tab) {
     GivenLesson *given = window->lesson;
-    size_t step = given->play.step, count, used = 0;
-    const char *settings[LESSON_SETTINGS_MOST];
-    Editor *editor = tab_editor(tab);
-    const char *text = editor ? editor_text(editor) : NULL;
-    const char *const *words = tab->laboratory->command(tab->session, &count);
-    uint64_t digest = digest_bytes(DIGEST_START, &step, sizeof step);
-    digest = digest_text(digest, text ? text : "");
-    for (size_t i = 0; !text && i + 1 < count && used < LESSON_SETTINGS_MOST; i++)
-        if (strcmp(words[i], "--set") == 0) {
-            settings[used++] = words[i + 1];
-            digest = digest_text(digest, words[i + 1]);
-        }
-    if (digest == given->asked)
+    JudgeQuestion question = lesson_view_question(tab, &given->play);
+    if (question.state == given->asked)
         return;
-    given->asked = digest;
+    given->asked = question.state;
     given->judged = false;
-    judge_ask(given->judge, step, digest, text, settings, used);
+    judge_ask(given->judge, &question);
     window->dirty = true;
 }
 

@@ -43,13 +43,16 @@ void lesson_view_show_numbers(Window *window) {
     window->dirty = true;
 }
 
-/* Finds a thing by its name; kind 0: there is none. */
-static Item find(Tab *tab, const char *name) {
+static const char *key_of(const Tab *tab, Item item) {
+    const Laboratory *laboratory = tab->laboratory;
+    return (laboratory->item_key ? laboratory->item_key : laboratory->item_name)(tab->session, item);
+}
+
+Item lesson_view_find(const Tab *tab, const char *name) {
     const Laboratory *laboratory = tab->laboratory;
     Item first = laboratory->next(tab->session, (Item){0}, 1), item = first;
     for (int n = 0; item.kind && n < THINGS_MOST; n++) {
-        const char *key = (laboratory->item_key ? laboratory->item_key : laboratory->item_name)(tab->session, item);
-        if (strcmp(key, name) == 0)
+        if (strcmp(key_of(tab, item), name) == 0)
             return item;
         item = laboratory->next(tab->session, item, 1);
         if (item_same(item, first))
@@ -58,10 +61,40 @@ static Item find(Tab *tab, const char *name) {
     return (Item){0};
 }
 
+/* True if the goal has a condition on what a person has done. */
+static bool asks_person(const LessonStep *step) {
+    for (size_t g = 0; g < step->goal_count; g++)
+        if (person_has(step->goals[g].condition.measure_name))
+            return true;
+    return false;
+}
+
+JudgeQuestion lesson_view_question(Tab *tab, const Play *play) {
+    JudgeQuestion question = {.step = play->step, .person = {.answer = (double)NAN}};
+    Editor *editor = tab_editor(tab);
+    size_t count;
+    question.text = editor ? editor_text(editor) : NULL;
+    const char *const *words = tab->laboratory->command(tab->session, &count);
+    question.state = digest_bytes(DIGEST_START, &question.step, sizeof question.step);
+    question.state = digest_text(question.state, question.text ? question.text : "");
+    for (size_t i = 0; !question.text && i + 1 < count && question.count < LESSON_SETTINGS_MOST; i++)
+        if (strcmp(words[i], "--set") == 0) {
+            question.settings[question.count++] = words[i + 1];
+            question.state = digest_text(question.state, words[i + 1]);
+        }
+    if (asks_person(play_step(play))) {
+        Item item = tab->laboratory->selected(tab->session);
+        question.person = (PersonState){play_answer(play), item.kind ? key_of(tab, item) : NULL};
+        question.state = digest_bytes(question.state, &question.person.answer, sizeof question.person.answer);
+        question.state = digest_text(question.state, item.kind ? question.person.selected : "");
+    }
+    return question;
+}
+
 void lesson_view_look(Window *window, Tab *tab, LessonView *view, const char *name) {
     if (!view->looks || !tab->view_layers.painted)
         return;
-    Item item = *name ? find(tab, name) : (Item){0};
+    Item item = *name ? lesson_view_find(tab, name) : (Item){0};
     if (*name && (!item.kind || !tab_show_item(tab, item)))
         return;
     if (!*name && view->near)
@@ -76,7 +109,7 @@ void lesson_view_look(Window *window, Tab *tab, LessonView *view, const char *na
 /* Returns the box round a thing on the page; empty: it is not in the view. */
 static Box box_of(const Window *window, Tab *tab, const char *name) {
     Vec2 points[LABORATORY_OUTLINE_MOST];
-    Item item = find(tab, name);
+    Item item = lesson_view_find(tab, name);
     size_t count = item.kind ? tab->laboratory->outline(tab->session, item, tab_time(tab), points) : 0;
     Box box = box_empty();
     for (size_t i = 0; i < count && tab->view_layers.painted; i++)

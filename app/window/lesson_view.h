@@ -2,11 +2,18 @@
  * them from near, and what a class may not change. */
 #pragma once
 
+#include "classroom/judge.h"
 #include "classroom/play.h"
 #include "window/window_state.h"
 
 /* Changes the numbers "NAME=VALUE NAME=VALUE ..."; posts the fault of one that cannot be changed. */
 void lesson_view_set(Window *window, Tab *tab, const char *set);
+
+/* Finds a thing by its name, as Tab reads it; kind 0: there is none. */
+Item lesson_view_find(const Tab *tab, const char *name);
+
+/* Returns the question of whether the goal of the shown step is reached; its texts are those of what is open. */
+JudgeQuestion lesson_view_question(Tab *tab, const Play *play);
 
 /* Returns the label of a button for the numbers of what is selected, or of the machine, while the panel is not shown
  * and the step asks for a change; NULL: there is none. In the frame's arena. */

@@ -77,6 +77,7 @@ static const Row rows[SCRIPT_KINDS] = {
                       SCRIPT_PATIENCE},
     [SCRIPT_OPEN] = {"open", "FILE", {WORD}, 1, 0},
     [SCRIPT_LABORATORY] = {"laboratory", "house, beam ...", {{ARGUMENT_LABORATORY, 0, 0, NULL}}, 1, 0},
+    [SCRIPT_SELECT] = {"select", "NAME", {WORD}, 1, 0},
     [SCRIPT_SET] = {"set", "NAME VALUE", {WORD, VALUE}, 2, 0},
     [SCRIPT_PLAY] = {"play", "", {{0}}, 0, 0},
     [SCRIPT_PAUSE] = {"pause", "", {{0}}, 0, 0},

@@ -4,7 +4,7 @@
  *     key Ctrl+M        type "2.5"         mouse X Y           click X Y [left|right|double]
  *     drag X1 Y1 X2 Y2  wheel NOTCHES      wait FRAMES         until complete|idle|answered [SECONDS]
  *     press [double]    release            at X Y              hold Ctrl|Shift|Alt|nothing
- *     open FILE         laboratory house|beam                  set NAME VALUE
+ *     open FILE         laboratory house|beam                  set NAME VALUE       select NAME
  *     play  pause       seek SECONDS       speed TIMES         resize WIDTH HEIGHT
  *     picture FILE      view FILE          state FILE          expect NAME VALUE [TOLERANCE]       quit
  *     texts FILE
@@ -34,6 +34,7 @@ typedef enum ScriptKind {
     SCRIPT_OPEN,       /* word: file */
     SCRIPT_LABORATORY, /* word: "house", "beam"; choice: index among `laboratories` */
     SCRIPT_SET,        /* words: name, value as typed; number: value, or NAN */
+    SCRIPT_SELECT,     /* word: name of a thing, as Tab reads it */
     SCRIPT_PLAY,
     SCRIPT_PAUSE,
     SCRIPT_SEEK,    /* number: s */

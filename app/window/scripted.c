@@ -8,6 +8,7 @@
 #include "base/file_write.h"
 #include "base/stopwatch.h"
 #include "window/lesson.h"
+#include "window/lesson_view.h"
 #include "window/notice.h"
 #include "window/opening.h"
 #include "window/plan_input.h"
@@ -143,6 +144,18 @@ static void set(Scripted *scripted, Window *window, const ScriptCommand *command
         notice_fault(window, &fault, NAN);
 }
 
+static void select_named(Scripted *scripted, Window *window, const ScriptCommand *command) {
+    Tab *tab = window_tab(window);
+    Fault fault = {0};
+    Item item = lesson_view_find(tab, command->words[0]);
+    if (item.kind)
+        tab_select(tab, item);
+    else
+        script_fault(&scripted->script, command, &fault, "nothing is called \"%s\"", command->words[0]);
+    if (fault.count)
+        fail(scripted, window, &fault);
+}
+
 static void set_speed(Tab *tab, double speed) {
     RecordSpan span = tab_span(tab);
     player_normal_speed(&tab->player);
@@ -211,6 +224,9 @@ static void run_in_tab(Scripted *scripted, Window *window, const ScriptCommand *
     case SCRIPT_SET:
         set(scripted, window, command);
         break;
+    case SCRIPT_SELECT:
+        select_named(scripted, window, command);
+        break;
     case SCRIPT_AT:
         go_to(scripted, window, vec2(command->numbers[0], command->numbers[1]));
         break;
@@ -245,6 +261,7 @@ static void run(Scripted *scripted, Window *window, const ScriptCommand *command
         opening_tab(window, (size_t)command->choice);
         break;
     case SCRIPT_SET:
+    case SCRIPT_SELECT:
     case SCRIPT_PLAY:
     case SCRIPT_PAUSE:
     case SCRIPT_SEEK:

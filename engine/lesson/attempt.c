@@ -274,7 +274,10 @@ bool attempt_goal(const Lesson *lesson, LessonStep *step, const AttemptState *st
     double values[LESSON_OPTIONS_MOST];
     bool good = true;
     for (size_t g = 0; g < step->goal_count && good; g++)
-        good = take_value(&values[g], &runs, "", step->goals[g].than, &step->goals[g].condition, fault);
+        if (person_has(step->goals[g].condition.measure_name))
+            values[g] = person_value(&step->goals[g], &state->person);
+        else
+            good = take_value(&values[g], &runs, "", step->goals[g].than, &step->goals[g].condition, fault);
     runs_clear(&runs);
     for (size_t g = 0; g < step->goal_count && good; g++)
         condition_judge(&step->goals[g].condition, values[g]);

@@ -4,13 +4,13 @@
  * Measures of a house: those of measure.h; those of difference.h, against the beginning of the lesson; shakes_out,
  * the number of the earthquakes of seeds 1 to ATTEMPT_SHAKES after which all people are out; and any number that --set
  * takes, "door.d3.width". Of a beam or a crank: the observables of its experiment (beam_experiment.h), "period",
- * "regular", "peak_max", and any of its numbers. */
+ * "regular", "peak_max", and any of its numbers. Of a person: see person.h. */
 #pragma once
 
 #include <stdbool.h>
 
 #include "base/stop.h"
-#include "lesson/lesson.h"
+#include "lesson/person.h"
 
 enum { ATTEMPT_SHAKES = 30 };
 
@@ -22,6 +22,7 @@ typedef struct AttemptState {
     const char *profiles; /* directory of the shipped profiles */
     int jobs;             /* threads */
     const Stop *stop;
+    PersonState person;
 
     /* NULL, or told by attempt_numbers how many numbers are known, after each; later calls leave those as they are. */
     void (*note)(void *context, size_t known);

@@ -9,6 +9,7 @@
 #include "base/parameters_schema.h"
 #include "base/text.h"
 #include "lesson/names.h"
+#include "lesson/person.h"
 #include "lesson/words.h"
 
 #define LABORATORY_WORDS "house|beam|crank"
@@ -217,6 +218,7 @@ static void check_condition(Reader *reader, Condition *condition, const char *th
 /* Steps ------------------------------------------------------------------------------------------------------------ */
 
 static void read_goals(Reader *reader, LessonStep *step, const JsonNode *node) {
+    static const char *const more[] = {"is", NULL};
     JsonNode list = list_of(reader, node, "goal");
     size_t count = json_array_size(list.value);
     if (count > LESSON_OPTIONS_MOST) {
@@ -229,10 +231,12 @@ static void read_goals(Reader *reader, LessonStep *step, const JsonNode *node) {
         JsonNode element = json_element(&list, g);
         LessonGoal *goal = &step->goals[g];
         size_t before = reader->fault->total;
-        parameters_read(&goal_table, goal, &element, &reader->lesson->arena, reader->fault);
+        read_rows(reader, &goal_table, goal, &element, more);
         if (reader->fault->total != before)
             continue;
-        check_condition(reader, &goal->condition, goal->than, &element);
+        person_read(goal, reader->lesson, step, reader->checks ? &reader->checker : NULL, &element, reader->fault);
+        if (!person_has(goal->condition.measure_name))
+            check_condition(reader, &goal->condition, goal->than, &element);
         condition_check_limits(&goal->condition, "a condition", &element, reader->fault);
         check_set(reader, &element, "than", goal->than);
     }
@@ -547,10 +551,12 @@ static json_t *object_schema(const ParameterTable *table, json_t *more) {
 json_t *lesson_schema(void) {
     json_t *filled = json_pack("{s:s, s:{s:o, s:o}, s:b}", "type", "object", "properties", "head", texts_schema(),
                                "rows", list_schema(texts_schema()), "additionalProperties", 0);
-    json_t *step =
-        object_schema(&step_table, json_pack("{s:o, s:o, s:o, s:o, s:o, s:o}", "options", texts_schema(), "wrong",
-                                             texts_schema(), "hints", texts_schema(), "mark", texts_schema(), "goal",
-                                             list_schema(parameters_schema_table(&goal_table)), "table", filled));
+    json_t *goal =
+        object_schema(&goal_table, json_pack("{s:{s:[s,s], s:s}}", "is", "type", "number", "string", "description",
+                                             "the exact number, or the name of the selected thing"));
+    json_t *step = object_schema(&step_table, json_pack("{s:o, s:o, s:o, s:o, s:o, s:o}", "options", texts_schema(),
+                                                        "wrong", texts_schema(), "hints", texts_schema(), "mark",
+                                                        texts_schema(), "goal", list_schema(goal), "table", filled));
     json_t *teacher =
         json_pack("{s:s, s:{s:o, s:o, s:o}, s:b}", "type", "object", "properties", "before", texts_schema(),
                   "questions", texts_schema(), "mistakes", texts_schema(), "additionalProperties", 0);

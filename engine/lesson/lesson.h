@@ -47,6 +47,7 @@ typedef struct LessonTexts {
 typedef struct LessonGoal {
     Condition condition;
     const char *than; /* "NAME=VALUE NAME=VALUE ...", or "" */
+    const char *is;   /* name of the thing that must be selected, or "" */
 } LessonGoal;
 
 /* A number that the program computes for the texts, at the beginning of the lesson with these settings added. */

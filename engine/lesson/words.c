@@ -74,6 +74,8 @@ const char *words_limits(const LessonGoal *goal, Arena *arena) {
     const Condition *condition = &goal->condition;
     const char *low = words_value(condition->low, digits_of(condition), condition->unit, arena);
     const char *high = words_value(condition->high, digits_of(condition), condition->unit, arena);
+    if (*goal->is)
+        return text_in_arena(arena, "must be %s", goal->is);
     if (condition->low == condition->high)
         return text_in_arena(arena, "must be %s", low);
     if (condition->low == -HUGE_VAL)
@@ -88,7 +90,7 @@ const char *words_goal(const LessonGoal *goal, Arena *arena) {
     const char *title = *condition->title ? condition->title : condition->measure_name;
     if (condition->verdict == VERDICT_NOT_RUN)
         return title;
-    if (strcmp(condition->measure_name, "regular") == 0)
+    if (strcmp(condition->measure_name, "regular") == 0 || *goal->is)
         return text_in_arena(arena, "%s: %s", title, condition->value > 0.5 ? "yes" : "no");
     return text_in_arena(arena, "%s: %s, %s", title,
                          words_value(condition->value, digits_of(condition), condition->unit, arena),

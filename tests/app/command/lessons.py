@@ -59,6 +59,19 @@ with tempfile.TemporaryDirectory() as folder:
     (short.parent / "s").write_text("set person.p1.heading 5\n")
     expect(1, "lesson", "check", str(short), says="s:1:1: set: person.p1.heading is locked in this lesson: people")
 
+# A goal that asks what was guessed and selected.
+with tempfile.TemporaryDirectory() as folder:
+    asked = pathlib.Path(folder) / "asked.json"
+    asked.write_text(json.dumps({"format": "clearance-lesson", "version": 1, "title": "t", "laboratory": "house", "level": "all",
+                                 "file": str(source / "houses/straight-corridor.json"), "script": "s", "teacher": {"before": []},
+                                 "steps": [{"kind": "predict", "ask": "How far?", "unit": "m", "answer": 7},
+                                           {"kind": "task", "text": "Do it.", "hints": ["a", "b", "c"], "done": "Done.",
+                                            "goal": [{"measure": "answer", "unit": "m", "low": 5, "high": 6},
+                                                     {"measure": "selected", "unit": "1", "is": "person p1"}]}]}))
+    (asked.parent / "s").write_text("key 5\nkey Return\nkey 9\nkey Return\nkey PageDown\nexpect lesson.goal no\n"
+                                    'select "person p1"\nexpect lesson.goal yes\n')
+    check("2 expectations" in expect(0, "lesson", "check", str(asked)).stdout, "a goal of a person")
+
 expect(2, "lesson", "lsit", says="did you mean list?")
 expect(2, "lesson", "sheet", "legal-no-way", says="needs the NAME or FILE")
 expect(2, "lesson", "check", str(source / "tests/data/bad/lessons/truth-beyond.json"), says="truth is 3")

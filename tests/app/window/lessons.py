@@ -275,6 +275,16 @@ offered, on = act("numbers", "wait 3", "state STATE", "key Escape", "wait 3", "s
                   arguments=[short, "--size", "800x450"])[-2:]
 check(offered["sheet"] == "kept" and on["lesson"]["numbers"] == [0.7, 1.2], "they are kept for the next time", on["lesson"])
 
+# a goal that asks what the class has guessed, and what is selected
+told["steps"] = [{"kind": "predict", "ask": "Who?", "options": ["door", "person"], "truth": 2},
+                 {**task, "goal": [{"measure": "answer", "unit": "1", "is": 2},
+                                   {"measure": "selected", "unit": "1", "is": "person p1", "title": "the driver"}]}]
+short.write_text(json.dumps(told))
+act("person", "until answered", "key 1", "key 2", "key PageDown", "until answered", "expect lesson.goal no", 'select "exit e1"',
+    "wait 2", "until answered", "expect lesson.goal no", 'select "person p1"', "wait 2", "until answered",
+    "expect lesson.goal yes", "key PageUp", "key 1", "key PageDown", "until answered", 'select "person p1"', "wait 2",
+    "until answered", "expect lesson.goal no", arguments=[short, "--size", "800x450"])
+
 # the card at other sizes, in both themes: beside the view, never over it
 for width, height in ((1280, 720), (1920, 1080), (1024, 600)):
     for key in ("wait 1", "key F5"):

@@ -139,6 +139,22 @@ TEST(numbers_come_one_by_one_and_a_later_setting_replaces_an_earlier_one) {
     CHECK_NEAR(numbers[2].condition.value, 0.9 / 0.83, 1e-15);
 }
 
+TEST(a_goal_can_ask_what_a_person_has_chosen_or_selected) {
+    LessonGoal goals[] = {
+        {.condition = {.measure_name = "answer", .unit = "1", .low = 2, .high = 2}, .than = "", .is = ""},
+        {.condition = {.measure_name = "selected", .unit = "1", .low = 1, .high = 1}, .than = "", .is = "door d3"}};
+    LessonStep step = {.goals = goals, .goal_count = 2};
+    Lesson lesson = {.file = "nothing is run"};
+    AttemptState state = {.person = {.answer = 2}};
+    Fault fault = {0};
+    CHECK(attempt_goal(&lesson, &step, &state, &fault));
+    CHECK(goals[0].condition.verdict == VERDICT_PASSED && goals[1].condition.verdict == VERDICT_FAILED);
+    state.person = (PersonState){.answer = NAN, .selected = "door d3"};
+    CHECK(attempt_goal(&lesson, &step, &state, &fault));
+    CHECK(goals[0].condition.verdict == VERDICT_FAILED && goals[1].condition.verdict == VERDICT_PASSED);
+    check_say(&fault);
+}
+
 LONG_TEST(a_goal_holds_where_all_its_conditions_hold) {
     Lesson lesson = {.path = NULL};
     Fault fault = {0};
