@@ -5,8 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "lesson/look.h"
+
 const LessonStep *play_step(const Play *play) {
     return &play->lesson.steps[play->step];
+}
+
+LessonLook play_look(const Play *play) {
+    return look_of_step(&play->lesson, play_step(play));
 }
 
 bool play_hides(const Play *play) {

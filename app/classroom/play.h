@@ -54,6 +54,9 @@ typedef enum PlayKey {
 /* Returns the step that is shown. */
 const LessonStep *play_step(const Play *play);
 
+/* Returns what the window shows in it, with what it takes from the lesson. */
+LessonLook play_look(const Play *play);
+
 /* True if nothing of the result may be seen yet: nobody has watched. */
 bool play_hides(const Play *play);
 

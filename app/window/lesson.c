@@ -137,6 +137,7 @@ void lesson_close(Window *window) {
     GivenLesson *given = window->lesson;
     if (!given)
         return;
+    lesson_view_apply(window, tab_of(window), &given->view, (LessonLook){.plots = ""});
     cover(tab_of(window), NULL);
     window->lesson = NULL;
     judge_destroy(given->judge);
@@ -176,6 +177,7 @@ static void show_step(Window *window) {
     forget(given);
     if (play_hides(&given->play))
         tab_select(tab, (Item){0});
+    lesson_view_apply(window, tab, &given->view, play_look(&given->play));
     cover(tab, &given->play);
     window->drawer = false;
     begin_playing(window);
@@ -210,6 +212,7 @@ static bool open_lesson(Window *window, const char *path) {
     }
     window->lesson = given;
     given->session = tab_of(window)->session;
+    lesson_view_keep(window, tab_of(window), &given->view);
     settings_add_recent(&window->settings, path);
     ui_focus(window->ui, "view");
     begin_step(window);

@@ -91,6 +91,35 @@ JudgeQuestion lesson_view_question(Tab *tab, const Play *play) {
     return question;
 }
 
+void lesson_view_keep(const Window *window, const Tab *tab, LessonView *view) {
+    view->looked = (LessonLooks){.shown = {.plots = ""},
+                                 .layers = tab->layers,
+                                 .plots = tab->plots,
+                                 .power = tab->player.power,
+                                 .mode = (int)window->plots};
+}
+
+void lesson_view_apply(Window *window, Tab *tab, LessonView *view, LessonLook look) {
+    LessonLooks *looked = &view->looked;
+    const LessonLook *shown = &looked->shown;
+    if (look.layered != shown->layered || look.layers != shown->layers)
+        tab->layers = look.layered ? look.layers : looked->layers;
+    if (strcmp(look.plots, shown->plots) != 0) {
+        tab->plots = *look.plots ? look.plots : looked->plots;
+        window->plots = *look.plots ? PLOTS_OPEN : looked->mode;
+        tab->plot_panes_stale = true;
+    }
+    if (fabs(look.speed - shown->speed) > 0 && tab->session) {
+        RecordSpan span = tab->laboratory->span(tab->session);
+        player_normal_speed(&tab->player);
+        player_change_speed(&tab->player, look.speed > 0 ? (int)lround(log2(look.speed)) : looked->power, &span);
+    }
+    looked->shown = look;
+    if (tab->session)
+        tab->laboratory->set_layers(tab->session, tab_layers(tab));
+    window->dirty = true;
+}
+
 void lesson_view_look(Window *window, Tab *tab, LessonView *view, const char *name) {
     if (!view->looks || !tab->view_layers.painted)
         return;

@@ -22,13 +22,28 @@ const char *lesson_view_numbers(Window *window, const Tab *tab, const LessonStep
 /* Opens the panel at the first of those numbers. */
 void lesson_view_show_numbers(Window *window);
 
+/* What the lesson has changed of the window, and how it was before. */
+typedef struct LessonLooks {
+    LessonLook shown;
+    unsigned layers;
+    const char *plots;
+    int power; /* of the speed */
+    int mode;  /* of window->plots */
+} LessonLooks;
+
 typedef struct LessonView {
     bool looks;    /* a step has begun: the view has to show its thing from near, or all again */
     bool near;     /* the view shows a thing from near */
     int framed;    /* things with a frame */
     bool free;     /* the teacher has freed what is locked */
     uint64_t held; /* digest of the house that was last looked at for what is locked */
+    LessonLooks looked;
 } LessonView;
+
+/* Keep how the window shows the tab, before a lesson begins; show what a step wants, where it differs from the step
+ * before, and otherwise what was kept. An empty look brings all of it back. */
+void lesson_view_keep(const Window *window, const Tab *tab, LessonView *view);
+void lesson_view_apply(Window *window, Tab *tab, LessonView *view, LessonLook look);
 
 /* After the beginning of a step, shows the thing of that name from near once the view has it; "": all, after a step
  * that had one. */

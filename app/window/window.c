@@ -513,7 +513,6 @@ static bool create_sdl_window(Window *window, Fault *fault) {
 }
 
 static void close_all(Window *window) {
-    lesson_close(window);
     if (window->export)
         export_end(window->export);
     if (window->sound)
@@ -584,6 +583,7 @@ int window_run(const WindowOptions *options) {
             act_do(window, ACTION_FULLSCREEN, 0, 0);
         open_first(window);
         loop(window, &scripted);
+        lesson_close(window); /* its view is not a preference */
         store_preferences(window);
         close_all(window);
         code = window->code;

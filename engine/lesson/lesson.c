@@ -8,6 +8,7 @@
 
 #include "base/parameters_schema.h"
 #include "base/text.h"
+#include "lesson/look.h"
 #include "lesson/names.h"
 #include "lesson/person.h"
 #include "lesson/words.h"
@@ -75,7 +76,8 @@ static const Parameter step_rows[] = {
     WHOLE(LessonStep, truth, "truth", 0, LESSON_OPTIONS_MOST, 0, "right option, from 1; 0: there is none"),
     TEXT(LessonStep, unit, "unit", PARAMETER_TEXT, false, "unit of a guess that is a number, 1 of one without"),
     CONDITION_NUMBER(LessonStep, answer, "answer", "", 0, 1e9, HUGE_VAL, "right number, in this unit"),
-    CONDITION_NUMBER(LessonStep, speed, "speed", "1", 0.0625, 64, 1, "speed of playback"),
+    CONDITION_NUMBER(LessonStep, speed, "speed", "1", 0.0625, 64, HUGE_VAL,
+                     "speed of playback, else that of the view, 1"),
     CONDITION_NUMBER(LessonStep, from, "from", "s", 0, 3600, 0, "time from which it is watched"),
     WHOLE(LessonStep, minutes, "minutes", 0, 240, 0, "time that a class needs for the step; 0: not said"),
     TEXT(LessonStep, show, "show", PARAMETER_TEXT, false, "thing of a house that the view shows near"),
@@ -338,7 +340,7 @@ static void check_things(Reader *reader, const LessonStep *step, const JsonNode 
 }
 
 static void read_step(Reader *reader, LessonStep *step, const JsonNode *node) {
-    static const char *const more[] = {"options", "wrong", "hints", "goal", "table", "mark", NULL};
+    static const char *const more[] = {"options", "wrong", "hints", "goal", "table", "mark", "view", NULL};
     size_t before = reader->fault->total;
     read_rows(reader, &step_table, step, node, more);
     if (!json_is_object(node->value))
@@ -348,6 +350,10 @@ static void read_step(Reader *reader, LessonStep *step, const JsonNode *node) {
     step->hints = read_texts(reader, node, "hints");
     step->mark = read_texts(reader, node, "mark");
     check_things(reader, step, node);
+    look_read(&step->view, reader->lesson, node, reader->fault);
+    double speed = look_of_step(reader->lesson, step).speed;
+    if (!(step->speed < HUGE_VAL))
+        step->speed = speed > 0 ? speed : 1;
     read_goals(reader, step, node);
     read_table(reader, step, node);
     if (reader->fault->total == before)
@@ -480,7 +486,7 @@ static void read_lock(Reader *reader, const JsonNode *root) {
 
 static void read_lesson(Reader *reader, const JsonNode *root) {
     static const char *const more[] = {"format", "version",  "learn",   "lock", "numbers",
-                                       "steps",  "pictures", "teacher", NULL};
+                                       "steps",  "pictures", "teacher", "view", NULL};
     Lesson *lesson = reader->lesson;
     const char *settings[LESSON_SETTINGS_MOST];
     size_t before = reader->fault->total;
@@ -494,6 +500,7 @@ static void read_lesson(Reader *reader, const JsonNode *root) {
         reader->checks = names_open(&reader->checker, lesson, settings, count, reader->fault);
     }
     read_lock(reader, root);
+    look_read(&lesson->view, lesson, root, reader->fault);
     read_numbers(reader, root);
     read_steps(reader, root);
     read_pictures(reader, root);
@@ -554,9 +561,10 @@ json_t *lesson_schema(void) {
     json_t *goal =
         object_schema(&goal_table, json_pack("{s:{s:[s,s], s:s}}", "is", "type", "number", "string", "description",
                                              "the exact number, or the name of the selected thing"));
-    json_t *step = object_schema(&step_table, json_pack("{s:o, s:o, s:o, s:o, s:o, s:o}", "options", texts_schema(),
-                                                        "wrong", texts_schema(), "hints", texts_schema(), "mark",
-                                                        texts_schema(), "goal", list_schema(goal), "table", filled));
+    json_t *step =
+        object_schema(&step_table, json_pack("{s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "options", texts_schema(), "wrong",
+                                             texts_schema(), "hints", texts_schema(), "mark", texts_schema(), "goal",
+                                             list_schema(goal), "table", filled, "view", look_schema()));
     json_t *teacher =
         json_pack("{s:s, s:{s:o, s:o, s:o}, s:b}", "type", "object", "properties", "before", texts_schema(),
                   "questions", texts_schema(), "mistakes", texts_schema(), "additionalProperties", 0);
@@ -565,10 +573,10 @@ json_t *lesson_schema(void) {
     json_object_set_new(steps, "maxItems", json_integer(LESSON_STEPS_MOST));
     json_t *schema = object_schema(
         &lesson_table,
-        json_pack("{s:{s:s}, s:{s:i}, s:o, s:o, s:o, s:o, s:o, s:o}", "format", "const", "clearance-lesson", "version",
-                  "const", 1, "learn", texts_schema(), "lock", texts_schema(), "numbers",
+        json_pack("{s:{s:s}, s:{s:i}, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "format", "const", "clearance-lesson",
+                  "version", "const", 1, "learn", texts_schema(), "lock", texts_schema(), "numbers",
                   list_schema(parameters_schema_table(&number_table)), "steps", steps, "pictures",
-                  list_schema(parameters_schema_table(&picture_table)), "teacher", teacher));
+                  list_schema(parameters_schema_table(&picture_table)), "teacher", teacher, "view", look_schema()));
     json_t *required = json_object_get(schema, "required");
     json_array_append_new(required, json_string("format"));
     json_array_append_new(required, json_string("version"));

@@ -66,6 +66,14 @@ typedef struct LessonTable {
     size_t row_count;
 } LessonTable;
 
+/* What the window shows: see look.h. */
+typedef struct LessonLook {
+    bool layered;      /* the layers are given */
+    unsigned layers;   /* their bits */
+    const char *plots; /* names, separated by commas; "none"; "": not given */
+    double speed;      /* of playback; 0: not given */
+} LessonLook;
+
 typedef struct LessonStep {
     int kind;            /* LessonKind */
     const char *text;    /* or "" */
@@ -76,7 +84,7 @@ typedef struct LessonStep {
     int truth;           /* right option, from 1; 0: none */
     const char *unit;    /* of a guess that is a number, 1 of one without; "": the guess is an option */
     double answer;       /* to it, in the unit; HUGE_VAL: none */
-    double speed;        /* of playback, 1 */
+    double speed;        /* of playback when it is watched; else that of its look, 1 */
     double from;         /* s, time from which it is watched */
     int minutes;         /* that a class needs for it; 0: not said */
     LessonTexts options; /* at most LESSON_OPTIONS_MOST */
@@ -84,7 +92,8 @@ typedef struct LessonStep {
     LessonTexts hints;   /* LESSON_HINTS, or none */
     LessonTexts mark;    /* names of things that have a frame in the view: see names.h */
     const char *show;    /* name of the thing that the view shows near, or "" */
-    LessonGoal *goals;   /* (goal_count) all of them must hold */
+    LessonLook view;
+    LessonGoal *goals; /* (goal_count) all of them must hold */
     size_t goal_count;
     LessonTable table;
 } LessonStep;
@@ -104,7 +113,8 @@ typedef struct Lesson {
     const char *file;   /* path of the house, beam or crank */
     const char *set;    /* settings, or "" */
     const char *script; /* path of the script that tries the lesson */
-    bool names;         /* each piece of a house has its name in the view, within it or next to it */
+    LessonLook view;
+    bool names; /* each piece of a house has its name in the view, within it or next to it */
     LessonTexts learn;
     LessonTexts lock;        /* what a class may not change: lists of the house, "walls", or numbers of the machine */
     LessonNumber *numbers;   /* (number_count) */

@@ -285,6 +285,21 @@ act("person", "until answered", "key 1", "key 2", "key PageDown", "until answere
     "expect lesson.goal yes", "key PageUp", "key 1", "key PageDown", "until answered", 'select "person p1"', "wait 2",
     "until answered", "expect lesson.goal no", arguments=[short, "--size", "800x450"])
 
+# what the window shows in a step, and after the lesson
+told["view"] = {"layers": [1, 3], "plots": "none", "speed": 2}
+told["steps"] = [{"kind": "predict", "ask": "Who?", "options": ["door", "person"], "truth": 2},
+                 {"kind": "compare", "text": "So."},
+                 {"kind": "compare", "text": "So.", "view": {"layers": [7], "plots": "force,ring", "speed": 0.5}}]
+short.write_text(json.dumps(told))
+alone, lesson_s, step_s, back, after = [(now["layers"], sorted(now["frame"]["plots"]), now["speed"]) for now in act(
+    "view", f"open {stage.house('corner-1.80-1.80')}", "until answered", "wait 2", "state STATE", f"open {short}",
+    "until answered", "key PageDown", "wait 2", "state STATE", "key PageDown", "wait 3", "state STATE", "key PageUp", "wait 3",
+    "state STATE", f"open {stage.house('corner-1.80-1.80')}", "until answered", "wait 3", "state STATE",
+    arguments=["--size", "1920x1080"])]
+check(lesson_s == (0b101, [], 2), "the view of the lesson", lesson_s)
+check(step_s == (0b1000000, ["force", "ring"], 0.5), "and of a step, in its place", step_s)
+check(back == lesson_s and after == alone and alone[1], "and back; after the lesson all is as it was", (alone, back, after))
+
 # the card at other sizes, in both themes: beside the view, never over it
 for width, height in ((1280, 720), (1920, 1080), (1024, 600)):
     for key in ("wait 1", "key F5"):

@@ -10,7 +10,9 @@
 #include "check.h"
 #include "desk.h"
 #include "scratch.h"
+#include "laboratory/laboratories.h"
 #include "laboratory/thumbnail.h"
+#include "lesson/look.h"
 
 /* Waits until everything is loaded. */
 static const GalleryItem *wait_for(Gallery *gallery, size_t *count) {
@@ -142,4 +144,37 @@ TEST(a_line_is_the_first_sentence_shortened) {
         "leg of 4 m",
         "The fundamental passage, a leg of 4 m and W1 = 0.78 m, a right-angle corner to the left, a leg of 4 \u2026 "
         "(assumed plan)");
+}
+
+static bool has_plot(const Laboratory *laboratory, void *session, const char *name) {
+    for (size_t i = 0; i < laboratory->plot_count(session); i++)
+        if (strcmp(laboratory->plot(session, i).name, name) == 0)
+            return true;
+    return false;
+}
+
+TEST(a_lesson_knows_the_layers_and_plots_of_each_laboratory) {
+    static const char *const files[] = {[LESSON_HOUSE] = "houses/corner-1.80-1.80.json",
+                                        [LESSON_BEAM] = "assets/beams/ibs.json",
+                                        [LESSON_CRANK] = "assets/cranks/ssc.json"};
+    char profiles[4096];
+    snprintf(profiles, sizeof profiles, "%s", scratch_source("assets/profiles"));
+    for (int l = LESSON_HOUSE; l <= LESSON_CRANK; l++) {
+        const Laboratory *laboratory = laboratories[l].laboratory;
+        Fault fault = {0};
+        LaboratoryOptions options = {.profiles = profiles, .driving = -1, .seed = 1, .jobs = 1};
+        void *session = laboratory->open(scratch_source(files[l]), &options, &fault);
+        check_say(&fault);
+        size_t count, layers = look_layers((LessonLaboratory)l);
+        while (!laboratory->plot_count(session)) { /* a house has plots once its first run has begun */
+            laboratory->update(session, 0);
+            usleep(5000);
+        }
+        const char *const *plots = look_plots((LessonLaboratory)l, &count);
+        CHECK(layers == (laboratory->layer_count < 9 ? laboratory->layer_count : 9));
+        CHECK(count == laboratory->plot_count(session));
+        for (size_t p = 0; p < count; p++)
+            CHECK(has_plot(laboratory, session, plots[p]));
+        laboratory->close(session);
+    }
 }
