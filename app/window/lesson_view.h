@@ -1,5 +1,5 @@
-/* What a step of a lesson does to what is open: its settings, frames round the things that it names, a look at one of
- * them from near, and what a class may not change. */
+/* What a step of a lesson does to what is open: its settings, what the window shows, frames round the things that it
+ * names, a look at one of them from near, what a class may not change, and the question of its goal. */
 #pragma once
 
 #include "classroom/judge.h"

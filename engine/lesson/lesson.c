@@ -8,6 +8,7 @@
 
 #include "base/parameters_schema.h"
 #include "base/text.h"
+#include "lesson/language.h"
 #include "lesson/look.h"
 #include "lesson/names.h"
 #include "lesson/person.h"
@@ -484,7 +485,8 @@ static void read_lock(Reader *reader, const JsonNode *root) {
     }
 }
 
-static void read_lesson(Reader *reader, const JsonNode *root) {
+/* `all`: the lesson in all its languages. */
+static void read_lesson(Reader *reader, const JsonNode *root, const JsonNode *all) {
     static const char *const more[] = {"format", "version",  "learn",   "lock", "numbers",
                                        "steps",  "pictures", "teacher", "view", NULL};
     Lesson *lesson = reader->lesson;
@@ -506,7 +508,7 @@ static void read_lesson(Reader *reader, const JsonNode *root) {
     read_pictures(reader, root);
     read_teacher(reader, root);
     if (reader->fault->total == before)
-        check_numbers(reader, root);
+        check_numbers(reader, all);
     if (reader->checks)
         names_close(&reader->checker, lesson);
 }
@@ -519,9 +521,12 @@ bool lesson_read(Lesson *lesson, const char *path, Fault *fault) {
     Lesson read = {.title = ""};
     read.path = arena_text(&read.arena, path);
     Reader reader = {.lesson = &read, .fault = fault};
-    JsonNode root = json_root(&file);
-    if (json_check_header(&root, "lesson", "clearance-lesson", fault))
-        read_lesson(&reader, &root);
+    JsonNode all = json_root(&file), root = all;
+    if (json_check_header(&all, "lesson", "clearance-lesson", fault)) {
+        root.value = language_choose(&all, language_wanted(), fault);
+        read_lesson(&reader, &root, &all);
+        json_decref(root.value);
+    }
     json_free(&file);
     if (fault->total != before) {
         lesson_free(&read);
@@ -584,5 +589,6 @@ json_t *lesson_schema(void) {
     json_array_append_new(required, json_string("teacher"));
     json_object_set_new(schema, "$schema", json_string("https://json-schema.org/draft/2020-12/schema"));
     json_object_set_new(schema, "title", json_string("lesson"));
+    language_extend_schema(schema);
     return schema;
 }

@@ -13,7 +13,8 @@
  *      "pictures": [{"caption": "...", "set": "..."}],
  *      "teacher": {"before": ["..."], "questions": ["..."], "mistakes": ["..."]}}
  *
- * A text may hold numbers by their names, "out in {wide}": the program fills them in (words.h). */
+ * A text may hold numbers by their names, "out in {wide}": the program fills them in (words.h). It may be in several
+ * languages, {"en": "...", "ja": "..."} (language.h). */
 #pragma once
 
 #include <stdbool.h>

@@ -2,12 +2,14 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "check.h"
 #include "lesson/attempt.h"
 #include "lesson/difference.h"
+#include "lesson/language.h"
 #include "lesson/names.h"
 #include "lesson/words.h"
 #include "scratch.h"
@@ -153,6 +155,43 @@ TEST(a_goal_can_ask_what_a_person_has_chosen_or_selected) {
     CHECK(attempt_goal(&lesson, &step, &state, &fault));
     CHECK(goals[0].condition.verdict == VERDICT_FAILED && goals[1].condition.verdict == VERDICT_PASSED);
     check_say(&fault);
+}
+
+static void check_language(const char *locale, const char *title, const char *option) {
+    Lesson lesson = {.path = NULL};
+    Fault fault = {0};
+    char path[SCRATCH_PATH], text[8192];
+    snprintf(text, sizeof text,
+             "{'format': 'clearance-lesson', 'version': 1, 'laboratory': 'house', 'level': 'all', 'file': '%s',"
+             " 'title': {'en': 'Corner', 'de': 'Ecke', 'ja': '角'}, 'script': 's', 'teacher': {'before': []},"
+             " 'steps': [{'kind': 'predict', 'ask': 'Is it?', 'truth': 1,"
+             "            'options': ['yes', {'ja': 'いいえ', 'en': 'no'}]}]}",
+             scratch_source("houses/straight-corridor.json"));
+    scratch_write(path, text);
+    setenv("LC_ALL", locale, 1);
+    CHECK(lesson_read(&lesson, path, &fault));
+    unlink(path);
+    check_say(&fault);
+    CHECK_TEXT(lesson.title, title);
+    CHECK_TEXT(lesson.steps[0].options.at[1], option);
+    CHECK_TEXT(lesson.steps[0].ask, "Is it?");
+    lesson_free(&lesson);
+}
+
+TEST(a_lesson_speaks_the_language_of_the_system_or_english) {
+    check_language("ja_JP.UTF-8", "角", "いいえ");
+    check_language("ja", "角", "いいえ");
+    check_language("C.UTF-8", "Corner", "no");
+    check_language("POSIX", "Corner", "no");
+    check_language("de_DE.UTF-8", "Ecke", "no");
+    check_language("jav_ID", "Corner", "no");
+    setenv("LC_ALL", "", 1);
+    setenv("LC_MESSAGES", "", 1);
+    setenv("LANG", "de", 1);
+    CHECK_TEXT(language_wanted(), "de");
+    unsetenv("LANG");
+    CHECK_TEXT(language_wanted(), "en");
+    setenv("LC_ALL", "C.UTF-8", 1);
 }
 
 LONG_TEST(a_goal_holds_where_all_its_conditions_hold) {
