@@ -266,7 +266,7 @@ static void place_fixed(Places *places, const Primitive *label) {
     Box room = {{layout->frame.low.x, layout->plan.low.y - AIR}, layout->frame.high};
     if (label->count > 2 && !find_place(places, label, label->text, &caption) &&
         !find_place(places, label, label->brief, &caption))
-        caption = beside(places, label, label->brief, 1, 2);
+        caption = beside(places, label, label->brief ? label->brief : label->text, 1, 2);
     clamp_within(&caption, room);
     if (label->optional && !is_free(places, caption_box(&caption)))
         return;

@@ -46,7 +46,8 @@
 #define SAME_SCALE 0.95  /* plots open beside the view if its scale falls by less */
 #define WIDE_VIEW 3.0    /* aspect above which a view gets only the height it needs, and the plots the rest */
 #define WIDE_LEAST 150.0
-#define WIDE_MOST 0.36 /* of the place */
+#define WIDE_NEEDED 110.0 /* below it the labels of a wide view hide one another: the plots have no room */
+#define WIDE_MOST 0.36    /* of the place */
 
 bool frame_is_wide(Vec2 page) {
     return page.x >= WIDE_PAGE;
@@ -119,9 +120,11 @@ static void divide(Frame *frame, Box place, const FrameWish *wish) {
     bool wide = frame_is_wide(frame->page);
     double height = BELOW_HEIGHT * box_height(place);
     below.low.y = place.high.y - (teaches ? LESSON_PLOT * box_height(place) : wide ? height : fmin(height, BELOW_MOST));
-    if (wish->aspect > WIDE_VIEW)
-        below.low.y =
-            place.low.y + fmin(fmax(box_width(place) / wish->aspect, WIDE_LEAST), WIDE_MOST * box_height(place));
+    if (wish->aspect > WIDE_VIEW) {
+        double whole = box_width(place) / wish->aspect;
+        double share = fmin(fmax(whole, WIDE_LEAST), WIDE_MOST * box_height(place));
+        below.low.y = place.low.y + fmax(share, fmin(whole, WIDE_NEEDED));
+    }
     if (wish->present && !teaches) {
         beside.low.x = place.high.x - PRESENT_PLOT * box_width(place);
         place_panes(frame, beside, 1);
@@ -132,8 +135,8 @@ static void divide(Frame *frame, Box place, const FrameWish *wish) {
     Box left = place, upper = place;
     left.high.x = beside.low.x;
     upper.high.y = below.low.y;
-    double whole = scale_of(place, wish->aspect), beside_scale = scale_of(left, wish->aspect);
-    bool is_below = wish->aspect > WIDE_VIEW || (!wide && beside_scale < SAME_SCALE * whole);
+    double scale = scale_of(place, wish->aspect), beside_scale = scale_of(left, wish->aspect);
+    bool is_below = wish->aspect > WIDE_VIEW || (!wide && beside_scale < SAME_SCALE * scale);
     place_panes(frame, is_below ? below : beside, count);
     if (!frame->pane_count) {
         is_below = !is_below;

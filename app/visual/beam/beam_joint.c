@@ -42,7 +42,7 @@ static void add_gap(Scene *scene, const Beam *beam, const BeamScale *scale, cons
                                               : scene_text(scene, "%.4g mm", 1000 * beam->clearance);
     Primitive *label = scene_add_label(scene, ROLE_TEXT, NAME_TEXT, at, text);
     scene_bind_label(scene, label, &right, 1);
-    label->bold = label->fixed = true;
+    label->bold = label->fixed = label->optional = true;
 }
 
 void beam_joint_still(Scene *scene, const Beam *beam, const BeamScale *scale, const BeamJoint *joint) {
@@ -81,14 +81,15 @@ static void add_text(Scene *scene, const Beam *beam, const BeamScale *scale, con
     const BeamImpact *last = moment->last[side > 0 ? 0 : 1];
     if (!touched && !last)
         return;
-    Vec2 at = vec2(joint->middle.x + joint->half + TEXT_BESIDE * scale->length,
-                   joint->middle.y + side * (face_of(joint, beam) + joint->ground) / 2);
-    Vec2 right = vec2(at.x + scale->length, at.y);
+    double x = joint->middle.x + joint->half + TEXT_BESIDE * scale->length, far = x + scale->length;
+    double spring = joint->middle.y + side * (face_of(joint, beam) + joint->ground) / 2;
+    double mount = joint->middle.y + side * joint->ground;
+    Vec2 places[] = {{x, spring}, {far, spring}, {x, mount}, {far, mount}}; /* the first free one of two */
     const char *text = touched ? beam_text_newtons(scene, fabs(moment->force), moment->largest)
                                : scene_text(scene, "last %s", beam_text_newtons(scene, last->peak, moment->largest));
-    Primitive *label = scene_add_label(scene, ROLE_DIM_TEXT, touched ? FORCE_TEXT : NAME_TEXT, at, text);
-    scene_bind_label(scene, label, &right, 1);
-    label->fixed = true;
+    Primitive *label = scene_add_label(scene, ROLE_DIM_TEXT, touched ? FORCE_TEXT : NAME_TEXT, places[0], text);
+    scene_bind_label(scene, label, places, sizeof places / sizeof *places);
+    label->fixed = label->optional = true; /* a small picture has no room for it */
     if (touched) {
         label->bold = true;
         label->shape = LABEL_TAG;

@@ -241,7 +241,7 @@ static void add_magnified(Scene *scene, Vec2 at, const char *text) {
     Vec2 right = vec2(at.x + 1, at.y);
     Primitive *label = scene_add_label(scene, ROLE_DIM_TEXT, SMALL_TEXT, at, text);
     scene_bind_label(scene, label, &right, 1);
-    label->fixed = true;
+    label->fixed = label->optional = true;
 }
 
 void beam_scene_magnified(Scene *scene, const BeamScale *scale) {
@@ -331,7 +331,7 @@ static void add_drive(Scene *scene, const Beam *beam, const BeamScale *scale, co
                                        beam_text_signed_newtons(scene, drive, beam->force));
     Vec2 right = vec2(x + length, DRIVE_LABEL * length);
     scene_bind_label(scene, label, &right, 1);
-    label->fixed = label->bold = true;
+    label->fixed = label->bold = label->optional = true;
 }
 
 void beam_scene_moving(Scene *scene, const Beam *beam, const BeamScale *scale, const BeamShape *shape,

@@ -53,6 +53,18 @@ for name, path in FILES.items():
             check(not overlapping(texts), f"22: {name}, {size}, text {text}, {step}: none lies over another",
                   overlapping(texts))
 
+# the labels of the beam's drawing lie apart, whatever its forces are
+BRIEF = ("--set", "drive.frequency=190", "--set", "run.transient_cycles=20", "--set", "run.cycles=20", "--set", "beam.modes=2")
+for size, text, least in (("1024x600", "2", 6), ("1280x720", "2", 4), ("1280x720", "1", 9)):
+    found = stage.act(f"labels-{size}-{text}", "until answered", "pause",
+                      *[line for t in range(4) for line in (f"seek {0.0125 + 0.0012 * t:.4f}", "wait 2", "state STATE")],
+                      arguments=[FILES["beam"], *BRIEF, "--size", size, "--text", text])
+    labels = [[{**label, "clip": 0, "string": f'{label["string"]} ({i})'}
+               for i, label in enumerate(state["text_in_view"])] for state in found]
+    hidden = [pair for shown in labels for pair in overlapping(shown)]
+    counts = [len(shown) for shown in labels]
+    check(not hidden and min(counts) >= least, f"beam, {size}, text {text}: the drawing's labels lie apart", (hidden, counts))
+
 # a selected door under the pointer has its name in the tag there
 texts, state = stage.act("hovered", "until answered", "pause", "wait 3", "click 430 298", "wait 6", "texts STATE", "state STATE",
                          arguments=[FILES["house"], "--size", "1280x720"])
