@@ -94,8 +94,16 @@ void canvas_hold_still(Window *window, const Frame *before) {
                 now->answer.high.y == before->answer.high.y && now->panel.low.x == before->panel.low.x &&
                 now->pane_count == before->pane_count;
     window->framed = window->current;
+    bool wide = frame_is_wide(now->page);
     if (had != has && same && tab->session && box_width(before->view) > 0)
-        tab_keep_still(tab, before->view, now->view, had);
+        tab_keep_still(tab, before->view, now->view, had && !wide);
+    if (tab->session && (wide || tab->part_scale > 0)) {
+        Box part = now->view;
+        part.low.x += now->still_from;
+        tab_fit_part(tab, part, now->view);
+        if (!wide)
+            tab->part_scale = 0;
+    }
 }
 
 /* Returns the index of a pane's plot among the laboratory's plots. */

@@ -146,14 +146,19 @@ static void divide(Frame *frame, Box place, const FrameWish *wish) {
         frame->view = is_below ? upper : left;
 }
 
+/* Returns the width of a toolbar as high as the place. */
+static double toolbar_width(Frame *frame, Box place, size_t count) {
+    double each = (box_height(place) - GAP) / (double)count;
+    frame->tool_labels = frame->page.x >= LABELLED_WIDTH && each >= TOOL_HEIGHT;
+    frame->tool_columns = each < TOOL_LEAST ? 2 : 1;
+    return (frame->tool_labels ? TOOL_WIDTH : TOOL_NARROW) * frame->tool_columns + 2 * GAP;
+}
+
 /* Places the toolbar left of the view, and returns the rest of the place. */
 static Box place_toolbar(Frame *frame, Box place, const FrameWish *wish) {
     if (!wish->tool_count || wish->present)
         return place;
-    double each = (box_height(place) - GAP) / (double)wish->tool_count;
-    frame->tool_labels = frame->page.x >= LABELLED_WIDTH && each >= TOOL_HEIGHT;
-    frame->tool_columns = each < TOOL_LEAST ? 2 : 1;
-    double width = (frame->tool_labels ? TOOL_WIDTH : TOOL_NARROW) * frame->tool_columns + 2 * GAP;
+    double width = toolbar_width(frame, place, wish->tool_count);
     frame->toolbar = (Box){place.low, {place.low.x + width, place.high.y}};
     place.low.x += width;
     return place;
@@ -201,6 +206,8 @@ Frame frame_make(Vec2 page, const FrameWish *wish) {
     place = place_toolbar(&frame, place, wish);
     if (is_there(place))
         divide(&frame, place, wish);
+    if (wish->hidden_tools && !wish->present && frame_is_wide(page))
+        frame.still_from = toolbar_width(&frame, place, wish->hidden_tools);
     if (wish->split)
         split(&frame);
     return frame;

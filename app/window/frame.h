@@ -27,17 +27,19 @@ typedef struct FrameWish {
     bool panel, plots, present;
     bool tall_answer; /* of a presentation: it has a line more */
     size_t plot_count;
-    size_t tool_count; /* in the toolbar; 0: there is none */
-    double card;       /* width of a lesson's card; 0: there is none */
-    double card_line;  /* height of a folded card, a line above the timeline; 0: there is none */
-    bool split;        /* the view shows two pictures side by side */
-    double aspect;     /* width over height of the view's contents */
+    size_t tool_count;   /* in the toolbar; 0: there is none */
+    size_t hidden_tools; /* the toolbar would have that many if it were shown */
+    double card;         /* width of a lesson's card; 0: there is none */
+    double card_line;    /* height of a folded card, a line above the timeline; 0: there is none */
+    bool split;          /* the view shows two pictures side by side */
+    double aspect;       /* width over height of the view's contents */
 } FrameWish;
 
 typedef struct Frame {
     Vec2 page;
     Box menu, answer, card, toolbar, view, panel, timeline, strip; /* a part that does not fit has no width */
     Box panes[FRAME_PANES_MOST];
+    double still_from;    /* from the left of the view to the part for a plan that stands still when the tools open */
     Box heads[2], beside; /* of a split view: a line above each picture, and the second picture */
     size_t pane_count;    /* the number of plots that fit */
     int tool_columns;     /* of the toolbar */

@@ -15,6 +15,7 @@
 #define ZOOM_MOST 64.0
 #define ZOOM_NEAR 3.0   /* times the size of the selection that zooming to it shows */
 #define TRIAL_SEEN 4.5  /* m, about the tight place, while a fix is shown beside it */
+#define SAME_PLACE 1.0  /* design points: a plan that fits exactly stands still */
 #define FOLLOW_FREE 0.2 /* of the view, within which a followed person moves freely */
 
 Tab tab_make(const Laboratory *kind) {
@@ -49,13 +50,18 @@ static void keep_shape(Tab *tab) {
     tab->aspect = width > 0 && height > 0 ? width / height : ASPECT;
 }
 
-/* Fits the camera to the whole plan, but leaves room to draw in a small one. */
+/* Returns the zoom that shows the whole plan, but leaves room to draw in a small one. */
+static double fitted_zoom(const Tab *tab) {
+    double size = fmax(box_width(tab->shape), box_height(tab->shape));
+    return tab->laboratory->editor ? fmin(1, fmax(size / LEAST_SEEN, ZOOM_LEAST)) : 1;
+}
+
+/* Fits the camera to the whole plan. */
 static void fit(Tab *tab) {
     keep_shape(tab);
     tab->handled = false;
     tab->fits = true;
-    double size = fmax(box_width(tab->shape), box_height(tab->shape));
-    tab->camera.zoom = tab->laboratory->editor ? fmin(1, fmax(size / LEAST_SEEN, ZOOM_LEAST)) : 1;
+    tab->camera.zoom = fitted_zoom(tab) * (tab->part_scale > 0 ? tab->part_scale : 1);
 }
 
 bool tab_open(Tab *tab, const char *path, const LaboratoryOptions *options, PaintGlScreen *screen, Fault *fault) {
@@ -368,11 +374,33 @@ void tab_keep_still(Tab *tab, Box from, Box to, bool closed) {
     Vec2 moved = vec2_scale(vec2_sub(middle_of(to), middle_of(from)), 1 / now);
     Vec2 pan = vec2_add(tab->camera.pan, vec2(moved.x, -moved.y));
     double room = box_width(to) / 2 - margin - now * (box_width(box) / 2 + fabs(pan.x));
-    if (tab->fits && (closed || room < 0))
+    if (tab->fits && (closed || room < -SAME_PLACE))
         pan = vec2(0, 0);
     else
         tab->camera.zoom = now / fitted_metre(box, to, margin);
     tab->camera.pan = pan;
+    tab_apply_camera(tab);
+}
+
+void tab_fit_part(Tab *tab, Box part, Box view) {
+    Box box = tab->laboratory->still(tab->session)->box;
+    if (!tab->fits || tab->handled || tab->trial.session || !tab->view_layers.painted || box_width(box) <= 0 ||
+        box_height(box) <= 0 || box_width(part) <= 0 || box_height(part) <= 0)
+        return;
+    Camera camera = tab->camera;
+    camera.pan = vec2(0, 0);
+    camera.zoom = fitted_zoom(tab);
+    tab->part_scale = 1;
+    if (camera.kind == VIEW_PLAN) {
+        double margin = tab->view_layers.still.plan.low.x, metre = fitted_metre(box, part, margin);
+        Vec2 aside = vec2_scale(vec2_sub(middle_of(view), middle_of(part)), 1 / (metre * camera.zoom));
+        camera.pan = vec2(aside.x, -aside.y);
+        tab->part_scale = metre / fitted_metre(box, view, margin);
+        camera.zoom *= tab->part_scale;
+    }
+    if (camera.zoom == tab->camera.zoom && camera.pan.x == tab->camera.pan.x && camera.pan.y == tab->camera.pan.y)
+        return;
+    tab->camera = camera;
     tab_apply_camera(tab);
 }
 

@@ -23,6 +23,7 @@ typedef struct Tab {
     double aspect;     /* width over height that the window is laid out for; it stays while the plan is edited */
     Box shape;         /* m, that the camera is fitted to */
     bool fits;         /* the camera shows everything: it has not been moved */
+    double part_scale; /* of a plan that fits a part of the view, relative to the whole view; 0: unknown */
     bool covered;      /* nothing of the result is shown: a class guesses first */
     bool unsaid;       /* tight places are not marked: a class says first what it has seen */
     bool asked;        /* each piece has its name, since a lesson asks about it */
@@ -57,6 +58,9 @@ bool tab_open(Tab *tab, const char *path, const LaboratoryOptions *options, Pain
 /* Keeps the plan where it stands on the page while the view changes from one box to another, if it then still fits;
  * closed: the tools left of the view were put away, and a plan that was not moved stands in the middle again. */
 void tab_keep_still(Tab *tab, Box from, Box to, bool closed);
+
+/* Fits a plan that was not moved to a part of the view. */
+void tab_fit_part(Tab *tab, Box part, Box view);
 
 /* Advances by `seconds` of wall time and takes over new results; returns a sum of LABORATORY_VIEW and the like. */
 unsigned tab_update(Tab *tab, double seconds);

@@ -266,6 +266,7 @@ static void make_frame(Window *window) {
                                         ? tab->laboratory->plot_count(tab->session)
                                         : tab->panes.count,
                       .tool_count = tab_editor(tab) && window->editing ? EDIT_TOOLS : 0,
+                      .hidden_tools = tab_editor(tab) && !window->editing && !teaches ? EDIT_TOOLS : 0,
                       .split = tab->trial.session,
                       .aspect = tab->aspect};
     window->frame = frame_make(page, &wish);
