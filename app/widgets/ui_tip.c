@@ -10,6 +10,7 @@
 #define WIDEST 330.0
 #define PADDING 9.0
 #define EDGE 1.5
+#define BAR_MOST 110.0 /* height of a bar: its tooltips are next to it, so that they hide no other widget */
 
 static void set(Ui *ui, UiTip *tip, UiId id, Box box, const char *help) {
     tip->id = id;
@@ -57,18 +58,20 @@ bool ui_tip_hide(Ui *ui) {
     return true;
 }
 
-/* Returns a place next to the widget's pane, so that it hides no other widget; below the widget without room there. */
+/* Returns a place next to the widget's pane if that is a bar, a column or a sheet, so that the tooltip hides no other
+ * widget; elsewhere, and without room there, below the widget. */
 static Box place_tip(const Ui *ui, const UiTip *tip, double width, double height) {
     Box pane = tip->pane, window = ui->window, widget = tip->box;
     bool tall = box_height(pane) > box_width(pane);
+    bool across = !tall && (ui->modal || box_height(pane) <= BAR_MOST);
     Vec2 at = {widget.low.x, widget.low.y};
     if (tall && pane.high.x + width <= window.high.x)
         at.x = pane.high.x;
     else if (tall && pane.low.x - width >= 0)
         at.x = pane.low.x - width;
-    else if (!tall && pane.high.y + height <= window.high.y)
+    else if (across && pane.high.y + height <= window.high.y)
         at.y = pane.high.y;
-    else if (!tall && pane.low.y - height >= 0)
+    else if (across && pane.low.y - height >= 0)
         at.y = pane.low.y - height;
     else
         at.y = widget.high.y + height <= window.high.y ? widget.high.y : widget.low.y - height;

@@ -73,6 +73,12 @@ tags = [t for t in texts if t["string"] == name and t["box"][2] < state["frame"]
 check(name and len(tags) == 1, "the tag at the pointer has the name of a selected door, which stands once",
       (name, [t["string"] for t in texts][:20]))
 
+# the tool tip of a button in the view is next to it
+texts = stage.act("tip", "until answered", "pause", "wait 3", "mouse 50 118", *["wait 100", "texts STATE"] * 3,
+                  arguments=[FILES["house"], "--size", "1280x720"])
+tips = [t["box"] for t in texts[-1] if t["string"].startswith("Edit plan (Ctrl+J)")]
+check(len(tips) == 1 and 134 <= tips[0][1] < 160, "the tool tip of the button for editing is next to it", tips)
+
 # the plan stands still while the tools come and go
 for size in ("1280x720", "1920x1080"):
     states = stage.act(f"still-{size}", "until answered", "pause", "wait 3", "state STATE", "key Ctrl+J", "wait 4",
