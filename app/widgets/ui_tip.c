@@ -8,6 +8,7 @@
 #define DELAY 0.5 /* s of hovering */
 #define GRACE 0.4 /* s, for the mouse to move from the widget to its tooltip */
 #define WIDEST 330.0
+#define LEAST 160.0 /* width of a tooltip between the window's left edge and a column at its right edge */
 #define PADDING 9.0
 #define EDGE 1.5
 #define BAR_MOST 110.0 /* height of a bar: its tooltips are next to it, so that they hide no other widget */
@@ -58,11 +59,18 @@ bool ui_tip_hide(Ui *ui) {
     return true;
 }
 
+/* True if the pane is a column at the right edge, even one that is lower than wide, with room for tooltips beside it.
+ */
+static bool is_right_column(const Ui *ui, Box pane) {
+    return pane.low.x >= LEAST && pane.high.x >= ui->window.high.x && box_height(pane) > BAR_MOST;
+}
+
 /* Returns a place next to the widget's pane if that is a bar, a column or a sheet, so that the tooltip hides no other
  * widget; elsewhere, and without room there, below the widget. */
 static Box place_tip(const Ui *ui, const UiTip *tip, double width, double height) {
     Box pane = tip->pane, window = ui->window, widget = tip->box;
-    bool tall = box_height(pane) > box_width(pane);
+    bool tall = box_height(pane) > box_width(pane) || is_right_column(ui, pane);
+    double foot = tall ? fmax(pane.high.y, height) : window.high.y;
     bool across = !tall && (ui->modal || box_height(pane) <= BAR_MOST);
     Vec2 at = {widget.low.x, widget.low.y};
     if (tall && pane.high.x + width <= window.high.x)
@@ -76,7 +84,7 @@ static Box place_tip(const Ui *ui, const UiTip *tip, double width, double height
     else
         at.y = widget.high.y + height <= window.high.y ? widget.high.y : widget.low.y - height;
     at.x = real_clamp(at.x, 0, fmax(0, window.high.x - width));
-    at.y = real_clamp(at.y, 0, fmax(0, window.high.y - height));
+    at.y = real_clamp(at.y, 0, fmax(0, fmin(foot, window.high.y) - height));
     return (Box){at, vec2_add(at, vec2(width, height))};
 }
 
@@ -101,7 +109,8 @@ void ui_tip_draw(Ui *ui) {
     if (!ui->tip_shown)
         return;
     const UiTip *tip = hovering ? &ui->hover_tip : &ui->focus_tip;
-    double width = fmin(WIDEST, box_width(ui->window)) - 2 * PADDING, height;
+    double room = is_right_column(ui, tip->pane) ? tip->pane.low.x : box_width(ui->window);
+    double width = fmin(WIDEST, room) - 2 * PADDING, height;
     draw_text(ui, tip, 0, (Box){{0, 0}, {width, 0}}, &height);
     width = fmin(width, ui_extent(ui, UI_BOLD, tip->text).x + 1);
     draw_text(ui, tip, 0, (Box){{0, 0}, {width, 0}}, &height);

@@ -79,6 +79,15 @@ texts = stage.act("tip", "until answered", "pause", "wait 3", "mouse 50 118", *[
 tips = [t["box"] for t in texts[-1] if t["string"].startswith("Edit plan (Ctrl+J)")]
 check(len(tips) == 1 and 134 <= tips[0][1] < 160, "the tool tip of the button for editing is next to it", tips)
 
+# beside a column that is lower than wide, a tool tip hides neither rows nor the timeline
+texts = stage.act("drawer", "until answered", "pause", "key Ctrl+J", "key H", "wait 3", "mouse 800 480",
+                  *["wait 100", "texts STATE"] * 2, "mouse 40 480", *["wait 100", "texts STATE"] * 2,
+                  arguments=[FILES["house"], "--size", "1024x600", "--text", "2"])
+row = [t["box"] for t in texts[1] if t["string"].startswith("kitchen: Select")]
+tool = [t["box"] for t in texts[3] if "Place people" in t["string"]]
+check(len(row) == 1 and row[0][2] < 416 and tool and tool[0][0] > 190 and tool[0][3] < 512,
+      "a tool tip of a low column lies beside it, above the timeline", (row, tool))
+
 # the plan stands still while the tools come and go
 for size in ("1280x720", "1920x1080"):
     states = stage.act(f"still-{size}", "until answered", "pause", "wait 3", "state STATE", "key Ctrl+J", "wait 4",
