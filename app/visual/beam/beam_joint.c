@@ -81,10 +81,11 @@ static void add_text(Scene *scene, const Beam *beam, const BeamScale *scale, con
     const BeamImpact *last = moment->last[side > 0 ? 0 : 1];
     if (!touched && !last)
         return;
-    double x = joint->middle.x + joint->half + TEXT_BESIDE * scale->length, far = x + scale->length;
+    double near = joint->middle.x + joint->half + TEXT_BESIDE * scale->length, far = near + scale->length;
+    double beside = joint->middle.x + (DIMENSION_AT + DIMENSION_END) * scale->length;
     double spring = joint->middle.y + side * (face_of(joint, beam) + joint->ground) / 2;
-    double mount = joint->middle.y + side * joint->ground;
-    Vec2 places[] = {{x, spring}, {far, spring}, {x, mount}, {far, mount}}; /* the first free one of two */
+    double mount = joint->middle.y + side * joint->ground, first = touched ? near : beside;
+    Vec2 places[] = {{first, spring}, {far, spring}, {first, mount}, {far, mount}, {near, mount}, {far, mount}};
     const char *text = touched ? beam_text_newtons(scene, fabs(moment->force), moment->largest)
                                : scene_text(scene, "last %s", beam_text_newtons(scene, last->peak, moment->largest));
     Primitive *label = scene_add_label(scene, ROLE_DIM_TEXT, touched ? FORCE_TEXT : NAME_TEXT, places[0], text);

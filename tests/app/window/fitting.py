@@ -63,6 +63,9 @@ for size, text, least in (("1024x600", "2", 6), ("1280x720", "2", 4), ("1280x720
                for i, label in enumerate(state["text_in_view"])] for state in found]
     hidden = [pair for shown in labels for pair in overlapping(shown)]
     counts = [len(shown) for shown in labels]
+    columns = [[t["box"][0] for t in state["text_in_view"] if t["string"].startswith(("last ", "0.127 mm"))] for state in found]
+    check(text == "2" or max(max(c) - min(c) for c in columns) < 1, f"beam, {size}: forces stand beside the dimensions, not over "
+          "them", columns)
     check(not hidden and min(counts) >= least, f"beam, {size}, text {text}: the drawing's labels lie apart", (hidden, counts))
 
 # a selected door under the pointer has its name in the tag there
