@@ -11,7 +11,8 @@
 #define BURST_MOST 0.040
 #define SHAFT_HALF 0.008
 #define TEXT_BESIDE 0.012
-#define SMALL 0.55 /* 1, of the symbols at the beam, relative to those in the loupe */
+#define OUTSIDE 0.40 /* from the tip in the loupe to a force right of the loupe */
+#define SMALL 0.55   /* 1, of the symbols at the beam, relative to those in the loupe */
 
 /* Design points. */
 #define NAME_TEXT 17.0
@@ -85,7 +86,9 @@ static void add_text(Scene *scene, const Beam *beam, const BeamScale *scale, con
     double beside = joint->middle.x + (DIMENSION_AT + DIMENSION_END) * scale->length;
     double spring = joint->middle.y + side * (face_of(joint, beam) + joint->ground) / 2;
     double mount = joint->middle.y + side * joint->ground, first = touched ? near : beside;
-    Vec2 places[] = {{first, spring}, {far, spring}, {first, mount}, {far, mount}, {near, mount}, {far, mount}};
+    Vec2 other = touched ? vec2(joint->middle.x + OUTSIDE * scale->length, joint->middle.y) : vec2(near, mount);
+    Vec2 places[] = {{first, spring}, {far, spring}, {first, mount},
+                     {far, mount},    other,         {other.x + scale->length, other.y}};
     const char *text = touched ? beam_text_newtons(scene, fabs(moment->force), moment->largest)
                                : scene_text(scene, "last %s", beam_text_newtons(scene, last->peak, moment->largest));
     Primitive *label = scene_add_label(scene, ROLE_DIM_TEXT, touched ? FORCE_TEXT : NAME_TEXT, places[0], text);
