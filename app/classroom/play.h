@@ -97,7 +97,7 @@ int play_hands(const PlayStep *step, int vote);
 size_t play_guessed(const Play *play);
 
 /* Returns the last vote of the class in that step: the option with most hands, the one that was chosen last among equal
- * ones; of numbers the middle one, the lower of two. NAN: there is no guess yet. */
+ * ones; of numbers the middle one, the lower of two. NAN: nobody has guessed yet. */
 double play_answer(const Play *play);
 
 /* Returns what scripts expect of: {"step": 2, "steps": 6, "kind": "predict", "goal": "no", "hints": 1, "hands": [9, 14,

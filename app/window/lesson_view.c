@@ -195,7 +195,7 @@ void lesson_view_mark(Window *window, Tab *tab, LessonView *view, const LessonTe
     view->framed = framed;
 }
 
-/* What is locked --------------------------------------------------------------------------------------------------- */
+/* Locks ------------------------------------------------------------------------------------------------------------ */
 
 /* Returns the locked list in which two houses, as file texts, differ; NULL: none. */
 static const char *changed_list(const LessonTexts *lock, const char *before, const char *now) {

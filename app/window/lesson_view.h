@@ -1,5 +1,5 @@
-/* What a step of a lesson does to what is open: its settings, what the window shows, frames round the things that it
- * names, a look at one of them from near, what a class may not change, and the question of its goal. */
+/* Applies a step of a lesson to the open house or machine: settings, layers, plots and speed, frames round the things
+ * that the step names, a look at one of them from near, locks, and the question of the step's goal. */
 #pragma once
 
 #include "classroom/judge.h"
@@ -22,7 +22,7 @@ const char *lesson_view_numbers(Window *window, const Tab *tab, const LessonStep
 /* Opens the panel at the first of those numbers. */
 void lesson_view_show_numbers(Window *window);
 
-/* What the lesson has changed of the window, and how it was before. */
+/* The layers, plots and speed that the lesson shows, and those of the user before. */
 typedef struct LessonLooks {
     LessonLook shown;
     unsigned layers;

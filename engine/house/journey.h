@@ -60,7 +60,7 @@ typedef struct Whereabouts {
 Journeys journey_plan_all(const House *house, const bool *part, int jobs, const Stop *stop);
 Journeys journey_plan_briefly(const House *house, const bool *part, int jobs, const Stop *stop);
 
-/* Does the same with answers that are kept for this and other houses (NULL: none), which must outlive the journeys. */
+/* Plans with the answers kept for this and other houses (NULL: none), which must outlive the journeys. */
 Journeys journey_plan_recalling(const House *house, const bool *part, bool brief, Recall *recall, int jobs,
                                 const Stop *stop);
 void journey_free_all(Journeys *journeys);

@@ -67,7 +67,7 @@ typedef struct LessonTable {
     size_t row_count;
 } LessonTable;
 
-/* What the window shows: see look.h. */
+/* The layers, plots and speed of the window: see look.h. */
 typedef struct LessonLook {
     bool layered;      /* the layers are given */
     unsigned layers;   /* their bits */

@@ -9,7 +9,7 @@
 
 enum { PLOTS_MOST = 9, LAYERS_MOST = 9 /* keys 1 to 9 */ };
 
-/* What the laboratories of the window have; their tests compare these. */
+/* The layers and plots of each laboratory; the tests of the window compare these with its own. */
 static const struct {
     size_t layers;
     const char *plots[PLOTS_MOST]; /* NULL-ended */

@@ -256,8 +256,8 @@ static bool is_vain(const Decide *decide, const Rung *rung, bool gave_up) {
 }
 
 /* Decides in either manner; the parameters are those of decide_way. */
-static DecideAnswer decide_anew(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
-                                bool coarsely, double depth, SearchTrack *track, size_t *pins, FitPlace *tightest) {
+static DecideAnswer decide_fresh(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
+                                 bool coarsely, double depth, SearchTrack *track, size_t *pins, FitPlace *tightest) {
     double clearance = search_clearance(query->space, body, query->at, query->heading, MARGIN + HAIR, NULL);
     Decide decide = {.query = query,
                      .body = body,
@@ -309,11 +309,11 @@ static DecideAnswer decide_anew(const RouteQuery *query, const Rectangle *body, 
     return whole ? result : DECIDE_INTERRUPTED;
 }
 
-/* Does the same, or gives the answer to the same question in another house where that still holds. */
+/* Decides how to drive, or returns the kept answer to an equal question in another house where it still holds. */
 static DecideAnswer decide_how(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
                                bool coarsely, double depth, SearchTrack *track, size_t *pins, FitPlace *tightest) {
     if (!query->recall)
-        return decide_anew(query, body, goals, goal_count, coarsely, depth, track, pins, tightest);
+        return decide_fresh(query, body, goals, goal_count, coarsely, depth, track, pins, tightest);
     RecallQuestion question = {query, body, goals, goal_count, radius_within(body), depth, coarsely};
     RecallAnswer answer = {.pins = pins};
     if (recall_find(query->recall, &question, &answer)) {
@@ -329,7 +329,7 @@ static DecideAnswer decide_how(const RouteQuery *query, const Rectangle *body, c
     watched.space = &watch.space;
     watched.watched = query->space;
     watched.times = watch.times;
-    DecideAnswer decided = decide_anew(&watched, body, goals, goal_count, coarsely, depth, track, pins, tightest);
+    DecideAnswer decided = decide_fresh(&watched, body, goals, goal_count, coarsely, depth, track, pins, tightest);
     answer = (RecallAnswer){.decided = (int)decided, .track = *track, .pins = pins};
     answer.has_tightest = decided == DECIDE_NONE || decided == DECIDE_TOO_NARROW;
     if (answer.has_tightest)

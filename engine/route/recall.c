@@ -16,7 +16,7 @@
  *
  * It is the answer to another question if all of these are the same, to the bit, in the other house: a search is a
  * function of what it reads. What else it depends on, the start, the body, the profile, exits, doors and walls, is the
- * key, compared whole. The times are computed anew for each house, which takes a small part of the time of a search. */
+ * key, compared whole. The times are recomputed for each house, which takes a small part of the time of a search. */
 
 typedef struct Bytes {
     unsigned char *at; /* (count) */

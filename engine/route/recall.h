@@ -28,7 +28,7 @@ typedef struct RecallAnswer {
     bool has_tightest;
 } RecallAnswer;
 
-/* What a search reads while it answers: of its own copy of the free space, and of the times to each goal. */
+/* The reads of one search: in its own copy of the free space, and in the times to each goal. */
 typedef struct RecallWatch {
     FreeSpace space;
     Reads reads;

@@ -30,7 +30,7 @@ enum { RADII = sizeof radii / sizeof *radii, MOST_PRIMITIVES = 4 * RADII + 6, RE
 
 enum { PARTS = 16 /* of a motion, a power of two: what is reached after each is known in advance */ };
 
-/* What moves a pose along a part of a motion. */
+/* The displacement of a pose along a part of a motion. */
 typedef struct Part {
     double chord;  /* m */
     Vec2 bearing;  /* unit vector, of the chord, in the frame of the beginning */

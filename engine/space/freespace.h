@@ -59,8 +59,8 @@ double freespace_exact(const FreeSpace *space, Vec2 at, double reach, int *face)
 double freespace_clearance(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width,
                            double reach, int *face);
 
-/* Does the same, and fills in the clearances of the rectangle's left and right half from what is on that side, m, up to
- * `reach`: what lies across the axis, before or behind the rectangle, is on both. */
+/* Returns the clearance, and fills in those of the rectangle's left and right half from the faces on that side, m, up
+ * to `reach`: faces across the axis, before or behind the rectangle, are on both sides. */
 double freespace_sides(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width,
                        double reach, double *left, double *right);
 

@@ -1,5 +1,5 @@
-/* What was read of a grid and of the lists of faces beside it, so that an answer holds as long as nothing that was read
- * changes. One thread writes it. */
+/* Records the cells and lists of faces that were read: an answer holds as long as none of them changes. One thread
+ * writes a record. */
 #pragma once
 
 #include <stdbool.h>

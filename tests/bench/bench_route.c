@@ -43,7 +43,7 @@ enum { MOVES = 24 };
 /* Moves a piece round a circle of 0.15 m radius and plans after each move, with the answers that are kept from the
  * moves before and without. */
 static void print_moves(const char *name, const char *source, const char *piece, Vec2 at, bool flat) {
-    double kept[MOVES], anew[MOVES], most = 0;
+    double kept[MOVES], fresh[MOVES], most = 0;
     Recall *recall = recall_create();
     for (int move = -1; move < MOVES; move++) {
         Vec2 away = vec2_scale(vec2_heading(2 * M_PI * move / MOVES), 0.15);
@@ -59,14 +59,14 @@ static void print_moves(const char *name, const char *source, const char *piece,
         Journeys other = journey_plan_briefly(&house, NULL, 1, NULL);
         if (move >= 0) {
             kept[move] = between - begin;
-            anew[move] = bench_now() - between;
+            fresh[move] = bench_now() - between;
             most = fmax(most, kept[move]);
         }
         journey_free_all(&journeys);
         journey_free_all(&other);
         house_free(&house);
     }
-    double usual = bench_median(kept, MOVES), before = bench_median(anew, MOVES);
+    double usual = bench_median(kept, MOVES), before = bench_median(fresh, MOVES);
     printf("%-34s  %10.1f  %10.1f  %10.1f  %6.3f  %zu\n", name, 1000 * before, 1000 * usual, 1000 * most,
            usual / before, recall_found(recall));
     recall_destroy(recall);

@@ -13,7 +13,7 @@
 #include "house/world.h"
 #include "route/pace.h"
 
-/* What a chair does in a corridor. */
+/* The drive of a chair through a corridor. */
 typedef struct Driven {
     double time;      /* s; infinite: it does not get out */
     double late;      /* m, farthest from the middle after 4.5 m of way */

@@ -36,12 +36,12 @@ static bool same_route(const Route *one, const Route *other) {
 /* Plans with kept answers on two threads and without on one, and returns the number of people with other routes. */
 static size_t differences(const House *house, bool brief, Recall *recall) {
     Journeys kept = journey_plan_recalling(house, NULL, brief, recall, 2, NULL);
-    Journeys anew = (brief ? journey_plan_briefly : journey_plan_all)(house, NULL, 1, NULL);
+    Journeys fresh = (brief ? journey_plan_briefly : journey_plan_all)(house, NULL, 1, NULL);
     size_t count = 0;
     for (size_t i = 0; i < kept.count; i++)
-        count += !same_route(&kept.of[i].route, &anew.of[i].route);
+        count += !same_route(&kept.of[i].route, &fresh.of[i].route);
     journey_free_all(&kept);
-    journey_free_all(&anew);
+    journey_free_all(&fresh);
     return count;
 }
 
