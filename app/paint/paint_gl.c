@@ -284,16 +284,21 @@ void paint_gl_still(PaintGl *paint, Layer ground) {
     gl_check(paint->gl);
 }
 
+/* Returns the buffers that pictures are made of: only the raised view has depths. */
+static GLbitfield buffers_of(const PaintGl *paint) {
+    return paint->raised ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT;
+}
+
 /* Stores the first state of the static layer before the first addition. */
 static void store_ground(PaintGl *paint) {
     if (!paint->added)
-        paint_gl_target_copy(&paint->still, &paint->ground, paint->gl, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        paint_gl_target_copy(&paint->still, &paint->ground, paint->gl, buffers_of(paint));
     paint->added = true;
 }
 
 void paint_gl_rewind(PaintGl *paint) {
     if (paint->added)
-        paint_gl_target_copy(&paint->ground, &paint->still, paint->gl, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        paint_gl_target_copy(&paint->ground, &paint->still, paint->gl, buffers_of(paint));
     paint->caption_count = paint->first_captions;
     paint->sample_count = paint->first_samples;
     paint->added = false;
@@ -332,8 +337,7 @@ void paint_gl_panel(PaintGl *paint, int index, const unsigned char *pixels, int 
 void paint_gl_frame(PaintGl *paint, Layer moving) {
     const Gl *gl = paint->gl;
     begin(paint, &paint->frame);
-    paint_gl_target_copy(&paint->still, &paint->frame, gl,
-                         paint->raised ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT);
+    paint_gl_target_copy(&paint->still, &paint->frame, gl, buffers_of(paint));
     begin(paint, &paint->frame);
     if (paint->raised)
         gl->Clear(GL_STENCIL_BUFFER_BIT);

@@ -23,26 +23,28 @@ static void add_triangle(Tessellation *tessellation, Vec2 a, Vec2 b, Vec2 c, boo
 
 /* Fans --------------------------------------------------------------------------------------------------------------*/
 
-/* True if the ring turns to one side all the way, and once round. */
-static bool is_convex(const Vec2 *points, size_t count) {
-    int left = 0, right = 0, turns = 0;
-    double last = 0;
-    for (size_t i = 0; i < count; i++) {
-        Vec2 a = points[i], b = points[(i + 1) % count], c = points[(i + 2) % count];
-        double cross = vec2_cross(vec2_sub(b, a), vec2_sub(c, b));
-        left += cross > 0;
-        right += cross < 0;
-        turns += (b.x - a.x) * last < 0;
-        last = b.x != a.x ? b.x - a.x : last;
-    }
-    return !(left && right) && turns <= 2;
-}
-
-/* Makes a fan: each triangle has one edge of the outline. */
-static void add_fan(Tessellation *tessellation, const Vec2 *points, size_t count) {
+static Vec2 middle_of(const Vec2 *points, size_t count) {
     Vec2 middle = {0, 0};
     for (size_t i = 0; i < count; i++)
         middle = vec2_along(middle, 1.0 / (double)count, points[i]);
+    return middle;
+}
+
+/* True if the whole ring is seen from the middle: it goes to one side all the way, and once round. */
+static bool is_seen_from(Vec2 middle, const Vec2 *points, size_t count) {
+    int left = 0, right = 0, halves = 0;
+    for (size_t i = 0; i < count; i++) {
+        Vec2 a = vec2_sub(points[i], middle), b = vec2_sub(points[(i + 1) % count], middle);
+        double cross = vec2_cross(a, b);
+        left += cross > 0;
+        right += cross < 0;
+        halves += (a.y < 0) != (b.y < 0);
+    }
+    return !(left && right) && halves <= 2;
+}
+
+/* Makes a fan: each triangle has one edge of the outline. */
+static void add_fan(Tessellation *tessellation, Vec2 middle, const Vec2 *points, size_t count) {
     for (size_t i = 0; i < count; i++) {
         add_triangle(tessellation, points[i], points[(i + 1) % count], middle, false);
         Triangle *triangle = &tessellation->triangles[tessellation->count - 1];
@@ -161,8 +163,9 @@ void tessellation_make(Tessellation *tessellation, const Vec2 *points, const siz
                        bool united) {
     tessellation->count = 0;
     size_t first = ring_count ? starts[1] - starts[0] : 0;
-    if (ring_count == 1 && first >= 3 && is_convex(points + starts[0], first))
-        add_fan(tessellation, points + starts[0], first);
+    Vec2 middle = ring_count ? middle_of(points + starts[0], first) : vec2(0, 0);
+    if (ring_count == 1 && first >= 3 && is_seen_from(middle, points + starts[0], first))
+        add_fan(tessellation, middle, points + starts[0], first);
     else
         add_rings(tessellation, points, starts, ring_count, united);
 }

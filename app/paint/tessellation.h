@@ -1,7 +1,8 @@
-/* Polygons as triangles: the shapes that a graphics card fills. A convex ring is a fan round its middle; anything else
- * goes through GEOS: overlapping rings are united or cancelled, then a constrained Delaunay triangulation follows.
- * Triangles are used rather than a stencil, since their edges are known: smooth edges, upright sides and drawn edges
- * need to know which edges belong to the outline. */
+/* Polygons as triangles: the shapes that a graphics card fills. A ring that is seen whole from the mean of
+ * its points, as convex ones and personal spaces are, is a fan round that point; anything else goes through GEOS:
+ * overlapping rings are united or cancelled, then a constrained Delaunay triangulation follows. Triangles are used
+ * rather than a stencil, since their edges are known: smooth edges, upright sides and drawn edges need to know which
+ * edges belong to the outline. */
 #pragma once
 
 #include <stdbool.h>
