@@ -5,7 +5,8 @@
 
 #include "base/stop.h"
 
-enum { LOW = 10 /* nice value */ };
+/* Nice values: a frame waits for neither the answer nor for what comes after it. */
+enum { GIVES_WAY = 10, LOW = 15 };
 
 struct HouseWorker {
     pthread_t thread;
@@ -40,8 +41,8 @@ static HouseRun *wait_for_run(HouseWorker *worker) {
 
 static void *work(void *context) {
     HouseWorker *worker = context;
-    if (worker->low) /* of this thread, and of those that it starts */
-        setpriority(PRIO_PROCESS, (id_t)gettid(), LOW);
+    /* of this thread, and of those that it starts */
+    setpriority(PRIO_PROCESS, (id_t)gettid(), worker->low ? LOW : GIVES_WAY);
     pthread_mutex_lock(&worker->mutex);
     while ((worker->current = wait_for_run(worker))) {
         HouseRun *run = worker->current;
