@@ -65,6 +65,7 @@ typedef struct Result {
     const char *detail;
     bool stale;        /* the answer is older than the last change: shown grey, nobody moves, and no other number of
                           either run is shown */
+    bool due;          /* the answer is older than the last change, also as long as that is too short to be shown */
     const char *doing; /* work in the background, "types: 40 of 768 runs", or NULL */
     double part;       /* completed share of that work, 0 to 1; NAN: unknown */
     const char *cure;  /* words of a button that takes a tool: "Add an exit"; NULL: none */

@@ -83,6 +83,7 @@ static void step(Window *window) {
     EditBenchmark *benchmark = &window->edit_benchmark;
     double angle = 2 * M_PI * (double)benchmark->steps++ / ROUND;
     Vec2 away = vec2_sub(vec2_scale(vec2_heading(angle), RADIUS), vec2(RADIUS, 0));
+    benchmark->revision = editor_revision(tab_editor(window_tab(window)));
     push(window, vec2_add(benchmark->middle, away), SDL_WINDOW_EVENT_MOUSE, false);
     benchmark->waits = true;
     benchmark->frames = 0;
@@ -105,12 +106,13 @@ static void print(Window *window) {
     double slow = MILLI * part_of(frames->times, frames->count, 0.99);
     double longest = MILLI * part_of(frames->times, frames->count, 1);
     FrameMachine machine = frame_timer_machine(frames);
-    printf("%s, %d x %d, dragged for %.1f s: %zu edits, %zu unanswered; from an edit to its answer on the screen %.1f "
+    printf("%s, %d x %d, dragged for %.1f s: %zu edits, %zu unanswered (%zu steps moved nothing, since pieces snap); "
+           "from an edit to its answer on the screen %.1f "
            "ms (median), %.1f ms (99 of 100); a frame takes %.1f ms (median), %.1f ms (99 of 100), %.1f ms (longest); "
            "used %.2f of %ld processors, load %.1f\n",
            window_tab(window)->laboratory->title(window_tab(window)->session), window->width, window->height,
-           stopwatch_now() - benchmark->begun, benchmark->count + benchmark->missed, benchmark->missed, median, late,
-           frame, slow, longest, machine.used, machine.processors, machine.load);
+           stopwatch_now() - benchmark->begun, benchmark->count + benchmark->missed, benchmark->missed,
+           benchmark->unmoved, median, late, frame, slow, longest, machine.used, machine.processors, machine.load);
     if (benchmark->count && frames->count)
         printf("{\"edits\":%zu,\"unanswered\":%zu,\"answer_ms\":{\"median\":%.3f,\"p99\":%.3f},\"frame_ms\":"
                "{\"median\":%.3f,\"p99\":%.3f,\"longest\":%.3f},\"used\":%.3f,\"processors\":%ld,\"load\":%.2f}\n",
@@ -122,13 +124,15 @@ static void print(Window *window) {
  * shows the old result: it is the frame in which the pointer moved. */
 static void look(Window *window) {
     EditBenchmark *benchmark = &window->edit_benchmark;
-    const Tab *tab = window_tab(window);
+    Tab *tab = window_tab(window);
     double now = stopwatch_now();
     if (benchmark->frames++ == 0) {
         benchmark->edited = window->frame_timer.last; /* the beginning of that frame */
+        benchmark->waits = editor_revision(tab_editor(tab)) != benchmark->revision;
+        benchmark->unmoved += !benchmark->waits;
         return;
     }
-    if (!tab->laboratory->answer(tab->session).stale) {
+    if (!tab->laboratory->answer(tab->session).due) {
         benchmark->answers =
             memory_reserve(benchmark->answers, &benchmark->capacity, benchmark->count + 1, sizeof *benchmark->answers);
         benchmark->answers[benchmark->count++] = now - benchmark->edited;

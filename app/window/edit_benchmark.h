@@ -1,5 +1,6 @@
 /* Measures how quickly the result follows an edit, for --benchmark-edit: drags a piece of furniture along a small
- * circle by mouse events. Each step waits until the result of the one before is on the screen, at most one second. */
+ * circle by mouse events. Each step waits until the answer to the plan as the step before left it is on the screen, at
+ * most one second; a step that leaves the plan as it was, since pieces snap, counts as none. */
 #pragma once
 
 #include "window/window_state.h"

@@ -87,13 +87,14 @@ typedef enum Leave { LEAVE_NOTHING, LEAVE_QUIT, LEAVE_OPEN, LEAVE_NEW } Leave;
 
 /* The measurements of --benchmark-edit. */
 typedef struct EditBenchmark {
-    double begun; /* s of wall time, when the piece was grabbed; 0: not yet */
-    Vec2 middle;  /* m, of the piece at that time */
-    size_t steps;
-    bool waits;      /* for a result, */
-    int frames;      /* frames since the step, */
-    double edited;   /* s of wall time of the step */
-    double *answers; /* (count) s */
+    double begun;          /* s of wall time, when the piece was grabbed; 0: not yet */
+    Vec2 middle;           /* m, of the piece at that time */
+    size_t steps, unmoved; /* unmoved: those that left the plan as it was, since pieces snap */
+    uint64_t revision;     /* of the plan before the step */
+    bool waits;            /* for a result, */
+    int frames;            /* frames since the step, */
+    double edited;         /* s of wall time of the step */
+    double *answers;       /* (count) s */
     size_t count, capacity, missed;
 } EditBenchmark;
 

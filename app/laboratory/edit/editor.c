@@ -461,6 +461,10 @@ TraceImage editor_image(Editor *edit) {
 
 /* Files ------------------------------------------------------------------------------------------------------------ */
 
+uint64_t editor_revision(const Editor *edit) {
+    return draft_revision(edit->draft);
+}
+
 size_t editor_edit_count(const Editor *edit) {
     size_t steps = draft_step_count(edit->draft), saved = edit->saved_steps;
     return steps > saved ? steps - saved : saved - steps;

@@ -485,6 +485,7 @@ Result house_text_answer(HouseSession *session) {
                     .role = texts->role,
                     .detail = texts->detail ? texts->detail : "",
                     .stale = session->settles,
+                    .due = house_runs_is_working(session),
                     .doing = describe_progress(session),
                     .part = NAN,
                     .cure = texts->missing.cure,

@@ -213,7 +213,7 @@ void machine_answer_write(MachineAnswer *answer, const MachineNow *now, const Ma
     bool resolved = !verdict || response_is_told(verdict->facts.verdict);
     answer->result.title = answer->title;
     answer->result.role = failed || !resolved ? ROLE_ERROR : ROLE_TEXT;
-    answer->result.stale = !verdict && !failed;
+    answer->result.stale = answer->result.due = !verdict && !failed;
 }
 
 void machine_answer_note_doing(MachineAnswer *answer, const MachineKind *kind, const MachineNews *news) {
