@@ -25,14 +25,6 @@ double frame_timer_wait(FrameTimer *timer, bool hurried) {
     return since;
 }
 
-void frame_timer_note(FrameTimer *timer, double seconds, double simulating) {
-    if (!timer->counting)
-        return;
-    timer->times = memory_reserve(timer->times, &timer->capacity, timer->count + 1, sizeof *timer->times);
-    timer->times[timer->count++] = seconds;
-    timer->worked += simulating;
-}
-
 /* Returns the age of this process, s, to the system's tick (10 ms on most systems). */
 static double process_age(void) {
     enum { STARTED = 22 /* field of /proc/self/stat */ };
@@ -65,30 +57,50 @@ FrameMachine frame_timer_machine(const FrameTimer *timer) {
     return machine;
 }
 
-void frame_timer_note_first(FrameTimer *timer) {
+void frame_timer_note(FrameTimer *timer, double seconds, double simulating, bool moves) {
     if (timer->first <= 0)
         timer->first = process_age();
+    if (timer->moving <= 0 && moves)
+        timer->moving = process_age();
+    if (!timer->counting)
+        return;
+    timer->worked += simulating;
+    if (!moves) {
+        timer->still_count++;
+        timer->still_time += seconds;
+        return;
+    }
+    timer->times = memory_reserve(timer->times, &timer->capacity, timer->count + 1, sizeof *timer->times);
+    timer->times[timer->count++] = seconds;
 }
 
 void frame_timer_count(FrameTimer *timer) {
     timer->counting = true;
-    timer->count = 0;
-    timer->worked = 0;
+    timer->count = timer->still_count = 0;
+    timer->worked = timer->still_time = 0;
     timer->begun = stopwatch_now();
     timer->processor = processor_time();
 }
 
 void frame_timer_print(FrameTimer *timer, const char *what, int width, int height) {
-    double passed = stopwatch_now() - timer->begun;
-    if (!timer->count)
-        return;
+    double passed = stopwatch_now() - timer->begun, moved = 0;
+    printf("%s, %d x %d: first picture after %.2f s, ", what, width, height, timer->first);
+    if (timer->moving > 0)
+        printf("the first that moves after %.2f s, ", timer->moving);
     FrameMachine machine = frame_timer_machine(timer);
     qsort(timer->times, timer->count, sizeof *timer->times, order_rising);
-    printf("%s, %d x %d: first picture after %.2f s, %.1f frames/s, a frame takes %.1f ms (median), %.1f ms (99 of "
-           "100), simulating is %.1f %%, used %.2f of %ld processors, load %.1f\n",
-           what, width, height, timer->first, (double)timer->count / passed, MILLI * timer->times[timer->count / 2],
-           MILLI * timer->times[timer->count * 99 / 100], 100 * timer->worked / passed, machine.used,
-           machine.processors, machine.load);
+    for (size_t i = 0; i < timer->count; i++)
+        moved += timer->times[i];
+    if (timer->count)
+        printf(
+            "%.1f frames/s while something moves (%zu frames), a frame takes %.1f ms (median), %.1f ms (99 of 100), ",
+            (double)timer->count / moved, timer->count, MILLI * timer->times[timer->count / 2],
+            MILLI * timer->times[timer->count * 99 / 100]);
+    if (timer->still_count)
+        printf("%.1f frames/s while nothing does (%zu), ", (double)timer->still_count / timer->still_time,
+               timer->still_count);
+    printf("simulating is %.1f %%, used %.2f of %ld processors, load %.1f\n", 100 * timer->worked / passed,
+           machine.used, machine.processors, machine.load);
 }
 
 void frame_timer_clear(FrameTimer *timer) {

@@ -13,17 +13,18 @@ typedef struct FrameTimer {
     bool counting;
     double begun, worked; /* s: when counting began; the time spent simulating since */
     double processor;     /* s: processor time of all threads when counting began */
-    double first;         /* s, from the start of the program to the first frame; 0: there has been none */
+    double still_time;    /* s, of the counted frames in which nothing moved, */
+    size_t still_count;   /* and their number */
+    double first, moving; /* s, from the start of the program to the first frame, and to the first one that moved on;
+                             0: there has been none */
 } FrameTimer;
 
 /* Waits until the next frame is due, unless `hurried`, and returns the wall time since the last one, s. */
 double frame_timer_wait(FrameTimer *timer, bool hurried);
 
-/* Records the duration of a frame, s, and the part of it spent simulating, s. */
-void frame_timer_note(FrameTimer *timer, double seconds, double simulating);
-
-/* Records the moment of the first frame. */
-void frame_timer_note_first(FrameTimer *timer);
+/* Records the duration of a frame, s, the part of it spent simulating, s, and whether it shows another time than the
+ * frame before. */
+void frame_timer_note(FrameTimer *timer, double seconds, double simulating, bool moves);
 
 void frame_timer_count(FrameTimer *timer);
 
@@ -36,7 +37,7 @@ typedef struct FrameMachine {
 
 FrameMachine frame_timer_machine(const FrameTimer *timer);
 
-/* Prints frames per second, median and 99th percentile of their durations, and the share of simulating, and how busy
- * the machine is; `what` names the laboratory. */
+/* Prints frames per second, median and 99th percentile of their durations (of those in which something moves), and the
+ * share of simulating, and how busy the machine is; `what` is the title of what is shown. */
 void frame_timer_print(FrameTimer *timer, const char *what, int width, int height);
 void frame_timer_clear(FrameTimer *timer);

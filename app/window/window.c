@@ -439,7 +439,7 @@ static void turn(Window *window, Scripted *scripted) {
     double seconds = frame_timer_wait(&window->frame_timer, hurried), begun = stopwatch_now();
     plan_input_animate(window, seconds);
     handle_events(window, lively || busy ? 0 : IDLE_WAIT);
-    double worked = window_tab(window)->worked;
+    double worked = window_tab(window)->worked, time = window_tab(window)->player.time;
     update(window, seconds);
     bool paints = is_lively(window) || framed;
     if (paints) {
@@ -450,8 +450,8 @@ static void turn(Window *window, Scripted *scripted) {
     if (!paints)
         return;
     sdl_window_swap(window->sdl_window);
-    frame_timer_note_first(&window->frame_timer);
-    frame_timer_note(&window->frame_timer, stopwatch_now() - begun, window_tab(window)->worked - worked);
+    frame_timer_note(&window->frame_timer, stopwatch_now() - begun, window_tab(window)->worked - worked,
+                     window_tab(window)->player.time != time);
 }
 
 /* Beginning and end ------------------------------------------------------------------------------------------------ */
@@ -547,7 +547,8 @@ static void loop(Window *window, Scripted *scripted) {
             window->quit = true;
     }
     if (window->options->benchmark > 0 && window->frame_timer.counting)
-        frame_timer_print(&window->frame_timer, window_tab(window)->laboratory->name, window->width, window->height);
+        frame_timer_print(&window->frame_timer, window_tab(window)->laboratory->title(window_tab(window)->session),
+                          window->width, window->height);
 }
 
 /* Opens the requested file, or the default one. */

@@ -62,12 +62,14 @@ found = act("blocked", "until answered", "until idle", "pause", "at 1.79 6.04", 
 check(found[0]["focus"] == "panel" and (found[0]["focus_help"] or "").startswith(("name", "place")),
       "7: Return on a selection goes to its first number or text", (found[0]["focus"], found[0]["focus_help"]))
 
-# a benchmark tells how busy the machine was
+# a benchmark tells how busy the machine was, and takes no picture in which nothing moves for a moving one
 done = subprocess.run([stage.program, "open", stage.house("corner-0.90-0.90"), "--benchmark-window", "0.2"], text=True,
                       capture_output=True, timeout=600,
                       env=stage.environment(stage.folder / "busy", SDL_VIDEODRIVER="offscreen"))
 check(re.search(r"used [0-9.]+ of [0-9]+ processors, load [0-9.]+$", done.stdout.strip()), "a benchmark says how busy the machine was",
       done.stdout + done.stderr)
+check(re.search(r"the first that moves after [0-9.]+ s, [0-9.]+ frames/s while something moves", done.stdout),
+      "and counts the frames in which something moves", done.stdout + done.stderr)
 
 # 20. texts that are not numbers
 name = "profile.manual-chair.width"
