@@ -14,6 +14,8 @@
 #include "platform/sdl_window.h"
 
 #define MILLI 1000.0
+#define WARM 3.0      /* s, before frames are counted; */
+#define PATIENCE 60.0 /* s, if nothing moves */
 
 double frame_timer_wait(FrameTimer *timer, bool hurried) {
     double now = stopwatch_now(), due = timer->last + 1 / FRAME_TIMER_RATE;
@@ -80,6 +82,12 @@ void frame_timer_count(FrameTimer *timer) {
     timer->worked = timer->still_time = 0;
     timer->begun = stopwatch_now();
     timer->processor = processor_time();
+}
+
+bool frame_timer_advance(FrameTimer *timer, double age, double seconds) {
+    if (!timer->counting && age > (timer->moving > 0 ? WARM : PATIENCE))
+        frame_timer_count(timer);
+    return timer->counting && stopwatch_now() - timer->begun > seconds;
 }
 
 void frame_timer_print(FrameTimer *timer, const char *what, int width, int height) {

@@ -28,6 +28,10 @@ void frame_timer_note(FrameTimer *timer, double seconds, double simulating, bool
 
 void frame_timer_count(FrameTimer *timer);
 
+/* Begins to count, `age` s after the first turn, once something moves or does not in a long time. True: frames have
+ * been counted for `seconds`. */
+bool frame_timer_advance(FrameTimer *timer, double age, double seconds);
+
 /* How busy the machine is, without which a measured time says little. */
 typedef struct FrameMachine {
     double load;     /* programs that want to run, mean of the last minute; NAN: unknown */

@@ -29,10 +29,9 @@
 
 #define PRESENT_TEXT 1.45 /* times the size of the text, in presentation mode */
 #define PRESENT_LEAST 0.7
-#define NOTE_STAY 6.0      /* s, that a note stays visible; the log (F7) keeps it */
-#define IDLE_WAIT 0.05     /* s, for an event, while nothing moves */
-#define SOUND_MOST 4096    /* samples a frame */
-#define BENCHMARK_WARM 3.0 /* s, before frames are counted */
+#define NOTE_STAY 6.0   /* s, that a note stays visible; the log (F7) keeps it */
+#define IDLE_WAIT 0.05  /* s, for an event, while nothing moves */
+#define SOUND_MOST 4096 /* samples a frame */
 
 /* Keys ------------------------------------------------------------------------------------------------------------- */
 
@@ -540,10 +539,8 @@ static void loop(Window *window, Scripted *scripted) {
         turn(window, scripted);
         if (window->options->benchmark_edit > 0 && edit_benchmark_advance(window, begun))
             window->quit = true;
-        if (window->options->benchmark > 0 && !window->frame_timer.counting && stopwatch_now() - begun > BENCHMARK_WARM)
-            frame_timer_count(&window->frame_timer);
-        if (window->options->benchmark > 0 && window->frame_timer.counting &&
-            stopwatch_now() - begun > BENCHMARK_WARM + window->options->benchmark)
+        if (window->options->benchmark > 0 &&
+            frame_timer_advance(&window->frame_timer, stopwatch_now() - begun, window->options->benchmark))
             window->quit = true;
     }
     if (window->options->benchmark > 0 && window->frame_timer.counting)
