@@ -54,6 +54,21 @@ static void add_fan(Tessellation *tessellation, Vec2 middle, const Vec2 *points,
     }
 }
 
+/* Makes two triangles of four points, if both turn the same way. */
+static bool add_halves(Tessellation *tessellation, const Vec2 *points) {
+    Vec2 diagonal = vec2_sub(points[2], points[0]);
+    double right = vec2_cross(vec2_sub(points[1], points[0]), diagonal);
+    double left = vec2_cross(diagonal, vec2_sub(points[3], points[0]));
+    if (right * left <= 0)
+        return false;
+    for (size_t half = 0; half < 2; half++) {
+        add_triangle(tessellation, points[1 + half], points[2 + half], points[0], true);
+        bool turned = right < 0; /* clockwise ones are turned round */
+        tessellation->triangles[tessellation->count - 1].border[half == 0 ? 1 : turned ? 0 : 2] = false;
+    }
+    return true;
+}
+
 /* GEOS --------------------------------------------------------------------------------------------------------------*/
 
 static GEOSGeometry *ring_area(GEOSContextHandle_t geos, const Vec2 *points, size_t count) {
@@ -164,6 +179,8 @@ void tessellation_make(Tessellation *tessellation, const Vec2 *points, const siz
     tessellation->count = 0;
     size_t first = ring_count ? starts[1] - starts[0] : 0;
     Vec2 middle = ring_count ? middle_of(points + starts[0], first) : vec2(0, 0);
+    if (ring_count == 1 && first == 4 && add_halves(tessellation, points + starts[0]))
+        return;
     if (ring_count == 1 && first >= 3 && is_seen_from(middle, points + starts[0], first))
         add_fan(tessellation, middle, points + starts[0], first);
     else
