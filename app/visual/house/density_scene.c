@@ -11,11 +11,20 @@
 
 /* Shares of the box. */
 #define KEY_HEIGHT 0.035
-#define KEY_LEFT 0.28 /* where the numbers begin; words stand to their left */
-#define KEY_WIDTH 0.14
-#define KEY_TEXT 16.0 /* design points */
+#define KEY_LEFT 0.28   /* where the numbers begin; words stand to their left */
+#define KEY_WIDTH 0.125 /* of a level; the scale of the view has room to the right of the last */
+#define KEY_TEXT 16.0   /* design points */
 
-enum { LEVELS = 5, MOST_CELLS = 4000000 };
+/* m, of a box whose cells are WIDE: narrow ones would be 3 pixels large, four times as many, and take the time that
+ * moving pictures need. */
+#define LARGE 60.0
+
+enum {
+    LEVELS = 5,
+    NARROW = 2, /* fine points on a cell's side */
+    WIDE = 4,
+    MOST_CELLS = 4000000,
+};
 
 static const double levels[LEVELS] = {0.5, 1, 1.5, 2, 3}; /* 1/m2 */
 static const Role roles[LEVELS] = {ROLE_DENSITY_FIRST, ROLE_DENSITY_SECOND, ROLE_DENSITY_THIRD, ROLE_DENSITY_FOURTH,
@@ -45,19 +54,38 @@ static void count_people(unsigned short *counts, size_t columns, size_t rows, Ve
     }
 }
 
+/* The fine points of a box in square cells of `side` by `side` of them. */
+typedef struct Grid {
+    Vec2 low; /* m */
+    size_t side, columns, rows;
+    unsigned short *counts; /* (rows, columns) of people, of fine points */
+} Grid;
+
+/* Returns counts that the caller frees; NULL: there is nobody, or the box is too large. */
+static Grid make_grid(Box box, size_t side, const Vec2 *places, size_t count) {
+    Grid grid = {.low = box.low,
+                 .side = side,
+                 .columns = side * (size_t)ceil(box_width(box) / ((double)side * FINE)),
+                 .rows = side * (size_t)ceil(box_height(box) / ((double)side * FINE))};
+    if (!count || grid.columns * grid.rows > MOST_CELLS)
+        return grid;
+    grid.counts = memory_zeroed(grid.columns * grid.rows, sizeof *grid.counts);
+    count_people(grid.counts, grid.columns, grid.rows, box.low, places, count);
+    return grid;
+}
+
 /* Returns the mean density of a cell, 1/m2. */
-static double cell_density(const unsigned short *counts, size_t columns, size_t row, size_t column) {
-    const unsigned short *at = counts + 2 * row * columns + 2 * column;
-    return (at[0] + at[1] + at[columns] + at[columns + 1]) / 4.0;
+static double cell_density(const Grid *grid, size_t row, size_t column) {
+    unsigned sum = 0;
+    for (size_t r = row * grid->side; r < (row + 1) * grid->side; r++)
+        for (size_t c = column * grid->side; c < (column + 1) * grid->side; c++)
+            sum += grid->counts[r * grid->columns + c];
+    return (double)sum / (double)(grid->side * grid->side);
 }
 
-static int cell_level(const unsigned short *counts, size_t columns, size_t row, size_t column) {
-    return level_of(cell_density(counts, columns, row, column));
-}
-
-static void add_run(Scene *scene, Vec2 low, size_t row, size_t first, size_t end, int level) {
-    double size = 2 * FINE, y = low.y + (double)row * size, left = low.x + (double)first * size,
-           right = low.x + (double)end * size;
+static void add_run(Scene *scene, const Grid *grid, size_t row, size_t first, size_t end, int level) {
+    double size = (double)grid->side * FINE, y = grid->low.y + (double)row * size;
+    double left = grid->low.x + (double)first * size, right = grid->low.x + (double)end * size;
     Vec2 corners[] = {{left, y}, {right, y}, {right, y + size}, {left, y + size}};
     Primitive *cells = scene_add_polygon(scene, roles[level], corners, 4);
     cells->fill_opacity = OPACITY;
@@ -67,40 +95,33 @@ static void add_run(Scene *scene, Vec2 low, size_t row, size_t first, size_t end
 }
 
 double density_scene_area(Box box, const Vec2 *places, size_t count, double least) {
-    size_t columns = 2 * (size_t)ceil(box_width(box) / (2 * FINE)), cells = 0,
-           rows = 2 * (size_t)ceil(box_height(box) / (2 * FINE));
-    if (!count || columns * rows > MOST_CELLS)
-        return 0;
-    unsigned short *counts = memory_zeroed(columns * rows, sizeof *counts);
-    count_people(counts, columns, rows, box.low, places, count);
-    for (size_t r = 0; r < rows / 2; r++)
-        for (size_t c = 0; c < columns / 2; c++)
-            cells += cell_density(counts, columns, r, c) >= least;
-    memory_free(counts);
-    return (double)cells * 4 * FINE * FINE;
+    Grid grid = make_grid(box, NARROW, places, count);
+    size_t cells = 0;
+    for (size_t r = 0; grid.counts && r < grid.rows / grid.side; r++)
+        for (size_t c = 0; c < grid.columns / grid.side; c++)
+            cells += cell_density(&grid, r, c) >= least;
+    memory_free(grid.counts);
+    double size = NARROW * FINE;
+    return (double)cells * size * size;
 }
 
 void density_scene_add(Scene *scene, Box box, const Vec2 *places, size_t count) {
-    size_t columns = 2 * (size_t)ceil(box_width(box) / (2 * FINE)),
-           rows = 2 * (size_t)ceil(box_height(box) / (2 * FINE));
-    if (!count || columns * rows > MOST_CELLS)
-        return;
-    unsigned short *counts = memory_zeroed(columns * rows, sizeof *counts);
-    count_people(counts, columns, rows, box.low, places, count);
-    for (size_t r = 0; r < rows / 2; r++) {
+    Grid grid = make_grid(box, fmax(box_width(box), box_height(box)) > LARGE ? WIDE : NARROW, places, count);
+    size_t columns = grid.columns / grid.side;
+    for (size_t r = 0; grid.counts && r < grid.rows / grid.side; r++) {
         size_t first = 0;
         int level = -1;
-        for (size_t c = 0; c <= columns / 2; c++) {
-            int now = c < columns / 2 ? cell_level(counts, columns, r, c) : -1;
+        for (size_t c = 0; c <= columns; c++) {
+            int now = c < columns ? level_of(cell_density(&grid, r, c)) : -1;
             if (now == level)
                 continue;
             if (level >= 0)
-                add_run(scene, box.low, r, first, c, level);
+                add_run(scene, &grid, r, first, c, level);
             first = c;
             level = now;
         }
     }
-    memory_free(counts);
+    memory_free(grid.counts);
 }
 
 /* Adds words about the numbers where they have room; false-coloured numbers alone would say nothing, so a short form

@@ -1,5 +1,6 @@
 /* How crowded a place is: people on a square metre, as colour, with its key. The density at a point is the number of
- * people whose reference point lies in the disc of 1 m2 round it; a cell of 0.5 m shows the mean of four points. */
+ * people whose reference point lies in the disc of 1 m2 round it; a cell of 0.5 m shows the mean of four points, and in
+ * a box of more than 60 m one of 1 m the mean of sixteen. */
 #pragma once
 
 #include "draw/scene.h"
