@@ -12,7 +12,7 @@
 /* Shares of the box. */
 #define KEY_HEIGHT 0.035
 #define KEY_LEFT 0.28   /* where the numbers begin; words stand to their left */
-#define KEY_WIDTH 0.125 /* of a level; the scale of the view has room to the right of the last */
+#define KEY_WIDTH 0.132 /* of a level; the scale of the view has room to the right of the last */
 #define KEY_TEXT 16.0   /* design points */
 
 /* m, of a box whose cells are WIDE: narrow ones would be 3 pixels large, four times as many, and take the time that
