@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "plan/plan_geometry.h"
+#include "space/unite.h"
 
 /* m: largest distance of an edge's middle from the solid to which it belongs, a few steps of the grid. */
 static const double OWNER_TOLERANCE = 1e-5;
@@ -300,7 +301,7 @@ static GEOSGeometry *unite_parts(Solids *solids) {
     GEOSGeometry *all =
         GEOSGeom_createCollection_r(solids->geos, GEOS_GEOMETRYCOLLECTION, solids->parts, (unsigned)solids->part_count);
     solids->part_count = 0; /* the collection owns them now */
-    GEOSGeometry *united = all ? GEOSUnaryUnionPrec_r(solids->geos, all, SOLIDS_GRID) : NULL;
+    GEOSGeometry *united = all ? unite_polygons(solids->geos, all, SOLIDS_GRID) : NULL;
     GEOSGeom_destroy_r(solids->geos, all);
     if (united && !solids->failed)
         return united;

@@ -150,7 +150,7 @@ check_order() {
     forbid 'BLAS outside the spectrum' '#include *<cblas' $(sources engine app | grep -v mechanics/spectrum.c)
     forbid 'zip files and XML outside the homes' '#include *<(zip|expat)' $(sources engine app | grep -v exchange/sh3d_home.c)
     forbid 'GEOS outside what unites, reads and writes areas' '#include *<geos' \
-        $(sources engine app | grep -vE '(app/paint/tessellation|engine/(space/solids|exchange/(jupedsim|wkt)))\.[ch]')
+        $(sources engine app | grep -vE '(app/paint/tessellation|engine/(space/(solids|unite)|exchange/(jupedsim|wkt)))\.[ch]')
     forbid 'an importer outside the table of them' '#include "exchange/(sh3d|dxf|wkt|vadere|house_builder|house_finish|wall_chains)' \
         $(sources engine app | grep -v engine/exchange/)
     forbid "a test's file outside its temporary folder" '"/tmp/[^"]*XXXXXX' $(sources tests/app tests/engine tests/support)
