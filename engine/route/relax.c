@@ -180,7 +180,7 @@ static double curvature(const Way *way, size_t s) {
     return 0;
 }
 
-static double *face_terms(const Relax *relax, const Site *site, Vec2 at, Vec2 axis, double step, double *term) {
+static void face_terms(const Relax *relax, const Site *site, Vec2 at, Vec2 axis, double step, double *term) {
     Vec2 middle = middle_of(relax, at, axis);
     double hard = sqrt(relax->mu * step), soft = sqrt(relax->comfort * step);
     for (int f = 0; f < site->count; f++) {
@@ -189,35 +189,54 @@ static double *face_terms(const Relax *relax, const Site *site, Vec2 at, Vec2 ax
         *term++ = hard * real_max(relax->margin - clearance, 0);
         *term++ = soft * real_max(RELAX_COMFORT - clearance, 0);
     }
-    return term;
 }
 
-/* Fills in the terms of the stations low to high. */
-static void evaluate(const Relax *relax, size_t low, size_t high, double *terms) {
+/* True if a station is where it was before a probe moved some of those from `low` to `high`. */
+static bool stands(const Way *way, const Station *before, size_t low, size_t high, size_t s) {
+    return s > high || memcmp(&before[s - low], &way->stations[s], sizeof *before) == 0;
+}
+
+/* Fills in the terms of the stations low to high. `before` holds these stations as they were before a probe, with
+ * relax->terms, which are taken over where the body has not moved; NULL: every term is computed. */
+static void evaluate(const Relax *relax, size_t low, size_t high, const Station *before, double *terms) {
     const Way *way = relax->way;
     double bend = curvature(way, low);
+    bool still = before && stands(way, before, low, high, low);
     for (size_t s = low; s <= high; s++) {
         const Station *station = &way->stations[s];
         const WayPiece *piece = &way->pieces[station->piece];
         double *term = terms + (relax->starts[s] - relax->starts[low]), step = piece->step;
         double next = s + 1 < way->count ? curvature(way, s + 1) : 0;
+        bool here = still; /* True if the body has not moved at the station; `still`: nor at the next one */
+        still = before && stands(way, before, low, high, s + 1);
         *term++ = sqrt(relax->bending * G1 * step) * bend;
         *term++ = s < piece->last ? sqrt(relax->bending * G2 / step) * (next - bend) : 0;
         *term++ = s < piece->last ? sqrt(G0 * vec2_distance(station->at, station[1].at)) : 0;
         bend = next;
-        term = face_terms(relax, &relax->at[s], station->at, station->axis, step, term);
+        if (here && still) {
+            size_t first = relax->starts[s] + 3;
+            memcpy(term, relax->terms + first, (relax->starts[s + 1] - first) * sizeof *term);
+            continue;
+        }
+        size_t faces = (size_t)relax->at[s].count;
+        if (here)
+            memcpy(term, relax->terms + relax->starts[s] + 3, 2 * faces * sizeof *term);
+        else
+            face_terms(relax, &relax->at[s], station->at, station->axis, step, term);
+        term += 2 * faces;
         for (int i = 0; i < relax->places[s]; i++) {
             const Site *site = &relax->middle[s * WAY_MOST_BETWEEN + (size_t)i];
             if (!site->count)
                 continue;
             Station between = way_between(way, s, (i + 1.0) / (relax->places[s] + 1));
-            term = face_terms(relax, site, between.at, between.axis, step, term);
+            face_terms(relax, site, between.at, between.axis, step, term);
+            term += 2 * site->count;
         }
         if (s == piece->first && way->joints[station->piece].turns)
             for (int i = 0; i < relax->spot_counts[station->piece]; i++) {
                 size_t spot = station->piece * SPOTS + (size_t)i;
-                term = face_terms(relax, &relax->spots[spot], station->at, vec2_heading(relax->headings[spot]), step,
-                                  term);
+                face_terms(relax, &relax->spots[spot], station->at, vec2_heading(relax->headings[spot]), step, term);
+                term += 2 * relax->spots[spot].count;
             }
     }
 }
@@ -234,7 +253,7 @@ static void evaluate_pins(const Relax *relax, double *terms) {
 static double energy(const Relax *relax) {
     size_t count = relax->starts[relax->way->count] + relax->way->pin_count;
     double sum = 0;
-    evaluate(relax, 0, relax->way->count - 1, relax->terms);
+    evaluate(relax, 0, relax->way->count - 1, NULL, relax->terms);
     evaluate_pins(relax, relax->terms);
     for (size_t i = 0; i < count; i++)
         sum += relax->terms[i] * relax->terms[i];
@@ -301,7 +320,7 @@ static void differentiate(Relax *relax, const Unknown *unknown, const Column *co
     memcpy(kept, way->stations + low, count * sizeof *kept);
     change(way, unknown, PROBE);
     way_set_axes(way, low, unknown->high);
-    evaluate(relax, low, unknown->high, room);
+    evaluate(relax, low, unknown->high, kept, room);
     for (size_t i = 0; i < column->count; i++)
         column->slopes[i] = (room[i] - relax->terms[column->first + i]) / PROBE;
     for (size_t p = 0; p < way->pin_count; p++) {
