@@ -83,6 +83,7 @@ typedef struct Planning {
     Journeys *journeys;
     bool again;             /* True if people are moving already */
     bool keep;              /* True to keep the former journey of a chair without a new path */
+    bool whether;           /* as in a RouteQuery, with all_or_none */
     bool all_or_none;       /* True to stop at the first person without a path; on one thread */
     bool failed;            /* True if a person has no path */
     bool interrupted;       /* True if the path of a person is not known; both are set only with all_or_none */
@@ -130,6 +131,7 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place) {
                         .most_reversals = house->plan.run.reversals,
                         .brief = planning->journeys->brief || planning->keep,
                         .any = planning->all_or_none,
+                        .whether = planning->whether,
                         .fields = planning->journeys->fields,
                         .recall = planning->journeys->recall,
                         .stop = planning->stop};
@@ -365,7 +367,7 @@ Journeys journey_follow(const Journeys *known, const House *house, const bool *p
 }
 
 JourneyAnswer journey_possible(const House *house, const bool *part, const Stop *stop) {
-    Planning planning = {.house = house, .stop = stop, .all_or_none = true};
+    Planning planning = {.house = house, .stop = stop, .all_or_none = true, .whether = true};
     Journeys journeys = plan_from_start(&planning, part, true, 1);
     journey_free_all(&journeys);
     return planning.failed ? JOURNEY_IMPOSSIBLE : planning.interrupted ? JOURNEY_INTERRUPTED : JOURNEY_POSSIBLE;

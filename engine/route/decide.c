@@ -151,7 +151,7 @@ static bool improve(Decide *decide, Way *way, double margin) {
  * a way without pieces. Returns false if interrupted. */
 static bool make_free(Decide *decide, Way *way, double comfort) {
     const RouteQuery *query = decide->query;
-    RelaxOptions options = {decide->margin, BARELY, comfort, query->stop};
+    RelaxOptions options = {decide->margin, BARELY, comfort, query->whether, query->stop};
     double kept = relax_way(way, query->space, decide->body, &options);
     if (stop_requested(query->stop))
         return false;

@@ -152,6 +152,7 @@ static Bytes make_key(const RecallQuestion *question) {
                               question->depth,
                               question->coarsely,
                               query->any,
+                              query->whether,
                               query->most_reversals,
                               query->at.x,
                               query->at.y,

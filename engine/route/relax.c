@@ -496,7 +496,7 @@ double relax_way(Way *way, const FreeSpace *space, const Rectangle *body, const 
             way_free(&good);
             good = way_copy(way);
         }
-        done = (free && s + 1 >= NEEDED) || clearance < options->margin - stage->hopeless;
+        done = (free && (options->soon || s + 1 >= NEEDED)) || clearance < options->margin - stage->hopeless;
     }
     if (good.count) {
         way_free(way);

@@ -10,6 +10,7 @@ typedef struct RelaxOptions {
     double margin;  /* m, that is kept where there is room */
     double barely;  /* m, that is enough where there is none */
     double comfort; /* 1 */
+    bool soon;      /* True to end as soon as the way is free, however uncomfortable it is */
     const Stop *stop;
 } RelaxOptions;
 

@@ -53,6 +53,7 @@ static WidenAnswer ask(const RouteQuery *query, size_t door, int width, const Re
         wider.plan = &plan;
         wider.space = &space;
         wider.fields = fields_create();
+        wider.any = wider.whether = true;
         SearchTrack track = {0};
         DecideAnswer decided = decide_quickly(&wider, body, goals, goal_count, &track);
         search_track_clear(&track);
