@@ -403,13 +403,27 @@ static double square_to_rectangle(Vec2 p, double half_length, double half_width)
 }
 
 /* Returns the distance of a rectangle about the origin from a segment that does not meet it: the root of the least
- * square, which is the least root to the bit. */
+ * square, which is the least root to the bit. Corners that are clearly farther than another one from the line, abreast
+ * of the segment, or that lie before its begin, are left out. */
 static double rectangle_distance(Vec2 p, Vec2 q, double half_length, double half_width) {
     double best =
         least(square_to_rectangle(p, half_length, half_width), square_to_rectangle(q, half_length, half_width));
+    Vec2 along = vec2_sub(q, p);
+    double square = vec2_dot(along, along), nearest = sqrt(best * square); /* times the segment's length, as `away` */
+    double passed[4], away[4];
     for (int corner = 0; corner < 4; corner++) {
+        Vec2 from = {(corner & 1 ? half_length : -half_length) - p.x, (corner & 2 ? half_width : -half_width) - p.y};
+        passed[corner] = vec2_dot(from, along);
+        away[corner] = fabs(vec2_cross(from, along));
+        if (passed[corner] > 0 && passed[corner] < square)
+            nearest = least(nearest, away[corner]);
+    }
+    for (int corner = 0; corner < 4; corner++) {
+        if (!(passed[corner] > 0) || away[corner] > nearest * (1 + HAIR))
+            continue;
         Vec2 at = {corner & 1 ? half_length : -half_length, corner & 2 ? half_width : -half_width};
-        Vec2 from = vec2_sub(at, vec2_nearest_on_segment(at, p, q));
+        double part = passed[corner] / square;
+        Vec2 from = vec2_sub(at, vec2_along(p, part > 1 ? 1 : part, along));
         best = least(best, vec2_dot(from, from));
     }
     return sqrt(best);
