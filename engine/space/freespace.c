@@ -23,7 +23,7 @@
 
 enum {
     FEW_ENTRIES = 64,            /* entries of a bucket: fewer are sorted faster by insertion */
-    LANES = 8,                   /* points of a row processed at once, so that the compiler can use vectors */
+    LANES = 8,                   /* points of a row processed at once */
     MOST_BUCKETS = 4000000,      /* buckets are made larger rather than exceed this number */
     MOST_BUCKET_FACES = 16000000 /* approximate largest number of faces in all buckets */
 };
@@ -68,27 +68,31 @@ static bool row_span(const Face *face, double y, double reach, double *low, doub
     return true;
 }
 
+/* LANES points of a row, and those of them in memory. */
+typedef float Lanes __attribute__((vector_size(LANES * sizeof(float))));
+typedef Lanes LanesAt __attribute__((aligned(sizeof(float)), may_alias));
+typedef int Mask __attribute__((vector_size(LANES * sizeof(int))));
+#define CHOSEN(where, yes, no) ((Lanes)(((Mask)(yes) & (where)) | ((Mask)(no) & ~(where))))
+
 /* Lowers the squared distances of points first to last - 1 of a row, in whole lanes, to those from a face. */
-static void lower_row(float *row, int first, int last, Vec2 from, double cell, const Face *face) {
+static inline __attribute__((always_inline)) void lower_row(float *row, int first, int last, Vec2 from, double cell,
+                                                            const Face *face) {
     Vec2 along = vec2_sub(face->b, face->a);
     double square = vec2_dot(along, along);
     float ex = (float)along.x, ey = (float)along.y, inverse = square > 0 ? (float)(1 / square) : 0;
-    float dy = (float)(from.y - face->a.y), ey_dy = ey * dy, step = (float)cell;
+    float dy = (float)(from.y - face->a.y), ey_dy = ey * dy;
+    const Lanes steps = (Lanes){0, 1, 2, 3, 4, 5, 6, 7} * (float)cell, one = {1, 1, 1, 1, 1, 1, 1, 1};
     for (int i = first; i < last; i += LANES) {
-        float x = (float)(from.x + i * cell - face->a.x);
-        float *lane = row + i;
-        for (int k = 0; k < LANES; k++) {
-            float dx = x + (float)k * step;
-            float t = (dx * ex + ey_dy) * inverse;
-            t = t < 0 ? 0 : t;
-            t = t > 1 ? 1 : t;
-            float px = dx - t * ex, py = dy - t * ey, d = px * px + py * py;
-            lane[k] = d < lane[k] ? d : lane[k];
-        }
+        Lanes dx = (float)(from.x + i * cell - face->a.x) + steps, before = *(LanesAt *)(row + i);
+        Lanes t = (dx * ex + ey_dy) * inverse;
+        t = (Lanes)((Mask)t & ~(t < 0));
+        t = CHOSEN(t > 1, one, t);
+        Lanes px = dx - t * ex, py = dy - t * ey, d = px * px + py * py;
+        *(LanesAt *)(row + i) = CHOSEN(d < before, d, before);
     }
 }
 
-static void lower_distances(FreeSpace *space, const Face *face) {
+static inline __attribute__((always_inline)) void lower_distances(FreeSpace *space, const Face *face) {
     double reach = FREESPACE_FARTHEST, bottom = least(face->a.y, face->b.y) - reach - space->origin.y;
     double top = greatest(face->a.y, face->b.y) + reach - space->origin.y;
     int last_row = whole(floor(top / space->cell), -1, space->ny - 1);
@@ -102,6 +106,29 @@ static void lower_distances(FreeSpace *space, const Face *face) {
         lower_row(space->distance + (size_t)j * (size_t)space->nx, first, last, vec2(space->origin.x, y), space->cell,
                   face);
     }
+}
+
+static inline __attribute__((always_inline)) void lower_by_all(FreeSpace *space) {
+    for (size_t f = 0; f < space->outline->face_count; f++)
+        if (outline_planned(space->outline->faces[f].presence))
+            lower_distances(space, &space->outline->faces[f]);
+}
+
+/* The same code compiled for wider vectors, chosen at run time. */
+#if defined __x86_64__
+__attribute__((target("avx2"))) static void lower_eight(FreeSpace *space) {
+    lower_by_all(space);
+}
+#endif
+
+static void lower_all(FreeSpace *space) {
+#if defined __x86_64__
+    if (__builtin_cpu_supports("avx2")) {
+        lower_eight(space);
+        return;
+    }
+#endif
+    lower_by_all(space);
 }
 
 /* Marks, in each row that the edge crosses, the first point beyond it. */
@@ -148,9 +175,7 @@ static void build_distances(FreeSpace *space) {
     space->distance = memory_zeroed(points, sizeof *space->distance);
     for (size_t i = 0; i < points; i++)
         space->distance[i] = (float)(FREESPACE_FARTHEST * FREESPACE_FARTHEST);
-    for (size_t f = 0; f < space->outline->face_count; f++)
-        if (outline_planned(space->outline->faces[f].presence))
-            lower_distances(space, &space->outline->faces[f]);
+    lower_all(space);
     for (size_t i = 0; i < points; i++)
         space->distance[i] = sqrtf(space->distance[i]);
     negate_inside(space);
