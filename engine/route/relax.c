@@ -404,13 +404,27 @@ static void take(Relax *relax, const double *step) {
     way_set_axes(way, 0, way->count - 1);
 }
 
+/* True if a way can be driven: it reaches its goals, its stations are dense enough for its bends, and it keeps a
+ * margin.
+ */
+static bool is_drivable(const Way *way, const FreeSpace *space, const Rectangle *body, double margin) {
+    return way_reaches_goals(way) && way_is_smooth(way, 0, way->count - 1) && way_swept(way, space, body, margin);
+}
+
+/* True if, besides, it has that margin at its stations: this is sooner known of a way that has not. */
+static bool is_free(const Way *way, const FreeSpace *space, const Rectangle *body, double margin) {
+    return way_clearance(way, space, body, margin) >= margin && is_drivable(way, space, body, margin);
+}
+
 /* One stage. Returns false if interrupted. */
-static bool run_stage(Relax *relax, int iterations, const Stop *stop) {
+static bool run_stage(Relax *relax, int iterations, const RelaxOptions *options) {
     Way *way = relax->way;
     double damping = FIRST_DAMPING;
     for (int iteration = 0; iteration < iterations; iteration++) {
-        if (stop_requested(stop))
+        if (stop_requested(options->stop))
             return false;
+        if (options->soon && is_free(way, relax->space, relax->body, options->margin * ALMOST))
+            break;
         look_around(relax);
         choose_unknowns(relax);
         size_t n = relax->unknown_count, size = n * (BAND + 1);
@@ -462,13 +476,6 @@ static void relax_release(Relax *relax) {
     memory_free(relax->unknowns);
 }
 
-/* True if a way can be driven: it reaches its goals, its stations are dense enough for its bends, and it keeps a
- * margin.
- */
-static bool is_drivable(const Way *way, const FreeSpace *space, const Rectangle *body, double margin) {
-    return way_reaches_goals(way) && way_is_smooth(way, 0, way->count - 1) && way_swept(way, space, body, margin);
-}
-
 double relax_way(Way *way, const FreeSpace *space, const Rectangle *body, const RelaxOptions *options) {
     double enough = options->margin * ALMOST, clearance = 0;
     Way good = {0}; /* the latest drivable one */
@@ -484,7 +491,7 @@ double relax_way(Way *way, const FreeSpace *space, const Rectangle *body, const 
                        .bending = stage->bending};
         way_resample(way, stage->spacing);
         relax_reserve(&relax);
-        bool whole = run_stage(&relax, stage->iterations, options->stop);
+        bool whole = run_stage(&relax, stage->iterations, options);
         relax_release(&relax);
         if (!whole) {
             way_free(&good);
