@@ -37,7 +37,7 @@
 #define UNDECIDED_LENGTH 30.0F /* 1, factor on the lengths of cells with an open answer: others are preferred */
 #define WIDE_ENOUGH 0.2        /* m: growth at one placement is known up to this much more than the cap */
 
-enum { ROOT_TURNS = 12, MOST_LEVEL = 9, MOST_HALVINGS = 6, MOST_CELLS = 1 << 21, KEY_OFFSET = 1 << 20 };
+enum { STEPS = 6, ROOT_TURNS = 12, MOST_LEVEL = 9, MOST_HALVINGS = 6, MOST_CELLS = 1 << 21, KEY_OFFSET = 1 << 20 };
 
 typedef enum Seen { SEEN_NOT, SEEN_OPEN, SEEN_SETTLED } Seen;
 
@@ -45,7 +45,7 @@ typedef struct Cell {
     int x, y, turn;  /* place among the cells of its level */
     int level;       /* 0: largest; a cell of the next level is half as large in each of the three directions */
     int child;       /* first of eight, 0: not split */
-    int root;        /* the largest cell around it */
+    int top;         /* the largest cell around it, as an index of `tops` */
     Vec2 at;         /* m, its middle */
     float low, high; /* m, bounds of the growth of all placements */
     Seen seen;       /* in the search for this goal */
@@ -57,7 +57,7 @@ typedef struct Cell {
 
 typedef struct Root {
     uint64_t key; /* 0: empty */
-    int cell;
+    int top;
 } Root;
 
 /* A cell from which the search continues. */
@@ -81,7 +81,9 @@ typedef struct Tree {
     double floor; /* m: cells with less are never entered */
     Cell *cells;  /* [0] is not used */
     size_t count, capacity;
-    Root *roots;
+    Ints tops;   /* the largest cells */
+    Ints beside; /* (STEPS for each of them) those next to it, as indices of `tops`; -1: not looked for yet */
+    Root *roots; /* where each top is */
     size_t root_count, root_capacity;
     Frontier *heap;
     size_t heap_count, heap_capacity;
@@ -164,7 +166,8 @@ static int add_cell(Tree *tree, const Cell *cell) {
     return (int)tree->count++;
 }
 
-static int root_of(Tree *tree, int x, int y, int turn) {
+/* Returns the largest cell at a place, as an index of `tops`. */
+static int top_of(Tree *tree, int x, int y, int turn) {
     bool fresh;
     uint64_t key =
         ((uint64_t)(x + KEY_OFFSET) << 32) ^ ((uint64_t)(y + KEY_OFFSET) << 4) ^ (uint64_t)turn ^ ((uint64_t)1 << 63);
@@ -172,10 +175,12 @@ static int root_of(Tree *tree, int x, int y, int turn) {
     if (fresh) {
         Cell cell = {.x = x, .y = y, .turn = turn};
         bound(tree, &cell, NULL);
-        cell.root = (int)tree->count;
-        root->cell = add_cell(tree, &cell);
+        cell.top = root->top = (int)tree->tops.count;
+        ints_add(&tree->tops, add_cell(tree, &cell));
+        for (int s = 0; s < STEPS; s++)
+            ints_add(&tree->beside, -1);
     }
-    return root->cell;
+    return root->top;
 }
 
 static void split(Tree *tree, int index) {
@@ -186,7 +191,7 @@ static void split(Tree *tree, int index) {
                      .y = 2 * parent.y + (part >> 1 & 1),
                      .turn = 2 * parent.turn + (part >> 2 & 1),
                      .level = parent.level + 1,
-                     .root = parent.root};
+                     .top = parent.top};
         bound(tree, &cell, &parent);
         int added = add_cell(tree, &cell);
         first = first ? first : added;
@@ -195,9 +200,9 @@ static void split(Tree *tree, int index) {
     ints_add(&tree->changed, index);
 }
 
-/* Returns the cell at a place of a level within a root, or the larger one around it that is not split. */
-static int cell_within(const Tree *tree, int root, int x, int y, int turn, int level) {
-    int cell = root;
+/* Returns the cell at a place of a level within a largest one, or the larger one around it that is not split. */
+static int cell_within(const Tree *tree, int top, int x, int y, int turn, int level) {
+    int cell = tree->tops.at[top];
     for (int l = level - 1; l >= 0 && tree->cells[cell].child; l--)
         cell = tree->cells[cell].child + ((x >> l & 1) | (y >> l & 1) << 1 | (turn >> l & 1) << 2);
     return cell;
@@ -207,22 +212,24 @@ static int cell_within(const Tree *tree, int root, int x, int y, int turn, int l
 static int start_cell(Tree *tree) {
     int turns = ROOT_TURNS << MOST_LEVEL, turn = (int)(tree->turned / ldexp(2 * ROOT_TURN, -MOST_LEVEL));
     turn = turn < turns ? turn : turns - 1;
-    return cell_within(tree, root_of(tree, 0, 0, turn >> MOST_LEVEL), 0, 0, turn, MOST_LEVEL);
+    return cell_within(tree, top_of(tree, 0, 0, turn >> MOST_LEVEL), 0, 0, turn, MOST_LEVEL);
 }
 
 /* The steps to the neighbours of a cell. */
 static const struct Step {
     int x, y, turn;
-} steps[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+} steps[STEPS] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
 
 static int neighbour(Tree *tree, int index, const struct Step *step) {
-    Cell cell = tree->cells[index];
-    int level = cell.level, turns = ROOT_TURNS << level, root = cell.root;
-    int x = cell.x + step->x, y = cell.y + step->y, turn = (cell.turn + step->turn + turns) % turns;
-    const Cell *around = &tree->cells[root];
-    if (x >> level != around->x || y >> level != around->y || turn >> level != around->turn)
-        root = root_of(tree, x >> level, y >> level, turn >> level);
-    return cell_within(tree, root, x, y, turn, level);
+    const Cell *cell = &tree->cells[index];
+    int level = cell->level, turns = ROOT_TURNS << level, top = cell->top;
+    int x = cell->x + step->x, y = cell->y + step->y, turn = (cell->turn + step->turn + turns) % turns;
+    if (x >> level != cell->x >> level || y >> level != cell->y >> level || turn >> level != cell->turn >> level) {
+        int place = STEPS * top + (int)(step - steps), beside = tree->beside.at[place];
+        top = beside < 0 ? top_of(tree, x >> level, y >> level, turn >> level) : beside;
+        tree->beside.at[place] = top;
+    }
+    return cell_within(tree, top, x, y, turn, level);
 }
 
 static bool is_undecided(const Cell *cell, double width) {
@@ -230,8 +237,7 @@ static bool is_undecided(const Cell *cell, double width) {
            (double)(cell->high - cell->low) > FIT_RESOLUTION / 2;
 }
 
-/* The goal -----------------------------------------------------------------------------------------------------------
- */
+/* The goal ------------------------------------------------------------------------------------------------------- */
 
 typedef enum Reach { REACH_NOT, REACH_PERHAPS, REACH_SURELY } Reach;
 
@@ -262,8 +268,7 @@ static Reach reach_line(const Cell *cell, Vec2 axle, double sway, Vec2 from, Vec
 static Reach reach_point(const Cell *cell, Vec2 axle, double sway, Vec2 at, double radius) {
     double half = half_side(cell) + ON_THE_LINE;
     Vec2 apart = vec2_sub(at, axle);
-    Vec2 rest = {fmax(fabs(apart.x) - half, 0), fmax(fabs(apart.y) - half, 0)};
-    double least = vec2_length(rest);
+    double least = vec2_length(vec2(fmax(fabs(apart.x) - half, 0), fmax(fabs(apart.y) - half, 0)));
     return least <= radius ? REACH_SURELY : least <= radius + sway ? REACH_PERHAPS : REACH_NOT;
 }
 
@@ -303,8 +308,7 @@ static Reach reach_goal(const Tree *tree, const Cell *cell) {
     return best;
 }
 
-/* The search ---------------------------------------------------------------------------------------------------------
- */
+/* The search ----------------------------------------------------------------------------------------------------- */
 
 static bool before(Frontier a, Frontier b) {
     if (a.widest > b.widest || a.widest < b.widest)
@@ -356,7 +360,7 @@ static void visit_side(Tree *tree, int index, const struct Step *step, int from,
 }
 
 static void visit_neighbours(Tree *tree, int index, void (*visit)(Tree *tree, int index, int from)) {
-    for (int s = 0; s < 6; s++)
+    for (int s = 0; s < STEPS; s++)
         visit_side(tree, neighbour(tree, index, &steps[s]), &steps[s], index, visit);
 }
 
@@ -515,7 +519,7 @@ static bool refine(Tree *tree, int last) {
     int *doubtful = doubtful_cells(tree, last, width, &count);
     for (size_t i = 0; i < count; i++) {
         int level = tree->cells[doubtful[i]].level;
-        for (int s = 0; s < 6; s++) {
+        for (int s = 0; s < STEPS; s++) {
             int beside = neighbour(tree, doubtful[i], &steps[s]);
             const Cell *cell = &tree->cells[beside];
             if (!cell->child && cell->level <= level && is_undecided(cell, width) && (double)cell->high >= tree->floor)
@@ -543,10 +547,7 @@ static void note_tightest(const Tree *tree, int last, FitPlace *place) {
         if (tree->cells[cell].high < tree->cells[tightest].high)
             tightest = cell;
     const Cell *cell = &tree->cells[tightest];
-    place->centre = cell->at;
-    place->heading = heading_of(cell);
-    place->margin = (double)tree->cells[last].widest;
-    place->far = true;
+    *place = (FitPlace){cell->at, heading_of(cell), (double)tree->cells[last].widest, place->face, true};
     fit_find_face(tree->query->space, tree->body, place);
 }
 
@@ -590,6 +591,8 @@ FitAnswer fit_margin(const RouteQuery *query, const Rectangle *body, const Goal 
     memory_free(tree.settled.at);
     memory_free(tree.changed.at);
     memory_free(tree.roots);
+    memory_free(tree.tops.at);
+    memory_free(tree.beside.at);
     memory_free(tree.heap);
     tightest->margin -= FIT_RESOLUTION;
     return stop_requested(query->stop) ? FIT_INTERRUPTED : FIT_KNOWN;
