@@ -341,7 +341,8 @@ static void search_drive(Route *route, const RouteQuery *query, const Legs *legs
     SearchTrack track = {0};
     FitPlace tightest;
     bool whole = true;
-    switch (decide_way(query, body, legs->goals, legs->count, SHALLOW, &track, pins, &tightest)) {
+    double depth = query->whether ? 0 : SHALLOW;
+    switch (decide_way(query, body, legs->goals, legs->count, depth, &track, pins, &tightest)) {
     case DECIDE_FOUND:
         go_beyond_exit(&track, query, body);
         measure(&track, query, body);
