@@ -23,6 +23,8 @@
 
 #define SWEEP_REACH 0.25 /* m, larger clearance is not computed */
 
+#define HAIR 1e-6 /* m, above the rounding errors of places */
+
 #define SAMPLE 0.04 /* m, between the poses of a finished track */
 
 static const double radii[] = {0.35, 0.6, 1.0, 2.0}; /* m: the median turning radius of drivers is 1.09 */
@@ -47,6 +49,7 @@ typedef struct Primitive {
     double reach;      /* m, upper bound of the motion of any point of the body */
     double slowest;    /* s, least duration */
     int direction;     /* +1, -1, 0 on the spot */
+    int units;         /* of turn */
     Part parts[PARTS]; /* after k / PARTS of the motion */
 } Primitive;
 
@@ -88,6 +91,7 @@ typedef struct Search {
     Primitive primitives[MOST_PRIMITIVES];
     int primitive_count;
     int turns;        /* number of headings in a full turn */
+    double longest;   /* m, between the ends of a motion */
     double stop_time; /* s, lost by stopping or by starting */
     Vec2 origin;      /* m, the start */
     double bearing;   /* rad */
@@ -181,6 +185,8 @@ static void add_primitive(Search *search, int direction, double length, double t
     Node begin = {.axis = {1, 0}}, end = moved(&begin, primitive, 1);
     primitive->chord = end.at;
     primitive->rotation = end.axis;
+    primitive->units = (int)round(turn / search->grain->turn);
+    search->longest = fmax(search->longest, vec2_length(end.at));
     for (int k = 1; k < PARTS; k++)
         primitive->parts[k] = part_of(primitive, (double)k / PARTS);
 }
@@ -246,13 +252,22 @@ static int64_t rounded(double value) {
     return (int64_t)(value < 0 ? value - 0.5 : value + 0.5);
 }
 
-static uint64_t node_key(const Search *search, const Node *node) {
+/* Returns which of the headings of a full turn a node has. */
+static int heading_index(const Search *search, const Node *node) {
+    int all = search->turns, turns = (int)rounded((node->heading - search->bearing) / search->grain->turn) % all;
+    return turns < 0 ? turns + all : turns;
+}
+
+static uint64_t key_of(const Search *search, const Node *node, int turns) {
     double cell = search->grain->cell;
     int64_t x = rounded((node->at.x - search->origin.x) / cell), y = rounded((node->at.y - search->origin.y) / cell);
-    int all = search->turns, turns = (int)rounded((node->heading - search->bearing) / search->grain->turn) % all;
-    uint64_t turn = (uint64_t)(turns < 0 ? turns + all : turns), side = (uint64_t)(node->last + 1);
+    uint64_t turn = (uint64_t)turns, side = (uint64_t)(node->last + 1);
     return ((uint64_t)(x + (1 << 24)) << 38) ^ ((uint64_t)(y + (1 << 24)) << 12) ^ (turn << 2) ^ side ^
            ((uint64_t)1 << 63);
+}
+
+static uint64_t node_key(const Search *search, const Node *node) {
+    return key_of(search, node, heading_index(search, node));
 }
 
 KEY_TABLE_DEFINE(cell, Cell)
@@ -301,14 +316,27 @@ static double time_from(const Search *search, Vec2 at) {
     return field_time(search->field, at);
 }
 
+/* True if a motion from a place may end the leg. */
+static bool is_near_goal(const Search *search, Vec2 at) {
+    const Goal *goal = search->goal;
+    const Plan *plan = search->field->ground->plan;
+    for (size_t e = 0; e < plan->exit_count && !(goal->radius > 0); e++) {
+        const Exit *exit = &plan->exits[e];
+        if (field_exit_usable(goal, plan, e) &&
+            vec2_distance(at, vec2_nearest_on_segment(at, exit->from, exit->to)) <= search->longest + HAIR)
+            return true;
+    }
+    return goal->radius > 0;
+}
+
 /* A motion that may be tried, and the cell that it leads to. */
 typedef struct Trial {
     Node to;
     uint64_t key;
 } Trial;
 
-/* Fills in the motion of a primitive. Returns false if it is not allowed. */
-static bool begin_trial(const Search *search, const Node *from, int parent, int which, Trial *trial) {
+/* Fills in the motion of a primitive from a node, which has the heading `turns`. Returns false if it is not allowed. */
+static bool begin_trial(const Search *search, const Node *from, int turns, int parent, int which, Trial *trial) {
     const Primitive *primitive = &search->primitives[which];
     Node *to = &trial->to;
     *to = moved_whole(from, primitive);
@@ -324,62 +352,64 @@ static bool begin_trial(const Search *search, const Node *from, int parent, int 
         if (!previous->direction && previous->turn * primitive->turn < 0 && previous->pivot == primitive->pivot)
             return false;
     }
-    trial->key = node_key(search, to);
+    turns += primitive->units;
+    trial->key = key_of(search, to, turns < 0 ? turns + search->turns : turns % search->turns);
     return true;
 }
 
-/* Adds the node that a motion leads to, unless an obstacle blocks the motion or a better node is known. */
-static void try_motion(Search *search, const Node *start, const Trial *trial) {
-    const Node from = *start;
-    Node to = trial->to;
-    const Primitive *primitive = &search->primitives[to.primitive];
-    size_t exit;
-    bool reached = field_goal_reached(search->goal, search->field->ground->plan, from.at, to.at, &exit);
-    if (!reached && cell_find(search->cells, search->cell_capacity, trial->key)->key == trial->key &&
-        cell_find(search->cells, search->cell_capacity, trial->key)->expanded <= to.count)
+/* Adds the node that a motion leads to, unless an obstacle blocks the motion or a better node is known. The motion may
+ * reach the goal only if it begins near to it. */
+static void try_motion(Search *search, const Node *from, bool near, Trial *trial) {
+    Node *to = &trial->to;
+    const Primitive *primitive = &search->primitives[to->primitive];
+    size_t exit = SIZE_MAX;
+    bool reached = near && field_goal_reached(search->goal, search->field->ground->plan, from->at, to->at, &exit);
+    const Cell *known = cell_find(search->cells, search->cell_capacity, trial->key);
+    if (!reached && known->key == trial->key && known->expanded <= to->count)
         return;
-    double to_go = reached ? 0 : time_from(search, to.at);
+    double to_go = reached ? 0 : time_from(search, to->at);
     if (!isfinite(to_go))
         return;
     Cell *cell = cell_of(search, trial->key);
     if (!reached &&
-        (cell->expanded <= to.count || (cell->count <= to.count && (double)cell->estimate <= from.cost + to_go)))
+        (cell->expanded <= to->count || (cell->count <= to->count && (double)cell->estimate <= from->cost + to_go)))
         return;
-    to.slowness = node_slowness(search, &to);
+    to->slowness = node_slowness(search, to);
     /* A motion is never cheaper than if the body had as much room all along as at its beginning. */
-    if (!reached && cell->count <= to.count &&
+    if (!reached && cell->count <= to->count &&
         (double)cell->estimate <=
-            from.cost + motion_cost(search, &from, &to, primitive, (double)from.clearance) + to_go)
+            from->cost + motion_cost(search, from, to, primitive, (double)from->clearance) + to_go)
         return;
-    double clearance = pose_clearance(search, to.at, to.axis), narrowest = fmin(clearance, (double)from.clearance);
+    double clearance = pose_clearance(search, to->at, to->axis), narrowest = fmin(clearance, (double)from->clearance);
     if (clearance < SEARCH_CLEARANCE ||
-        !swept(search, &from, primitive, 0, fmax((double)from.clearance, SEARCH_CLEARANCE), 1, clearance, &narrowest))
+        !swept(search, from, primitive, 0, fmax((double)from->clearance, SEARCH_CLEARANCE), 1, clearance, &narrowest))
         return;
-    to.clearance = (float)clearance;
-    to.cost = from.cost + motion_cost(search, &from, &to, primitive, narrowest);
-    to.exit = !reached ? -1 : exit == SIZE_MAX ? -2 : (int)exit;
+    to->clearance = (float)clearance;
+    to->cost = from->cost + motion_cost(search, from, to, primitive, narrowest);
+    to->exit = !reached ? -1 : exit == SIZE_MAX ? -2 : (int)exit;
     if (!reached) {
-        double estimate = to.cost + to_go;
-        if (cell->count <= to.count && (double)cell->estimate <= estimate)
+        double estimate = to->cost + to_go;
+        if (cell->count <= to->count && (double)cell->estimate <= estimate)
             return;
-        if (to.count < cell->count || estimate < (double)cell->estimate) {
+        if (to->count < cell->count || estimate < (double)cell->estimate) {
             cell->estimate = (float)estimate;
-            cell->count = to.count;
+            cell->count = to->count;
         }
     }
-    add_node(search, &to, to_go);
+    add_node(search, to, to_go);
 }
 
 /* Tries all motions from a node. The table of cells is large, so that the cells are fetched before they are needed. */
 static void expand(Search *search, int parent) {
     const Node from = search->nodes[parent];
     Trial trials[MOST_PRIMITIVES];
-    int count = 0;
+    int count = 0, turns = heading_index(search, &from);
+    bool near = is_near_goal(search, from.at);
     for (int p = 0; p < search->primitive_count; p++)
-        if (begin_trial(search, &from, parent, p, &trials[count]))
+        if (begin_trial(search, &from, turns, parent, p, &trials[count]))
             __builtin_prefetch(&search->cells[cell_first(search->cell_capacity, trials[count++].key)]);
     for (int t = 0; t < count; t++)
-        try_motion(search, &from, &trials[t]);
+        try_motion(search, &from, near, &trials[t]);
 }
 
 /* Adds the poses of the motions that led to `last`, without the start's. */
