@@ -437,12 +437,19 @@ static void write_track(const Search *search, SearchTrack *track, int last) {
     track->exit = end->exit >= 0 ? (size_t)end->exit : SIZE_MAX;
 }
 
+static void prefetch_node(const Node *node) {
+    __builtin_prefetch(node);
+    __builtin_prefetch((const char *)(node + 1) - 1);
+}
+
 static SearchAnswer search_run(Search *search, SearchTrack *track) {
     const Stop *stop = search->field->ground->stop;
     for (size_t expanded = 0; search->open_count > 0;) {
         if (stop_requested(stop))
             return SEARCH_INTERRUPTED;
         int node = open_take(search->open, &search->open_count).node;
+        if (search->open_count > 0) /* most likely the next one */
+            prefetch_node(&search->nodes[search->open[0].node]);
         if (search->nodes[node].exit != -1) {
             write_track(search, track, node);
             return SEARCH_FOUND;
