@@ -245,11 +245,21 @@ static Caption beside(const Places *places, const Primitive *label, const char *
     return caption;
 }
 
+/* True if a box lies across the edge that a label keeps apart from. */
+static bool is_across(const Layout *layout, const Primitive *label, Box box) {
+    if (!box_width(label->apart))
+        return false;
+    Box apart = box_around(layout_point(layout, label->apart.low), 0);
+    apart = box_include(apart, layout_point(layout, label->apart.high));
+    return overlap(box, apart) && !(box_holds(apart, box.low) && box_holds(apart, box.high));
+}
+
 /* Finds the first free place of a label with several; false: there is none. */
 static bool find_place(const Places *places, const Primitive *label, const char *text, Caption *caption) {
     for (size_t i = 1; text && i + 1 < label->count; i += 2) {
         *caption = beside(places, label, text, i, i + 1);
-        if (is_free(places, caption_box(caption)))
+        Box box = caption_box(caption);
+        if (is_free(places, box) && !is_across(places->layout, label, box))
             return true;
     }
     return false;
@@ -268,7 +278,8 @@ static void place_fixed(Places *places, const Primitive *label) {
         !find_place(places, label, label->brief, &caption))
         caption = beside(places, label, label->brief ? label->brief : label->text, 1, 2);
     clamp_within(&caption, room);
-    if (label->optional && !is_free(places, caption_box(&caption)))
+    Box box = caption_box(&caption);
+    if (label->optional && (!is_free(places, box) || is_across(layout, label, box)))
         return;
     *caption_add(layout, caption.text, caption.size, caption.bold, at) = caption;
 }

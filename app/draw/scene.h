@@ -97,12 +97,14 @@ typedef struct Primitive {
     double keep_clear; /* 1, weight against being covered by labels; 0: may be covered */
     LabelShape shape;
     bool bold;
-    bool fixed;        /* labels: exactly on their point, or next to it towards points[1]: moving labels must not jump.
-                          With more points, next to points[1] towards points[2], or next to points[3] towards points[4],
-                          and so on: the first place that is free */
-    bool optional;     /* labels: left out rather than put over something */
-    bool level;        /* labels: never turned */
-    bool close;        /* labels: left out where there is no room within the outline, or right next to the point */
+    bool fixed;    /* labels: exactly on their point, or next to it towards points[1]: moving labels must not jump.
+                      With more points, next to points[1] towards points[2], or next to points[3] towards points[4],
+                      and so on: the first place that is free */
+    bool optional; /* labels: left out rather than put over something */
+    bool level;    /* labels: never turned */
+    bool close;    /* labels: left out where there is no room within the outline, or right next to the point */
+    Box apart;     /* labels with several places, m: the label lies inside or outside, not across the edge; empty: no
+                      matter */
     const char *brief; /* labels: a shorter text for where the text has no room; such a label is never left out */
     bool leader;       /* labels: a thin line to points[0] when they have to move away */
     const char *text;

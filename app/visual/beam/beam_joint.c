@@ -5,18 +5,18 @@
 
 /* In beam lengths. */
 #define SPRING_HALF 0.35 /* of half the length of a stop */
-#define DIMENSION_AT 0.062
-#define DIMENSION_END 0.010
+#define SPRING_PART 0.55 /* of a spring, from the stop to a force next to it */
+#define DIMENSION_AT 0.056
+#define DIMENSION_END 0.008
 #define FORCE_MOST 0.115
 #define BURST_MOST 0.040
 #define SHAFT_HALF 0.008
 #define TEXT_BESIDE 0.012
-#define OUTSIDE 0.40 /* from the tip in the loupe to a force right of the loupe */
-#define SMALL 0.55   /* 1, of the symbols at the beam, relative to those in the loupe */
+#define SMALL 0.55 /* 1, of the symbols at the beam, relative to those in the loupe */
 
 /* Design points. */
 #define NAME_TEXT 17.0
-#define FORCE_TEXT 24.0
+#define FORCE_TEXT 20.0
 #define THIN 1.5
 #define DIMENSION_WIDTH 2.0
 
@@ -38,12 +38,15 @@ static void add_gap(Scene *scene, const Beam *beam, const BeamScale *scale, cons
         scene_add_line(scene, ROLE_DIM_TEXT, THIN, (Vec2[]){{joint->middle.x, y}, {end, y}}, 2)->style = LINE_DASHED;
     }
     scene_add_dimension(scene, ROLE_TEXT, DIMENSION_WIDTH, vec2(x, rest), vec2(x, face));
-    Vec2 at = vec2(end, (rest + face) / 2), right = vec2(end + length, at.y);
+    Vec2 at = vec2(end, (rest + face) / 2), places[] = {at, vec2(end + length, at.y)};
     const char *text = beam->clearance < 1e-6 ? beam_text_quantity(scene, beam->clearance, "m")
                                               : scene_text(scene, "%.4g mm", 1000 * beam->clearance);
     Primitive *label = scene_add_label(scene, ROLE_TEXT, NAME_TEXT, at, text);
-    scene_bind_label(scene, label, &right, 1);
+    scene_bind_label(scene, label, places, 2);
     label->bold = label->fixed = label->optional = true;
+    label->apart = scale->loupe;
+    if (side > 0 && beam->clearance >= 1e-6) /* once is enough where there is little room */
+        label->brief = scene_text(scene, "%.4g", 1000 * beam->clearance);
 }
 
 void beam_joint_still(Scene *scene, const Beam *beam, const BeamScale *scale, const BeamJoint *joint) {
@@ -84,16 +87,24 @@ static void add_text(Scene *scene, const Beam *beam, const BeamScale *scale, con
         return;
     double near = joint->middle.x + joint->half + TEXT_BESIDE * scale->length, far = near + scale->length;
     double beside = joint->middle.x + (DIMENSION_AT + DIMENSION_END) * scale->length;
-    double spring = joint->middle.y + side * (face_of(joint, beam) + joint->ground) / 2;
+    double face = face_of(joint, beam);
+    double spring = joint->middle.y + side * (face + SPRING_PART * (joint->ground - face));
     double mount = joint->middle.y + side * joint->ground, first = touched ? near : beside;
-    Vec2 other = touched ? vec2(joint->middle.x + OUTSIDE * scale->length, joint->middle.y) : vec2(near, mount);
-    Vec2 places[] = {{first, spring}, {far, spring}, {first, mount},
-                     {far, mount},    other,         {other.x + scale->length, other.y}};
+    Vec2 outside = vec2((near + scale->loupe.high.x) / 2, side > 0 ? scale->loupe.high.y : scale->loupe.low.y);
+    Vec2 right = vec2(touched ? scale->loupe.high.x : near, touched ? joint->middle.y : mount);
+    double other = 2 * joint->middle.y - spring;
+    Vec2 places[] = {{first, spring}, {far, spring},
+                     {first, mount},  {far, mount},
+                     outside,         {outside.x, outside.y + side * scale->length},
+                     right,           {right.x + scale->length, right.y},
+                     {first, other},  {far, other}};
     const char *text = touched ? beam_text_newtons(scene, fabs(moment->force), moment->largest)
                                : scene_text(scene, "last %s", beam_text_newtons(scene, last->peak, moment->largest));
     Primitive *label = scene_add_label(scene, ROLE_DIM_TEXT, touched ? FORCE_TEXT : NAME_TEXT, places[0], text);
-    scene_bind_label(scene, label, places, sizeof places / sizeof *places);
+    size_t count = sizeof places / sizeof *places;
+    scene_bind_label(scene, label, places, touched ? count : count - 2);
     label->fixed = label->optional = true; /* a small picture has no room for it */
+    label->apart = scale->loupe;
     if (touched) {
         label->bold = true;
         label->shape = LABEL_TAG;
@@ -114,6 +125,6 @@ void beam_joint_contact(Scene *scene, const Beam *beam, const BeamScale *scale, 
         machine_pieces_arrow(scene, ROLE_DANGER_MIDDLE, at, vec2(at.x, at.y - side * FORCE_MOST * size * share),
                              SHAFT_HALF * size);
     }
-    for (int s = -1; s <= 1 && joint->loupe; s += 2)
-        add_text(scene, beam, scale, joint, moment, s, touched && s == side);
+    for (int i = 0; i < 2 && joint->loupe; i++) /* the present force first */
+        add_text(scene, beam, scale, joint, moment, i ? -side : side, touched && i == 0);
 }

@@ -16,8 +16,8 @@
 #define BEHIND_ALONE 0.15 /* behind the beam without a loupe */
 #define HIGH 0.195        /* of the picture, above the beam */
 #define LOW -0.195        /* below the beam */
-#define MAGNIFIED_AT 0.2  /* of the note about the magnification */
-#define NAME_BELOW 0.9    /* of ROW, of the names below the drawing and its frame */
+#define MAGNIFIED_AT 0.0  /* of the note about the magnification */
+#define NAME_BELOW 1.05   /* of ROW, of the names below the drawing and its frame */
 #define REST_BEFORE 0.04  /* from the beginning of the rest line to the beam */
 #define PIVOT_GROUND 0.030
 #define PIVOT_SPRING 0.016
@@ -45,7 +45,7 @@
 #define LOUPE_RIM 0.003  /* above and below the tip */
 #define LOUPE_LEFT 0.135 /* behind the tip */
 #define LOUPE_RIGHT 0.65
-#define LOUPE_TIP 0.305
+#define LOUPE_TIP 0.225
 #define LOUPE_BALL 0.034
 #define LOUPE_GROUND 0.170
 #define LOUPE_STOP 0.036
@@ -99,6 +99,8 @@ BeamScale beam_scene_scale(const Beam *beam, double reach, double tip_reach) {
     scale.stops = beam->clearance <= STOPS_AWAY * tip_reach || tip_reach == 0;
     scale.joint[0] = joint_of(beam, &scale, reach, tip_reach, false);
     scale.joint[1] = joint_of(beam, &scale, reach, tip_reach, true);
+    scale.loupe = (Box){{(1 + LOUPE_LEFT) * beam->length, (LOW + LOUPE_RIM) * beam->length},
+                        {(1 + LOUPE_RIGHT) * beam->length, (HIGH - LOUPE_RIM) * beam->length}};
     return scale;
 }
 
@@ -140,6 +142,8 @@ static void add_rows(Scene *scene, const BeamScale *scale, Vec2 at, int side, co
             scene_bind_label(scene, label, &to, 1);
         label->bold = i == 0;
         label->fixed = label->optional = true; /* a small picture has no room for it */
+        if (scale->parts & BEAM_SCENE_LOUPE)
+            label->apart = scale->loupe;
     }
 }
 
@@ -208,8 +212,7 @@ static Primitive *add_frame(Scene *scene, Box box) {
 /* Adds the loupe and its content. */
 static void still_loupe(Scene *scene, const BeamScale *scale) {
     double length = scale->length;
-    Box loupe = {{(1 + LOUPE_LEFT) * length, (LOW + LOUPE_RIM) * length},
-                 {(1 + LOUPE_RIGHT) * length, (HIGH - LOUPE_RIM) * length}};
+    Box loupe = scale->loupe;
     double high = scale->joint[0].ground + BEAM_JOINT_GROUND * length;
     Box seen = {{(1 - LOUPE_SEEN) * length, -high}, {(1 + LOUPE_SEEN) * length, high}};
     add_frame(scene, loupe)->fill = ROLE_PAPER;
@@ -237,20 +240,20 @@ void beam_scene_still(Scene *scene, const Beam *beam, const BeamScale *scale) {
     still_joint(scene, beam, scale);
 }
 
-static void add_magnified(Scene *scene, Vec2 at, const char *text) {
-    Vec2 right = vec2(at.x + 1, at.y);
-    Primitive *label = scene_add_label(scene, ROLE_DIM_TEXT, SMALL_TEXT, at, text);
-    scene_bind_label(scene, label, &right, 1);
-    label->fixed = label->optional = true;
-}
-
 void beam_scene_magnified(Scene *scene, const BeamScale *scale) {
-    double length = scale->length;
-    add_magnified(scene, vec2(MAGNIFIED_AT * length, (LOW - NAME_BELOW * ROW) * length),
-                  scene_text(scene, "deflection magnified %.9g times", scale->joint[0].factor));
-    if (scale->parts & BEAM_SCENE_LOUPE)
-        add_magnified(scene, vec2((1 + LOUPE_LEFT + LOUPE_RIM) * length, (HIGH - ROW) * length),
-                      scene_text(scene, "\u00d7%.9g", scale->joint[1].factor));
+    double length = scale->length, below = (LOW - NAME_BELOW * ROW) * length;
+    const char *all = scene_text(scene, "deflection magnified %.9g times", scale->joint[0].factor), *brief = all;
+    if (scale->parts & BEAM_SCENE_LOUPE) {
+        brief = scene_text(scene, "magnified %.9g and %.9g times", scale->joint[0].factor, scale->joint[1].factor);
+        all = scene_text(scene, "%s, in the loupe %.9g times", all, scale->joint[1].factor);
+    }
+    Vec2 first = vec2(MAGNIFIED_AT * length, below), left = vec2(-BEFORE * length, below);
+    Vec2 places[] = {first, vec2(first.x + 1, below), left, vec2(left.x + 1, below)};
+    Primitive *label = scene_add_label(scene, ROLE_DIM_TEXT, SMALL_TEXT, first, all);
+    scene_bind_label(scene, label, places, sizeof places / sizeof *places);
+    label->fixed = label->optional = true;
+    label->brief = brief;
+    label->apart = scale->loupe;
 }
 
 /* Moving parts ----------------------------------------------------------------------------------------------------- */

@@ -44,6 +44,7 @@ typedef struct BeamScale {
     bool to_scale;                /* true if that is the beam's real thickness */
     bool stops;                   /* true if they are within the picture */
     BeamJoint joint[BEAM_JOINTS]; /* at the beam, magnified like the beam, and in the loupe */
+    Box loupe;                    /* m, its frame: no text lies across it */
 } BeamScale;
 
 /* Makes the style for a beam whose points move by at most `reach` m, the tip by `tip_reach` m. */

@@ -55,7 +55,7 @@ for name, path in FILES.items():
 
 # the labels of the beam's drawing lie apart, whatever its forces are
 BRIEF = ("--set", "drive.frequency=190", "--set", "run.transient_cycles=20", "--set", "run.cycles=20", "--set", "beam.modes=2")
-for size, text, least in (("1024x600", "2", 6), ("1280x720", "2", 4), ("1280x720", "1", 10), ("1024x600", "1", 10)):
+for size, text, least in (("1024x600", "2", 4), ("1280x720", "2", 2), ("1280x720", "1", 9), ("1024x600", "1", 8)):
     found = stage.act(f"labels-{size}-{text}", "until answered", "pause",
                       *[line for t in range(4) for line in (f"seek {0.0125 + 0.0009 * t:.4f}", "wait 2", "state STATE")],
                       arguments=[FILES["beam"], *BRIEF, "--size", size, "--text", text])

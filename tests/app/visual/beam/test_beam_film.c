@@ -4,6 +4,7 @@
 #include "beam/beam_cycle.h"
 #include "draw/caption.h"
 #include "visual/beam/beam_film.h"
+#include "visual/beam/beam_joint.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -328,4 +329,60 @@ TEST(words_keep_apart) {
         layout_clear(&moving);
     }
     hide(&shown);
+}
+
+/* Returns the part of the page that a part of the drawing covers. */
+static Box on_page(const Layout *layout, Box box) {
+    return box_include(box_around(layout_point(layout, box.low), 0), layout_point(layout, box.high));
+}
+
+/* In the window, from the smallest size with the largest letters to Full HD: no text lies across the edge of the loupe
+ * or on the mount of a stop, and the force of a touch is told at every touch. */
+TEST(texts_of_the_loupe_lie_inside_or_outside) {
+    static const Vec2 pages[] = {{512, 181}, {640, 117}, {640, 225}, {976, 206}, {976, 544}, {1250, 400}};
+    for (int frequency = 190; frequency <= 300; frequency += 110) {
+        Shown shown;
+        show(&shown, frequency == 190 ? "drive.frequency=190" : "drive.frequency=300", 0, 0.02);
+        Scene scene = {.bare = true, .unscaled = true, .box = beam_scene_box(&shown.scale, true)};
+        beam_scene_magnified(&scene, &shown.scale);
+        beam_scene_still(&scene, &shown.beam, &shown.scale);
+        const BeamJoint *joint = &shown.scale.joint[1];
+        Box loupe = box_of(find(&scene, PRIMITIVE_POLYGON, ROLE_PAPER, 0));
+        double ground = BEAM_JOINT_GROUND * shown.scale.length, half = 1.3 * joint->half;
+        for (size_t p = 0; p < sizeof pages / sizeof *pages; p++) {
+            Layout still, moving = {0};
+            layout_make(&still, &scene, pages[p]);
+            size_t touches = 0, told = 0, gaps = 0, magnified = 0;
+            for (double time = 0; time < 0.02; time += 0.0002) {
+                beam_film_show(shown.film, time);
+                layout_make_over(&moving, &still, beam_film_moving(shown.film));
+                touches += find(beam_film_moving(shown.film), PRIMITIVE_LABEL, ROLE_DANGER_MIDDLE, 0) != NULL;
+                for (size_t i = 0; i < still.caption_count + moving.caption_count; i++) {
+                    const Caption *caption =
+                        i < still.caption_count ? &still.captions[i] : &moving.captions[i - still.caption_count];
+                    Box box = caption_box(caption), edge = on_page(&still, loupe);
+                    bool inside = box_holds(edge, box.low) && box_holds(edge, box.high),
+                         good = inside || !overlap(box, edge);
+                    told += caption->shape == LABEL_TAG;
+                    gaps += strncmp(caption->text, "0.127", 5) == 0;
+                    magnified += strstr(caption->text, "magnified") != NULL;
+                    for (int side = -1; side <= 1; side += 2) {
+                        Vec2 foot = vec2(joint->middle.x, joint->middle.y + side * joint->ground);
+                        Box mount = {{foot.x - half, fmin(foot.y, foot.y + side * ground)},
+                                     {foot.x + half, fmax(foot.y, foot.y + side * ground)}};
+                        good &= !overlap(box, on_page(&still, mount));
+                    }
+                    CHECK(good);
+                    if (!good)
+                        printf("%g x %g, %g s: \"%s\" lies on an edge\n", pages[p].x, pages[p].y, time, caption->text);
+                }
+            }
+            CHECK(told == touches);
+            CHECK((gaps > 0 || p == 1) && magnified > 0);
+            layout_clear(&still);
+            layout_clear(&moving);
+        }
+        scene_clear(&scene);
+        hide(&shown);
+    }
 }
