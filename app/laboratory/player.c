@@ -2,9 +2,12 @@
 
 #include <math.h>
 
-#define LOOK 0.5         /* s of wall time over which the achieved speed is measured */
-#define LONGEST 0.1      /* s of wall time per frame, at most: playback does not jump after a delay */
-#define WHOLE_FRAME 1e-6 /* frames: a time this close to a whole frame is on it */
+#include "base/text.h"
+
+#define LOOK 0.5          /* s of wall time over which the achieved speed is measured */
+#define LONGEST 0.1       /* s of wall time per frame, at most: playback does not jump after a delay */
+#define LEAST_SPEED 0.005 /* 1: slower playback waits for its record */
+#define WHOLE_FRAME 1e-6  /* frames: a time this close to a whole frame is on it */
 
 Player player_start(void) {
     return (Player){.playing = true, .in = NAN, .out = NAN, .achieved = NAN};
@@ -12,6 +15,16 @@ Player player_start(void) {
 
 double player_speed(const Player *player) {
     return ldexp(1, player->power);
+}
+
+const char *player_speed_text(const Player *player, Arena *arena) {
+    double speed = player_speed(player);
+    const char *asked = speed < 1 ? text_in_arena(arena, "1/%.0fx", 1 / speed) : text_in_arena(arena, "%.0fx", speed);
+    if (!player->playing || isnan(player->achieved))
+        return asked;
+    if (player->achieved < LEAST_SPEED)
+        return text_in_arena(arena, "%s (waits)", asked);
+    return text_in_arena(arena, "%s (%.2gx)", asked, player->achieved);
 }
 
 void player_change_speed(Player *player, int steps, const RecordSpan *span) {

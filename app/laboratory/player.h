@@ -24,6 +24,10 @@ Player player_start(void);
 /* Returns the requested speed. */
 double player_speed(const Player *player);
 
+/* Returns the requested speed and, while it plays, the achieved one: "2x (1.9x)", "1/4x"; "2x (waits)" for a record
+ * that does not grow. */
+const char *player_speed_text(const Player *player, Arena *arena);
+
 /* Change the speed by steps of a factor 2, within the span's limits; reset it to 1. */
 void player_change_speed(Player *player, int steps, const RecordSpan *span);
 void player_normal_speed(Player *player);

@@ -12,7 +12,7 @@
 
 #define CARD_ROWS 100.0 /* weight of the distance up or down: the next row of cards comes first */
 
-enum { NUMBER_FRAMES = 3 /* in which a pane may make the number that is to have the focus */ };
+enum { NUMBER_FRAMES = 4 /* in which a pane may make the number that is to have the focus, but the first */ };
 
 static bool reaches(const Ui *ui, const UiStop *stop) {
     return !ui->modal || stop->pane == ui->modal;
@@ -103,7 +103,8 @@ void ui_focus_number(Ui *ui, const char *pane) {
 static void find_number(Ui *ui) {
     if (!ui->wants_number)
         return;
-    for (size_t i = 0; i < ui->old_stop_count && ui->wants_number; i++)
+    bool made = ui->wants_frames < NUMBER_FRAMES; /* whoever asks may have changed what the pane is to show */
+    for (size_t i = 0; made && i < ui->old_stop_count && ui->wants_number; i++)
         if (ui->old_stops[i].pane == ui->wants_number &&
             (ui->old_stops[i].kind == UI_IS_SLIDER || ui->old_stops[i].kind == UI_IS_FIELD)) {
             give(ui, &ui->old_stops[i]);

@@ -207,10 +207,12 @@ static void escape(Window *window, Tab *tab) {
     else if (window->present && window->drawer)
         lesson_close_panel(window);
     else if (!notice_dismiss(window) && tab->session) {
-        bool leaves = lesson_is_shown(window) && !tab->laboratory->selected(tab->session).kind;
+        bool chosen = tab->laboratory->selected(tab->session).kind, taught = lesson_is_shown(window);
         tab_select(tab, (Item){0});
-        if (leaves)
+        if (!chosen && taught)
             lesson_leave(window);
+        else if (!chosen)
+            ui_focus(window->ui, "view"); /* where the letters of the tools are keys */
     }
 }
 
@@ -289,7 +291,7 @@ static bool do_window(Window *window, Action action) {
         toggle_panel(window);
         return true;
     case ACTION_PLOTS:
-        window->plots = window->plots_shown ? PLOTS_CLOSED : PLOTS_OPEN;
+        act_plot_toggle(window);
         return true;
     case ACTION_EDIT_PLAN:
         edit_plan(window);

@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "window/autosave.h"
+#include "window/lesson.h"
 #include "window/notice.h"
 
 #define BOX_STEP 0.02    /* of the axes: how far a key moves a corner */
@@ -218,4 +219,27 @@ bool act_plot_do(Window *window, Action action, int mods) {
     default:
         return false;
     }
+}
+
+void act_plot_toggle(Window *window) {
+    bool seen = window->frame.pane_count > 0;
+    window->plots = seen ? PLOTS_CLOSED : PLOTS_OPEN;
+    window->plots_asked = !seen;
+}
+
+void act_plot_explain(Window *window) {
+    const Tab *tab = window_tab(window);
+    bool asked = window->plots_asked;
+    window->plots_asked = false;
+    if (!asked || window->frame.pane_count || !tab->session)
+        return;
+    if (lesson_hides(window))
+        notice_post(window, "The class guesses first: the plots come with the next step (PgDn)");
+    else if (tab->trial.session)
+        notice_post(window, "Beside a suggested fix there are no plots: Esc leaves it");
+    else if (!tab->panes.count)
+        notice_post(window, "There is nothing to plot");
+    else
+        notice_post(window, window->text > 1 ? "No room for plots: make the window larger, or the text smaller (Ctrl+-)"
+                                             : "No room for plots: make the window larger");
 }

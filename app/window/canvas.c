@@ -424,4 +424,5 @@ void canvas_show(Window *window) {
         show_trial(window, tab);
     for (size_t i = 0; tab->session && i < window->frame.pane_count && i < tab->panes.count; i++)
         show_pane(window, tab, i);
+    act_plot_explain(window);
 }

@@ -110,7 +110,7 @@ static bool is_on(Window *window, Action action) {
     case ACTION_PANEL:
         return box_width(window->frame.panel) > 0;
     case ACTION_PLOTS:
-        return window->plots_shown;
+        return window->frame.pane_count > 0;
     case ACTION_EDIT_PLAN:
         return window->editing;
     case ACTION_PRESENT:
@@ -271,7 +271,7 @@ static bool show_rows(Window *window, Box box) {
 
 void menu_show(Window *window) {
     KeyMenu pointed = pointed_menu(window);
-    if (pointed < MENUS)
+    if (pointed < MENUS && vec2_distance(window->mouse, window->menu_press.mouse) > 0) /* keys change it, too */
         window->menu = pointed;
     Box box = menu_box(window);
     UiPane pane = {

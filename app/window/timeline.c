@@ -61,16 +61,6 @@ static void add_text(Row *row, UiTextStyle size, const char *text, const char *w
         row->left = left + width + 2 * GAP;
 }
 
-/* Returns the requested speed and, while it plays, the achieved one: "2x (1.9x)", "1/4x". */
-static const char *speed_text(Window *window, const Player *player) {
-    double speed = player_speed(player);
-    const char *asked =
-        speed < 1 ? text_in_arena(&window->arena, "1/%.0fx", 1 / speed) : text_in_arena(&window->arena, "%.0fx", speed);
-    if (!player->playing || isnan(player->achieved))
-        return asked;
-    return text_in_arena(&window->arena, "%s (%.2gx)", asked, player->achieved);
-}
-
 /* The line --------------------------------------------------------------------------------------------------------- */
 
 typedef struct Track {
@@ -164,7 +154,7 @@ void timeline_show(Window *window) {
         if (!compact)
             add_button(&row, ACTION_NOW, "Now", false, true);
         add_button(&row, ACTION_FASTER, "+", false, true);
-        add_text(&row, UI_BODY, speed_text(window, &tab->player), compact ? "16x" : "16x (0.98x)", true);
+        add_text(&row, UI_BODY, player_speed_text(&tab->player, &window->arena), compact ? "16x" : "16x (0.98x)", true);
         add_button(&row, ACTION_SLOWER, "-", false, true);
         if (row.right - row.left > LEAST_TRACK && !lesson_hides(window))
             show_track(window, tab, (Box){{row.left + GAP, row.bar.low.y}, {row.right - GAP, row.bar.high.y}});

@@ -23,7 +23,7 @@ static const struct {
     const char *label, *help;
 } tries[TRIES] = {
     {TRY_WATCH, "1  Watch them leave (Space)", "Watch them leave (Space): Play the run"},
-    {TRY_NARROW, "2  Make a door narrower", "Make a door narrower: Select the narrowest door and open its width"},
+    {TRY_NARROW, "2  Make a door narrower", "Make a door narrower: Select the tightest door and open its width"},
     {TRY_SHAKE, "3  Shake the house (Shift+T)", "Shake the house (Shift+T): Make an earthquake; some furniture falls"},
 };
 
@@ -55,24 +55,26 @@ void tries_take_room(Window *window) {
     window->tries = (Box){{0, foot}, {right, frame->timeline.low.y}};
 }
 
-/* Selects the narrowest door that can be passed, and gives its width the focus. */
+/* Selects the door that the headline names, else the narrowest one, and gives its width the focus. */
 static void select_door(Window *window, Tab *tab) {
-    size_t count, narrowest = 0;
+    size_t count, index = 0;
+    Item chosen = {0};
     double least = HUGE_VAL;
-    size_t index = 0;
+    const PanelRow *first = tab_first_place(tab);
+    const char *told = text_in_arena(&window->arena, "%s", first && first->row.cells[0] ? first->row.cells[0] : "");
     const PanelParameter *parameters = tab->laboratory->parameters(tab->session, &count);
     for (size_t i = 0; i < count; i++) {
         const char *name = parameters[i].name, *end = strrchr(name, '.');
         if (strncmp(name, "door.", 5) != 0 || !end || strcmp(end, ".width") != 0)
             continue;
-        if (parameters[i].value < least) {
-            least = parameters[i].value;
-            narrowest = index;
-        }
-        index++;
+        Item door = {HOUSE_DOOR, index++};
+        bool named = strcmp(tab->laboratory->item_name(tab->session, door), told) == 0;
+        if (named || parameters[i].value < least)
+            chosen = door;
+        least = named ? -HUGE_VAL : fmin(least, parameters[i].value);
     }
-    if (least < HUGE_VAL)
-        tab_select(tab, (Item){HOUSE_DOOR, narrowest});
+    if (chosen.kind)
+        tab_select(tab, chosen);
     window->panel = true;
     ui_focus_number(window->ui, "panel");
 }

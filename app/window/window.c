@@ -327,6 +327,7 @@ static void draw(Window *window, double seconds) {
     ui_end(window->ui);
     window->menu_press.down = window->input.down[SDL_WINDOW_EVENT_LEFT];
     window->menu_press.opened &= window->menu_press.down;
+    window->menu_press.mouse = window->mouse;
     window->input.wheel = 0;
     window->input.twice = false;
 }

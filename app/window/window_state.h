@@ -141,6 +141,7 @@ typedef struct Window {
     bool present, panel, fullscreen;
     enum { PLOTS_AUTO, PLOTS_OPEN, PLOTS_CLOSED } plots; /* as chosen; otherwise by the room there is */
     bool plots_shown;
+    bool plots_asked;       /* since the last frame */
     bool editing;           /* the toolbar is shown */
     Fold folds[FOLDS_MOST]; /* (fold_count) folds of the panel that were touched */
     size_t fold_count;
@@ -169,6 +170,7 @@ typedef struct Window {
     KeyMenu menu_seen; /* in the frame before */
     struct {
         bool down, opened; /* the left button was down in the last frame; that press opened the menu */
+        Vec2 mouse;        /* pixels, in the last frame */
     } menu_press;
     Folder folder;
     char field[WINDOW_PATH];         /* text typed into a dialog */

@@ -106,11 +106,12 @@ CrankScale crank_scene_scale(const Crank *crank, const Tree *tree, double reach,
     scale.place = (least + most) / 2;
     double height = tree->axis[2] + INTO_UP * tree->axis[1] + 1.6 * scale.unit, foot = -0.8 * scale.unit;
     double right = most + 1.1 * scale.unit, middle = (height + foot) / 2, half = 0.62 * (height - foot);
-    scale.loupe = scale.reach = 0.37 * half;
-    scale.socket = vec2(right + 1.9 * scale.loupe, middle + 0.52 * half);
-    scale.polar = vec2(scale.socket.x, middle - 0.54 * half);
-    scale.box = (Box){vec2(-2.3 * scale.unit, middle - 1.06 * half),
-                      vec2(scale.polar.x + 2.2 * scale.reach, middle + 1.08 * half)};
+    scale.loupe = 0.34 * half;
+    scale.reach = 0.30 * half; /* the angles stand around it */
+    scale.socket = vec2(right + 0.70 * half, middle + 0.56 * half);
+    scale.polar = vec2(scale.socket.x, middle - 0.50 * half);
+    scale.box =
+        (Box){vec2(-2.3 * scale.unit, middle - 1.06 * half), vec2(scale.polar.x + 0.82 * half, middle + 1.08 * half)};
     return scale;
 }
 
@@ -322,6 +323,15 @@ static Vec2 polar_at(const Drawing *d, double angle, double force) {
     return vec2(d->scale->polar.x - out * turn.sine, d->scale->polar.y + out * turn.cosine);
 }
 
+/* A name next to the ring, which a small picture leaves out. */
+static Primitive *add_name_outside(const Drawing *d, double angle, const char *text) {
+    Vec2 at = polar_at(d, angle, d->scale->largest), beyond = polar_at(d, angle, 2 * d->scale->largest);
+    Primitive *label = scene_add_label(d->scene, ROLE_TEXT, NAME, at, text);
+    scene_bind_label(d->scene, label, &beyond, 1);
+    label->fixed = label->optional = true;
+    return label;
+}
+
 static void add_polar_still(const Drawing *d) {
     const CrankScale *scale = d->scale;
     static const char *const names[] = {"0\u00b0", "90\u00b0", "180\u00b0", "270\u00b0"};
@@ -332,10 +342,12 @@ static void add_polar_still(const Drawing *d) {
         Vec2 out = polar_at(d, i * M_PI / 2, scale->largest);
         scene_add_line(d->scene, ROLE_ROOM, THIN, (Vec2[]){scale->polar, out}, 2)->style = LINE_DOTTED;
     }
-    add_name(d, polar_at(d, M_PI / 4, 1.28 * scale->largest), scene_text(d->scene, "%g N", scale->largest));
-    add_name_with_room(d, vec2(scale->polar.x, scale->polar.y - 1.38 * scale->reach), "force over the crank angle");
+    if (!(scale->parts & CRANK_SCENE_NAMES))
+        return;
+    add_name_outside(d, M_PI / 4, scene_text(d->scene, "%g N", scale->largest))->optional = false;
     for (int i = 0; i < 4; i++)
-        add_name_with_room(d, polar_at(d, i * M_PI / 2, (i % 2 ? 1.17 : 1.1) * scale->largest), names[i]);
+        add_name_outside(d, i * M_PI / 2, names[i]);
+    add_name_with_room(d, vec2(scale->polar.x, scale->polar.y - 1.7 * scale->reach), "force over the crank angle");
 }
 
 static void add_polar(const Drawing *d, const CrankMoment *moment) {

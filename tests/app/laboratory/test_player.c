@@ -56,6 +56,25 @@ TEST(the_picture_waits_for_the_record_and_the_achieved_speed_says_so) {
     CHECK_NEAR(player.achieved, 0.25, 1e-9);
 }
 
+TEST(the_speed_is_told_as_it_is_achieved_and_a_record_that_does_not_grow_is_waited_for) {
+    RecordSpan span = RUN;
+    span.complete = false;
+    Arena arena = {0};
+    Player player = player_start();
+    CHECK_TEXT(player_speed_text(&player, &arena), "1x");
+    for (int i = 0; i < 30; i++)
+        play(&player, 0.02, &span);
+    CHECK_TEXT(player_speed_text(&player, &arena), "1x (1x)");
+    player.time = span.end;
+    for (int i = 0; i < 60; i++)
+        play(&player, 0.02, &span);
+    CHECK_TEXT(player_speed_text(&player, &arena), "1x (waits)");
+    player_pause(&player, &span);
+    player_change_speed(&player, -2, &span);
+    CHECK_TEXT(player_speed_text(&player, &arena), "1/4x");
+    arena_clear(&arena);
+}
+
 TEST(at_the_end_it_stops_and_plays_again_from_the_beginning) {
     Player player = player_start();
     player_seek(&player, 9.99, &RUN);

@@ -181,9 +181,10 @@ check(differing(closed, screen.shot("opened"), beside) == 0, "13: nothing else i
 screen.point_to(126, 15)
 check(screen.state()["menu"] == "View", "13: the pointer on another word opens its menu", screen.state().get("menu"))
 screen.keys("Right")
-screen.point_to(640, 400)
+check(screen.state()["menu"] == "Run", "13: Right opens the next while the pointer rests on a word", screen.state().get("menu"))
 screen.keys("Left")
-check(screen.state()["sheet"] == "menu", "13: Left and Right change menu")
+check(screen.state()["menu"] == "View", "13: and Left the one before", screen.state().get("menu"))
+screen.point_to(640, 400)
 selected = screen.state()["selected"]
 screen.click(300, 600)
 now = screen.state()

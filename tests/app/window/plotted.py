@@ -5,6 +5,7 @@ pane, and each tick has its number."""
 import collections
 import itertools
 import json
+import subprocess
 
 import stage
 from stage import check
@@ -70,5 +71,31 @@ for name, (path, expected) in FILES.items():
             check(words, f"8: {name}, {size}, {plot}: there is a title", texts)
             check(all(t["size"] >= 15.9 for t in texts), f"8: {name}, {size}, {plot}: letters can be read",
                   [(t["string"], t["size"]) for t in texts])
+# where plots have no room, Shift+P says so; where they have, it says nothing
+for size, text, roomy in (("1024x600", "2", False), ("1280x720", "1", True)):
+    for name in ("house", "beam"):
+        before, after = stage.act(f"room-{name}-{size}", "until answered", "pause", "wait 3", "state STATE", "key Shift+P", "wait 8",
+                                  "state STATE", arguments=[FILES[name][0], "--size", size, "--text", text])
+        told = (after["said"] or "").startswith("No room for plots")
+        check(told == (not roomy) and bool(before["frame"]["plots"] or after["frame"]["plots"]) == roomy,
+              f"Shift+P, {name}, {size}, text {text}: plots, or why there are none", (after["said"], after["frame"]["plots"]))
+
+# the numbers around the polar diagram of a crank lie outside its ring
+state = stage.act("polar", "until answered", "pause", "wait 5", "state STATE", "picture FOLDER/shot.png",
+                  arguments=[stage.CRANK, *stage.PERIODIC, "--size", "1280x720"])[0]
+boxes = {t["string"]: t["box"] for t in state["text_in_view"]}
+around = [boxes.get(name) for name in ("0\u00b0", "90\u00b0", "180\u00b0", "270\u00b0")]
+check(all(around), "the angles around the ring are named", sorted(boxes))
+if all(around):
+    x = (around[0][0] + around[0][2]) / 2
+    y = (around[1][1] + around[1][3]) / 2
+    reach = around[2][1] - y
+    line = [round(x), round(y + reach / 6), round(x + 2 * reach), round(y + reach / 6) + 1]  # below the 270 degrees
+    done = subprocess.run(["convert", str(stage.folder / "polar" / "shot.png"), "-crop", stage.crop(line), "+repage",
+                           "-colorspace", "gray", "-depth", "8", "gray:-"], capture_output=True, timeout=600).stdout
+    ring = max(i for i in range(round(1.6 * reach)) if done[i] < 160)
+    near = {name: max(boxes[name][0] - x, x - boxes[name][2], boxes[name][1] - y, y - boxes[name][3]) for name in boxes
+            if name.endswith("\u00b0")}
+    check(all(far > ring for far in near.values()), "none of them lies on it", (ring, near))
 check(sum(seen.values()) >= 32, "8: two plots a size in each of four files", seen)
 stage.end()

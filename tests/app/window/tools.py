@@ -282,15 +282,14 @@ first.click(*middle_of(strip, 0.5))
 state = first.state()
 check("door" in (state["selected"] or "").lower() and state["focus"] == "panel", "21: the second selects a door",
       (state["selected"], state["focus"]))
-for _ in range(40):
-    if "door." in (first.state()["focus_help"] or "") and ".width" in first.state()["focus_help"]:
-        break
-    first.keys("Tab" if first.state()["focus"] == "panel" else "F6")
+state = first.until(lambda s: ".width" in (s["focus_help"] or ""), patience=20)
+check("door.d7.width" in (state["focus_help"] or "") and state["answer"]["detail"].endswith("washroom door, 4.6 s"),
+      "21: that of the headline, and its width has the focus", (state["selected"], state["focus_help"], state["answer"]))
 first.keys("Left")
 first.until(lambda s: s["tried"] & 2)
 check(first.state()["tried"] & 2, "21: and a narrower door is ticked", first.state()["undo_name"])
-while first.state()["focus"] != "view":
-    first.keys("F6")
+first.keys("Escape", "Escape", "Escape")
+check(first.state()["focus"] == "view", "21: Escape leads back to the plan", first.state()["focus"])
 first.keys("shift+t")
 state = first.until(lambda s: s["frame"]["tries"][2] == 0)
 check(state["tried"] == 7 and state["frame"]["tries"][2] == 0, "21: after the third the strip is gone", state["tried"])
