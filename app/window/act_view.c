@@ -2,6 +2,7 @@
 #include "window/notice.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #define ZOOM_STEP 1.25
 #define PAN_STEP 0.1   /* of the view */
@@ -48,7 +49,9 @@ static void toggle_layer(Window *window, Tab *tab, int32_t key) {
     if (key < '1' || layer >= tab->laboratory->layer_count)
         return;
     tab_toggle_layer(tab, layer);
-    notice_post(window, "%s: %s", tab->laboratory->layers[layer], tab_layers(tab) & 1u << layer ? "shown" : "hidden");
+    const char *name = tab->laboratory->layers[layer], *state = tab_layers(tab) & 1u << layer ? "shown" : "hidden";
+    notice_post(window, "%s: %s", name, state);
+    snprintf(window->echo, sizeof window->echo, "%zu   %s: %s", layer + 1, name, state);
 }
 
 bool act_view_do(Window *window, Tab *tab, Action action, int32_t key) {

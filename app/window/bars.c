@@ -384,8 +384,8 @@ void bars_show_message(Window *window) {
     size_t faults;
     const Message *shown = notice_shown(window, &faults);
     bool fault = shown && shown->kind == MESSAGE_FAULT;
-    if (shown && !fault && lesson_is_shown(window) && window->present)
-        return; /* nothing may lie over the plan and its scale; F7 keeps it */
+    if (shown && !fault && window->present)
+        return; /* nothing may lie over the plan and its scale; the key is named, and F7 keeps the message */
     Box box = message_box(window, fault);
     if (show_gesture(window, box) || (!shown && !window->export))
         return;

@@ -16,8 +16,10 @@
 #define BODY_OPACITY 0.15
 #define KEEP_BODY 4.0 /* weight against being covered by labels */
 #define KEEP_SIGN 6.0
+#define KEEP_NAME 6.0
 
 #define CROSS_HALF 0.12 /* m */
+#define NAME_REACH 0.25 /* m, half of a letter's tag */
 #define AHEAD 0.10      /* m, from the body to the dimension in front of it */
 #define SAME_PLACE 0.5  /* m: people who are stopped nearer to each other share a label */
 
@@ -82,6 +84,16 @@ static void add_width(Scene *scene, const Plan *plan, const Door *door, const Pr
         KEEP_SIGN;
 }
 
+/* Keeps the place of the person's letter free of tags: it stands above the body. */
+static void keep_name_clear(Scene *scene, const Profile *profile, Pose pose) {
+    Vec2 middle = silhouette_middle(profile, pose.at, pose.heading);
+    Primitive *place = scene_add_discs(scene, ROLE_CHAIR, NAME_REACH, &middle, 1);
+    place->base = SILHOUETTE_NAME_HEIGHT;
+    place->fill_opacity = 0;
+    place->width = 0;
+    place->keep_clear = KEEP_NAME;
+}
+
 void blockage_scene_add(Scene *scene, const House *house, const Observation *observation, size_t person,
                         const Trail *trail) {
     const Inhabitant *inhabitant = &house->people[person];
@@ -90,6 +102,8 @@ void blockage_scene_add(Scene *scene, const House *house, const Observation *obs
     bool stuck = observed->reason == REASON_BLOCKED && trail->count > 0;
     Pose pose = stuck ? trail_pose(trail, trail_end(trail)) : pose_before(&house->plan, inhabitant, blockage);
     add_body(scene, inhabitant->profile, pose);
+    keep_name_clear(scene, inhabitant->profile,
+                    stuck ? pose : (Pose){.at = inhabitant->at, .heading = inhabitant->heading});
     add_cross(scene, blockage->at);
     const Door *door = named_door(&house->plan, blockage->what);
     if (!stuck && door && blockage->needs > blockage->has)

@@ -15,7 +15,6 @@
 
 #define HEADS_ZOOM 3.0 /* 1, from which on the heads of many people are shown */
 
-#define ID_HEIGHT 1.45   /* m, in the raised view */
 #define STAY 1.0         /* s, for which people who are out stay visible */
 #define CONTACT_STAY 0.4 /* s, for which a touch stays visible */
 
@@ -208,7 +207,7 @@ static void add_name(Film *film, const Standing *standing) {
     Primitive *tag = scene_add_label(&film->moving, ROLE_TEXT, ID_TEXT, at,
                                      names_person(film->house, standing->person, &film->moving.arena));
     tag->fill = film->options.rests ? ROLE_WALKER : film_layers_look(film, standing->person).role;
-    tag->base = ID_HEIGHT;
+    tag->base = SILHOUETTE_NAME_HEIGHT;
     tag->shape = raised ? LABEL_TAG : LABEL_DISC;
     tag->fixed = tag->bold = true;
 }

@@ -9,6 +9,9 @@
 #include "plan/profile.h"
 #include "route/route.h"
 
+/* m, where a person's letter stands in the raised view */
+#define SILHOUETTE_NAME_HEIGHT 1.45
+
 enum { SILHOUETTE_POINTS = 28 /* seven a corner: 1 mm from the circle for a body of 0.7 m */ };
 
 /* Returns the body with its reference point at `at`, or its personal space, `grown` m beyond the body;
