@@ -27,11 +27,12 @@ static const struct {
     {TRY_SHAKE, "3  Shake the house (Shift+T)", "Shake the house (Shift+T): Make an earthquake; some furniture falls"},
 };
 
-/* True where the strip belongs: in a house, in a window that a person sees. */
+/* True where the strip belongs: in a house from a file, where there is something to try, in a window that a person
+ * sees. */
 static bool is_due(Window *window) {
     const Tab *tab = window_tab(window);
     bool unseen = window->options->script && !sdl_window_is_seen(window->sdl_window);
-    return tab->session && tab_editor(tab) && !lesson_is_shown(window) && !window->present && !unseen &&
+    return tab->session && tab->path && tab_editor(tab) && !lesson_is_shown(window) && !window->present && !unseen &&
            window->settings.state.tried != TRY_ALL && !window->frame.drawer;
 }
 
