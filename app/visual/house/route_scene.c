@@ -10,6 +10,8 @@
 #define WIDTH_WIDTH 2.0
 #define TEXT_SIZE 16.0
 
+#define TOGETHER 0.6 /* m: of corners nearer to each other, as around one jamb, the narrowest widths are shown */
+
 static void add_way(Scene *scene, const Track *track) {
     Vec2 *points = memory_zeroed(track->count, sizeof *points);
     for (size_t i = 0; i < track->count; i++)
@@ -38,14 +40,33 @@ static Vec2 track_place(const Track *track, double s) {
     return track->points[i].at;
 }
 
+/* Returns the width before a corner, or behind it. */
+static double width_of(const TrackCorner *corner, bool behind) {
+    return behind ? corner->after : corner->before;
+}
+
+/* True if another corner that lies together with this one has a smaller width, or an equal one and comes first. */
+static bool is_wider(const Track *track, size_t corner, bool behind) {
+    double width = width_of(&track->corners[corner], behind);
+    for (size_t i = 0; i < track->corner_count; i++) {
+        double other = width_of(&track->corners[i], behind);
+        if (i != corner && vec2_distance(track->corners[i].centre, track->corners[corner].centre) < TOGETHER &&
+            (other < width || (other == width && i < corner)))
+            return true;
+    }
+    return false;
+}
+
 /* W1 and W2 are the paper's: computed on the route of its round body, for every driving model. */
 static void add_widths(Scene *scene, const House *house, size_t person, const Route *route) {
     Track track = {0};
     track_build_miura(&track, house, &house->people[person], route);
     for (size_t c = 0; c < track.corner_count; c++) {
         const TrackCorner *corner = &track.corners[c];
-        add_width(scene, corner->centre, track_place(&track, corner->from), corner->before, "W1");
-        add_width(scene, corner->centre, track_place(&track, corner->to), corner->after, "W2");
+        if (!is_wider(&track, c, false))
+            add_width(scene, corner->centre, track_place(&track, corner->from), corner->before, "W1");
+        if (!is_wider(&track, c, true))
+            add_width(scene, corner->centre, track_place(&track, corner->to), corner->after, "W2");
     }
     track_free(&track);
 }
