@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -282,14 +283,26 @@ static void add_file(Export *export, const char *name) {
     export->files[export->file_count++] = arena_text(&export->arena, name);
 }
 
-static void list_files(Export *export) {
+/* Lists the files of a folder, and those of the folders in it: "frames/frame-00001.png". */
+static void list_folder(Export *export, const char *folder, const char *before) {
     struct dirent **entries = NULL;
-    int count = *export->out ? scandir(export->out, &entries, is_shown, by_name) : 0;
+    int count = scandir(folder, &entries, is_shown, by_name);
     for (int i = 0; i < count; i++) {
-        add_file(export, entries[i]->d_name);
+        const char *name = text_in_arena(&export->arena, "%s%s", before, entries[i]->d_name);
+        const char *path = text_in_arena(&export->arena, "%s/%s", folder, entries[i]->d_name);
+        struct stat status;
+        if (lstat(path, &status) == 0 && S_ISDIR(status.st_mode))
+            list_folder(export, path, text_in_arena(&export->arena, "%s/", name));
+        else
+            add_file(export, name);
         free(entries[i]);
     }
     free(entries);
+}
+
+static void list_files(Export *export) {
+    if (*export->out)
+        list_folder(export, export->out, "");
     if (export->movie && access(export->movie, F_OK) == 0)
         add_file(export, export->movie);
 }

@@ -187,6 +187,7 @@ typedef struct UiCard {
     const char *id, *name, *text;
     const ScreenTexture *picture; /* or NULL: not yet */
     double picture_height, text_height;
+    bool whole;        /* the text is never cut: its lines take their place from the picture */
     const Vec2 *shape; /* (shape_count) instead of a picture: a closed line about its middle, design points, y down; its
                           first side is thick */
     size_t shape_count; /* 0: none */

@@ -38,7 +38,9 @@ bool ui_card(Ui *ui, const UiCard *card) {
     /* a name of several lines takes them from the picture */
     double line = UI_SPACING * ui_painter_size(UI_BOLD);
     double more = ui_text_height(ui, UI_BOLD, card->name, box_width(inside)) - line;
-    place.high.y -= real_clamp(more, 0, box_height(place));
+    double rest = card->whole ? ui_text_height(ui, UI_SMALL, card->text, box_width(inside)) - card->text_height : 0;
+    rest = real_clamp(rest, 0, box_height(place) - more);
+    place.high.y -= real_clamp(more + rest, 0, box_height(place));
     ui_painter_box(ui->painter, box, ui_state_ink(ui, touch.hovered ? ROLE_SHADE : ROLE_PAPER, 1));
     bool bold = touch.hovered || card->chosen;
     ui_painter_frame(ui->painter, box, bold ? 2 * UI_EDGE : UI_EDGE,
@@ -47,7 +49,7 @@ bool ui_card(Ui *ui, const UiCard *card) {
         draw_shape(ui, card, vec2_scale(vec2_add(place.low, place.high), 0.5));
     if (card->picture)
         ui_painter_image(ui->painter, card->picture, fitted(place, card->picture));
-    Box text = {{inside.low.x, inside.low.y + card->picture_height + EDGE / 2 + NAME_HEIGHT}, inside.high};
+    Box text = {{inside.low.x, inside.low.y + card->picture_height - rest + EDGE / 2 + NAME_HEIGHT}, inside.high};
     Box name = {{inside.low.x, text.low.y - (NAME_HEIGHT + line) / 2 - more}, {inside.high.x, text.low.y}};
     ui_text_wrapped(ui, UI_BOLD, ui_state_ink(ui, ROLE_TEXT, 1), name, card->name);
     text.high.y = text.low.y + line * floor((box_height(text) + EDGE) / line); /* whole lines */

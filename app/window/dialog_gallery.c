@@ -119,7 +119,8 @@ static const char *show_tries(Window *window, const GalleryItem *items, size_t c
                            .text = tries[t].line,
                            .picture = i < GALLERY_MOST && window->pictures[i].name ? &window->pictures[i] : NULL,
                            .picture_height = PICTURE_HEIGHT,
-                           .text_height = TRY_HEIGHT};
+                           .text_height = TRY_HEIGHT,
+                           .whole = true};
             if (ui_card(window->ui, &card))
                 chosen = items[i].path;
         }

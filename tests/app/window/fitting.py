@@ -68,6 +68,12 @@ for size, text, least in (("1024x600", "2", 4), ("1280x720", "2", 2), ("1280x720
           "them", columns)
     check(not hidden and min(counts) >= least, f"beam, {size}, text {text}: the drawing's labels lie apart", (hidden, counts))
 
+# what the first cards of the gallery offer is written out, with large letters, too
+texts = stage.act("cards", "until answered", "pause", "key F4", "wait 20", "texts STATE",
+                  arguments=[FILES["house"], "--size", "1280x720", "--text", "2"])[0]
+words = " ".join(t["string"] for t in texts if t["box"][3] <= t["clip"][3])
+check("Suggest a fix" in words, "a card's line is whole", words[:400])
+
 # a selected door under the pointer has its name in the tag there
 texts, state = stage.act("hovered", "until answered", "pause", "wait 3", "click 430 298", "wait 6", "texts STATE", "state STATE",
                          arguments=[FILES["house"], "--size", "1280x720"])
