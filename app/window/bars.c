@@ -338,7 +338,9 @@ static bool show_gesture(Window *window, Box box) {
         return false;
     ui_pane_begin(window->ui, &(UiPane){.name = "gesture", .box = box, .ground = ROLE_PANEL});
     ui_draw_frame(window->ui, box, gesture->refusal ? ROLE_ERROR : ROLE_ROOM, 2);
-    const char *text = gesture->refusal ? text_in_arena(&window->arena, "\u26a0 %s", gesture->refusal) : gesture->doing;
+    double width = box_width(box) - 2 * MARGIN;
+    const char *text = gesture->refusal ? text_in_arena(&window->arena, "\u26a0 %s", gesture->refusal)
+                                        : whole_clauses(window, UI_BODY, gesture->doing, width);
     show_text(window, UI_BODY, gesture->refusal ? ROLE_ERROR : ROLE_TEXT, box.low.x + MARGIN, box.high.x - MARGIN,
               middle_of(box).y, text);
     ui_pane_end(window->ui);
