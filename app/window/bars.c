@@ -14,7 +14,8 @@
 /* Design points. */
 #define TWO_LINES 1.8 /* widths that a text of two lines may take: lines break between words */
 #define MARGIN 14.0
-#define NOTE_ROOM 3.0 /* that a line of detail leaves below it */
+#define LINES_APART 0.75 /* times the height of a detail, from it to the note below it: lines have empty edges */
+#define NOTE_ROOM 3.0    /* that a line of detail leaves below it */
 #define GAP 12.0
 #define BUTTON_PAD 20.0
 #define SHOW_HEIGHT 38.0
@@ -202,7 +203,7 @@ static void show_doing_note(Window *window, const char *doing, double left, doub
     double below = window->frame.answer.high.y - PROGRESS_HEIGHT - extent.y / 2 + 1;
     if (behind + ui_extent(window->ui, UI_BODY, doing).x < right)
         show_text(window, UI_BODY, ROLE_DIM_TEXT, behind, right, y, doing);
-    else if (left + extent.x < right)
+    else if (left + extent.x < right && below - y > LINES_APART * ui_extent(window->ui, UI_DETAIL, doing).y)
         show_text(window, UI_SMALL, ROLE_DIM_TEXT, left, right, below, doing);
 }
 
@@ -233,7 +234,8 @@ static void show_detail(Window *window, const Result *answer, double left, doubl
     Vec2 extent = ui_extent(window->ui, size, detail);
     y -= NOTE_ROOM;
     if (left + extent.x > right && extent.x < TWO_LINES * (right - left)) {
-        ui_at(window->ui, (Box){{left, y - extent.y}, {right, y + extent.y}});
+        double half = fmax(extent.y, ui_text_height(window->ui, size, detail, right - left) / 2);
+        ui_at(window->ui, (Box){{left, y - half}, {right, y + half}});
         ui_text(window->ui, size, role, detail);
         return;
     }

@@ -68,6 +68,13 @@ for size, text, least in (("1024x600", "2", 4), ("1280x720", "2", 2), ("1280x720
           "them", columns)
     check(not hidden and min(counts) >= least, f"beam, {size}, text {text}: the drawing's labels lie apart", (hidden, counts))
 
+# what is still being worked out is told below the numbers, or not at all
+found = stage.act("note", "until answered", *["wait 3", "texts STATE"] * 4,
+                  arguments=[FILES["beam"], *BRIEF, "--size", "1280x720", "--text", "2"])
+for texts in found:
+    head = [t for t in texts if t["box"][3] < 200 and t["box"][1] > 50]
+    check(not overlapping(head), "a note below the numbers does not lie over them", overlapping(head))
+
 # what the first cards of the gallery offer is written out, with large letters, too
 texts = stage.act("cards", "until answered", "pause", "key F4", "wait 20", "texts STATE",
                   arguments=[FILES["house"], "--size", "1280x720", "--text", "2"])[0]
