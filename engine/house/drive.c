@@ -273,7 +273,7 @@ static const double ERROR_LENGTH = 0.05;
 static const double STEEPEST_AIM = 0.6;
 /* m: of way, before what is in the way. */
 static const double STOP_SHORT = 0.05;
-/* m: an offset at the beginning of a piece of the path is the tracker's up to here, beyond it is aimed at. */
+/* m: so much of an offset at the beginning of a piece of the path is the tracker's; the rest is aimed at. */
 static const double TRACKED = 0.01;
 /* m: what is this much nearer than the plan and the shift allow is not in the plan. */
 static const double UNPLANNED = 2e-3;
@@ -361,7 +361,7 @@ static void take_aim(const World *world, size_t i, Drive *drive, const Place *pl
     }
     if (direction != drive->aimed) { /* a new piece begins where the last one has ended */
         double off = drive->offset - drive->aside;
-        drive->aim = drive->axle = fabs(off) > TRACKED ? off : 0;
+        drive->aim = drive->axle = off - real_clamp(off, -TRACKED, TRACKED);
         drive->aim_slope = drive->felt = 0;
         drive->aimed = direction;
     }

@@ -13,6 +13,8 @@ static const double DOOR_SPACE = 0.10;
 enum { DOOR_SAMPLES = 13 };
 /* points to either side over which the curvature of a path is averaged: about 0.1 m */
 enum { CURVATURE_SPAN = 2 };
+/* m: of shorter steps the curvature is only rounding. */
+static const double SHORTEST_STEP = 0.01;
 
 static TrackPoint *add_point(Track *track, size_t *capacity, TrackPoint point) {
     track->points = memory_reserve(track->points, capacity, track->count + 1, sizeof *track->points);
@@ -183,9 +185,23 @@ static void bend(Track *track) {
     }
 }
 
-static double driver_speed(const Inhabitant *person, const TrackPoint *point, double clearance) {
+/* Returns the greatest curvature at a point and of the steps to and from it: over the longer way that a point's own
+ * curvature is taken from, a short bend looks wider than it is, and would be taken faster than the chair can turn. */
+static double sharpest(const Track *track, size_t i) {
+    double most = fabs(track->points[i].curvature);
+    for (size_t k = i > 0 ? i : 1; k <= i + 1 && k < track->count; k++) {
+        const TrackPoint *from = &track->points[k - 1], *to = &track->points[k];
+        double length = to->s - from->s;
+        if (to->direction == track->points[i].direction && to->direction != 0 && length > SHORTEST_STEP)
+            most = fmax(most, fabs(vec2_wrap_angle(to->heading - from->heading)) / length);
+    }
+    return most;
+}
+
+static double driver_speed(const Inhabitant *person, const Track *track, size_t i, double clearance) {
+    const TrackPoint *point = &track->points[i];
     double pace =
-        pace_at(person->profile, person->speed, clearance, point->curvature, point->bending, point->direction);
+        pace_at(person->profile, person->speed, clearance, sharpest(track, i), point->bending, point->direction);
     return fmin(passage_speed(person, point->width), pace);
 }
 
@@ -230,7 +246,7 @@ void track_build_driver(Track *track, const House *house, const Inhabitant *pers
     bend(track);
     for (size_t i = 0; i < track->count; i++) {
         track->points[i].clearance = route->poses[i].clearance;
-        track->points[i].speed = driver_speed(person, &track->points[i], route->poses[i].clearance);
+        track->points[i].speed = driver_speed(person, track, i, route->poses[i].clearance);
     }
     look_for_necks(track);
     if (house_ring(house) == RING_STEERS)

@@ -66,6 +66,23 @@ json_t *case_corridor(double width) {
                      2 * half, "exits", "id", "e1", "from", 18.0, -width / 2, "to", 18.0, width / 2, "people");
 }
 
+static json_t *turned(double x, double y, double angle) {
+    return json_pack("[f,f]", x * cos(angle) - y * sin(angle), x * sin(angle) + y * cos(angle));
+}
+
+json_t *case_corner(double w1, double w2, double angle) {
+    const double outer = 4 + w2 + 0.06, points[6][2] = {{outer, 4 + w1},    {outer, -0.06},    {-0.06, -0.06},
+                                                        {-0.06, w1 + 0.06}, {3.94, w1 + 0.06}, {3.94, 4 + w1}};
+    json_t *wall = json_array();
+    for (int p = 0; p < 6; p++)
+        json_array_append_new(wall, turned(points[p][0], points[p][1], angle));
+    return json_pack("{s:s, s:i, s:s, s:[{s:s, s:o, s:f}], s:[{s:s, s:o, s:o}], s:[{s:s, s:s, s:o, s:f}]}", "format",
+                     "clearance-house", "version", 1, "name", "corner", "walls", "id", "w1", "points", wall,
+                     "thickness", 0.12, "exits", "id", "e1", "from", turned(4, 4 + w1, angle), "to",
+                     turned(4 + w2, 4 + w1, angle), "people", "id", "p1", "profile", "manual-chair", "at",
+                     turned(1, w1 / 2, angle), "heading", angle * 180 / M_PI);
+}
+
 void case_add_person(json_t *plan, const char *profile, double x, double y, double heading) {
     char id[16];
     json_t *people = json_object_get(plan, "people");

@@ -27,5 +27,9 @@ Observation case_run(const House *house, int jobs);
  * walls 0.2 m thick, an exit across x = 18, and no people. */
 json_t *case_corridor(double width);
 
+/* Returns the corner of houses/corner-*.json, legs w1 and w2 m wide, with its chair p1, turned by an angle, rad, about
+ * the origin. */
+json_t *case_corner(double w1, double w2, double angle);
+
 /* Adds a person p<n> at (x, y). */
 void case_add_person(json_t *plan, const char *profile, double x, double y, double heading);

@@ -140,6 +140,25 @@ TEST(a_door_takes_the_longer_the_narrower_it_is) {
     CHECK_NEAR(slowest, 0.3, 3e-3);
 }
 
+/* The chair stays within what the plan leaves free of it, also where that is 4 mm and it goes back twice. */
+TEST(a_chair_touches_nothing_where_its_plan_is_free) {
+    static const double legs[][2] = {{0.90, 0.90}, {0.92, 0.92}, {1.20, 0.80}};
+    for (size_t k = 0; k < sizeof legs / sizeof *legs; k++) {
+        House house;
+        case_made(&house, case_corner(legs[k][0], legs[k][1], 0), -1, NULL);
+        Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
+        Observation observation = case_run(&house, 1);
+        const PersonObservation *person = &observation.people[0];
+        printf("corner %.2f, %.2f m: %.2f s, planned %.1f mm, driven %.1f mm\n", legs[k][0], legs[k][1], person->time,
+               1000 * journeys.of[0].route.narrowest, 1000 * person->narrowest);
+        CHECK(person->completed && journeys.of[0].route.narrowest > 0);
+        CHECK(person->contacts == 0 && person->narrowest > 0);
+        observation_free(&observation);
+        journey_free_all(&journeys);
+        house_free(&house);
+    }
+}
+
 /* Every driver gets out by the way that is planned for the strength there is, without a touch, and none the later the
  * stronger: by more than 0.5 % of the time, since ways are found by descent. */
 LONG_TEST(a_weak_driver_plans_for_the_strength_that_there_is) {

@@ -49,25 +49,9 @@ TEST(a_corridor_of_0_80_m_is_driven_with_care) {
     CHECK(strcmp(grade_words(GRADE_E), "helper only") == 0);
 }
 
-/* Turns a point about the origin. */
-static json_t *turned(double x, double y, double angle) {
-    return json_pack("[f,f]", x * cos(angle) - y * sin(angle), x * sin(angle) + y * cos(angle));
-}
-
-/* The corner of houses/corner-*.json, both legs w m wide, turned. */
 static Grade grade_corner(double w, double angle) {
-    const double outer = 4 + w + 0.06, points[6][2] = {{outer, 4 + w},    {outer, -0.06},   {-0.06, -0.06},
-                                                       {-0.06, w + 0.06}, {3.94, w + 0.06}, {3.94, 4 + w}};
-    json_t *wall = json_array();
-    for (int p = 0; p < 6; p++)
-        json_array_append_new(wall, turned(points[p][0], points[p][1], angle));
-    json_t *plan = json_pack("{s:s, s:i, s:s, s:[{s:s, s:o, s:f}], s:[{s:s, s:o, s:o}], s:[{s:s, s:s, s:o, s:f}]}",
-                             "format", "clearance-house", "version", 1, "name", "corner", "walls", "id", "w1", "points",
-                             wall, "thickness", 0.12, "exits", "id", "e1", "from", turned(4, 4 + w, angle), "to",
-                             turned(4 + w, 4 + w, angle), "people", "id", "p1", "profile", "manual-chair", "at",
-                             turned(1, w / 2, angle), "heading", angle * 180 / M_PI);
     House house;
-    case_made(&house, plan, -1, NULL);
+    case_made(&house, case_corner(w, w, angle), -1, NULL);
     Grade grade = grade_person(&house, 0, NULL);
     house_free(&house);
     return grade;
