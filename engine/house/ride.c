@@ -96,12 +96,28 @@ static bool is_pushed(const World *world, size_t i) {
     return world->house->people[i].profile->driving != DRIVING_DRIVER || house_ring(world->house) == RING_PUSHES;
 }
 
+/* 1: normals whose product is nearer to 1 are one direction. */
+static const double FLUSH = 1e-6;
+
 /* Notes on which side of the body a gap ahead of the axle is. */
 static void feel_side(Sense *sense, const Profile *profile, const Gap *gap, Vec2 axis) {
     if (vec2_dot(gap->arm, axis) + profile->mass_centre < 0)
         return;
     double *side = vec2_cross(axis, gap->arm) > 0 ? &sense->left : &sense->right;
     *side = real_min(*side, gap->gap);
+}
+
+/* Returns where the blow of a contact that begins is: in the middle of all that begin in this step along its normal, so
+ * that an edge which meets a wall flush is stopped as a whole and not turned about one of its corners. */
+static Vec2 middle_of_blow(const Gap *gaps, const bool *begins, size_t count, size_t which) {
+    Vec2 sum = {0, 0};
+    double share = 0;
+    for (size_t g = 0; g < count; g++)
+        if (begins[g] && vec2_dot(gaps[g].normal, gaps[which].normal) > 1 - FLUSH) {
+            sum = vec2_add(sum, gaps[g].arm);
+            share++;
+        }
+    return vec2_scale(sum, 1 / share);
 }
 
 /* Adds F2: body and personal space against walls, furniture and leaves. */
@@ -122,7 +138,8 @@ static void force_of_obstacles(World *world, size_t i) {
             held[held_count++] = slips[k].key;
     size_t count = gap_to_obstacles(gaps, body, centre, world->axis[i], &world->neighbours[seat], held, held_count);
     Vec2 force = {0, 0}, rings = {0, 0};
-    double moment = 0, ring_moment = 0;
+    double moment = 0, ring_moment = 0, rates[GAPS_MOST];
+    bool begins[GAPS_MOST];
     bool pushes = is_pushed(world, i);
     for (size_t g = 0; g < count; g++) {
         const Gap *gap = &gaps[g];
@@ -140,13 +157,17 @@ static void force_of_obstacles(World *world, size_t i) {
             ring_moment += vec2_cross(gap->arm, ring);
         }
         kept[g].touches = gap->gap < 0;
-        if (kept[g].touches && !(before && before->touches))
-            touch_begin(&world->sense[i], profile, world->axis[i], gap->arm, gap->normal, rate);
+        begins[g] = kept[g].touches && !(before && before->touches);
+        rates[g] = rate;
         force = vec2_add(force, both);
         moment += vec2_cross(gap->arm, both);
         feel_side(&world->sense[i], profile, gap, world->axis[i]);
         world_feel(&world->sense[i], gap->gap, body->reach, hard, soft, vec2_add(centre, gap->arm), -1);
     }
+    for (size_t g = 0; g < count; g++)
+        if (begins[g])
+            touch_begin(&world->sense[i], profile, world->axis[i], middle_of_blow(gaps, begins, count, g),
+                        gaps[g].normal, rates[g]);
     memcpy(slips, kept, count * sizeof *kept);
     world->slip_count[seat] = (int)count;
     world->force[i] = vec2_add(world->force[i], force);

@@ -113,6 +113,10 @@ TEST(what_the_plan_does_not_know_is_steered_round_or_braked_for) {
     Driven before = drive_plan(boxed_corridor(0.3), closed_corridor(1.2, 0), NULL);
     printf("a box in the way: impact %.3f m/s\n", before.impact);
     CHECK(before.impact <= 0.05);
+    const char *const off[] = {"run.ring=\"off\"", NULL};
+    Driven blind = drive_plan(boxed_corridor(0.3), closed_corridor(1.2, 0), off);
+    printf("without the personal space: impact %.3f m/s\n", blind.impact);
+    CHECK(blind.impact > 0.05);
 }
 
 static Driven drive_through_door(double width) {
@@ -138,6 +142,9 @@ TEST(a_door_takes_the_longer_the_narrower_it_is) {
     /* With 1.5 cm on either side, or less, a chair creeps at 0.10 m/s; with 6 cm it drives at 2 c / b = 0.30 m/s. */
     CHECK_NEAR(first, PACE_CREEP, 1e-3);
     CHECK_NEAR(slowest, 0.3, 3e-3);
+    Driven gap = drive_through_door(0.636); /* 3 mm on either side */
+    CHECK(gap.time < HUGE_VAL && gap.narrowest > 0);
+    CHECK_NEAR(gap.slowest, PACE_CREEP, 1e-3);
 }
 
 /* The chair stays within what the plan leaves free of it, also where that is 4 mm and it goes back twice. */
@@ -187,6 +194,54 @@ LONG_TEST(a_weak_driver_plans_for_the_strength_that_there_is) {
             journey_free_all(&journeys);
             house_free(&house);
         }
+    }
+}
+
+typedef struct Bump {
+    double speed, energy, impulse; /* m/s, J, N s */
+} Bump;
+
+/* Lets a chair without strength roll at 0.3 m/s against a wall across its way, 0.1 mm ahead of its front edge. */
+static Bump roll_against_wall(double damping) {
+    House house, known;
+    char setting[80];
+    snprintf(setting, sizeof setting, "profile.manual-chair.contact.normal_damping=%.6f", damping);
+    const char *const settings[] = {setting, "profile.manual-chair.push=0.001", "run.ring=\"off\"", NULL};
+    json_t *plan = closed_corridor(1.5, 0), *open = json_deep_copy(plan);
+    json_array_append_new(
+        json_object_get(plan, "walls"),
+        json_pack("{s:s, s:[[f,f],[f,f]], s:f}", "id", "east", "points", 1.9201, -0.9, 1.9201, 0.9, "thickness", 0.2));
+    case_made(&house, plan, -1, settings);
+    case_made(&known, open, -1, settings);
+    Journeys journeys = journey_plan_all(&known, NULL, 1, NULL);
+    World world = world_create(&house, journeys.of, NULL);
+    Bump bump = {0};
+    world.velocity[0] = vec2(0.3, 0);
+    for (int step = 0; step < 500; step++) {
+        step_world(&world, NULL);
+        bump.speed = fmax(bump.speed, world.sense[0].impact);
+        bump.energy = fmax(bump.energy, world.sense[0].energy);
+        bump.impulse += world.sense[0].body_force * world.clock.dt;
+    }
+    world_destroy(&world);
+    journey_free_all(&journeys);
+    house_free(&house);
+    house_free(&known);
+    return bump;
+}
+
+/* m v^2 / 2 = 3.6 J and, by the contact law with its damping ratio of 0.707, 1.208 m v = 29.1 N s. */
+TEST(a_wall_is_met_with_the_speed_and_energy_of_the_chair_whatever_the_damping) {
+    const double damping = sqrt(2 * 80.2 * 20000);
+    Bump bump = roll_against_wall(damping);
+    printf("against a wall: %.4f m/s, %.3f J, %.2f N s\n", bump.speed, bump.energy, bump.impulse);
+    CHECK_NEAR(bump.speed, 0.3, 0.005);
+    CHECK_NEAR(bump.energy, 3.6, 0.03 * 3.6);
+    CHECK_NEAR(bump.impulse, 29.1, 0.05 * 29.1);
+    for (double factor = 0.5; factor < 3; factor *= 4) {
+        Bump other = roll_against_wall(factor * damping);
+        CHECK_NEAR(other.speed, bump.speed, 1e-3 * bump.speed);
+        CHECK_NEAR(other.energy, bump.energy, 1e-3 * bump.energy);
     }
 }
 
