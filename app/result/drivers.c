@@ -198,6 +198,10 @@ static void add_comparison(ResultTable *table, const PlanRoute *route, const Dis
                                   .sign = true});
     result_add_number(table, "error_low", NULL, measured ? welch.low / a.mean : (double)NAN, NULL, 3);
     result_add_number(table, "error_high", NULL, measured ? welch.high / a.mean : (double)NAN, NULL, 3);
+    WelchScatter scatter = welch_scatter(&a, &c);
+    result_add_number(table, "scatter", "(d)/(b)", scatter.ratio, NULL, 2);
+    result_add_number(table, "scatter_low", NULL, scatter.low, NULL, 2);
+    result_add_number(table, "scatter_high", NULL, scatter.high, NULL, 2);
     result_add(table, (ResultRow){.key = "verdict", .label = "verdict", .text = verdict, .omitted = !verdict});
     result_end(table);
 }

@@ -87,3 +87,28 @@ Welch welch_compare(const WelchSample *measured, const WelchSample *simulated, d
     welch.verdict = agrees ? WELCH_AGREES : welch.low > 0 || welch.high < 0 ? WELCH_DIFFERS : WELCH_CANNOT_TELL;
     return welch;
 }
+
+/* With F = x below / ((1 - x) above), x has the beta distribution. */
+double welch_fisher(double p, double above, double below) {
+    double low = 0, high = 1;
+    for (int step = 0; step < 200 && high - low > 1e-16; step++) {
+        double middle = (low + high) / 2;
+        if (beta_share(above / 2, below / 2, middle) < p)
+            low = middle;
+        else
+            high = middle;
+    }
+    double x = (low + high) / 2;
+    return x * below / ((1 - x) * above);
+}
+
+WelchScatter welch_scatter(const WelchSample *measured, const WelchSample *simulated) {
+    WelchScatter scatter = {NAN, NAN, NAN};
+    if (measured->count < 2 || simulated->count < 2 || !(measured->deviation > 0) || !(simulated->deviation > 0))
+        return scatter;
+    double n = (double)measured->count - 1, many = (double)simulated->count - 1;
+    scatter.ratio = simulated->deviation / measured->deviation;
+    scatter.low = scatter.ratio / sqrt(welch_fisher(0.975, many, n));
+    scatter.high = scatter.ratio / sqrt(welch_fisher(0.025, many, n));
+    return scatter;
+}

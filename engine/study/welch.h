@@ -29,3 +29,15 @@ Welch welch_compare(const WelchSample *measured, const WelchSample *simulated, d
 
 /* Returns the quantile of Student's distribution, 0 < p < 1, with `degrees` > 0 of freedom, to 1e-8. */
 double welch_student(double p, double degrees);
+
+/* Returns the quantile of Fisher's distribution of the ratio of two variances, 0 < p < 1, with `above` > 0 degrees of
+ * freedom of the one above the line and `below` > 0 of the one below it, to 1e-8. */
+double welch_fisher(double p, double above, double below);
+
+/* How widely simulated values scatter beside measured ones. */
+typedef struct WelchScatter {
+    double ratio;     /* 1, of the deviations, simulated / measured; NAN: fewer than two on a side, or one is 0 */
+    double low, high; /* its 95 % interval; NAN with it */
+} WelchScatter;
+
+WelchScatter welch_scatter(const WelchSample *measured, const WelchSample *simulated);

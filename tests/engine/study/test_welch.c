@@ -52,3 +52,21 @@ TEST(shares_have_the_limits_of_wilson) {
     }
     CHECK(isnan(montecarlo_share(0, 0).low) && isnan(montecarlo_share(0, 0).value));
 }
+
+/* Upper 2.5 and 5 % points of the usual tables. */
+TEST(fisher_s_quantiles_are_those_of_the_tables) {
+    CHECK_NEAR(welch_fisher(0.975, 10, 10), 3.7168, 5e-5);
+    CHECK_NEAR(welch_fisher(0.95, 4, 20), 2.8661, 5e-5);
+    CHECK_NEAR(welch_fisher(0.975, 4, 4), 9.6045, 5e-5);
+    CHECK_NEAR(welch_fisher(0.95, 1, 8), welch_student(0.975, 8) * welch_student(0.975, 8), 1e-6);
+    CHECK_NEAR(welch_fisher(0.025, 4, 10) * welch_fisher(0.975, 10, 4), 1, 1e-8);
+}
+
+TEST(deviations_are_compared_by_their_ratio) {
+    WelchSample measured = {10, 1, 5}, simulated = {10, 2, 11}, one = {10, 0, 1}, same = {10, 0, 5};
+    WelchScatter scatter = welch_scatter(&measured, &simulated);
+    CHECK_NEAR(scatter.ratio, 2, 1e-12);
+    CHECK_NEAR(scatter.low, 2 / sqrt(8.8439), 1e-4);  /* F with 10 and 4 degrees */
+    CHECK_NEAR(scatter.high, 2 * sqrt(4.4683), 1e-4); /* with 4 and 10 */
+    CHECK(isnan(welch_scatter(&one, &simulated).ratio) && isnan(welch_scatter(&same, &simulated).low));
+}
