@@ -41,6 +41,7 @@ typedef enum Role {
     ROLE_ERROR,
     ROLE_IMPACT,
     ROLE_SHADE,
+    ROLE_BAND, /* within a ROLE_GRID area, under ROLE_LOCUS: lighter or darker than both, also without colour */
     ROLE_CLASS_NONE,
     ROLE_CLASS_FIRST,
     ROLE_CLASS_SECOND,

@@ -81,7 +81,7 @@ static void make_speeds(DriversPlot *of, const Observation *nominal, const Drive
     plot->y = (PlotAxis){.title = "speed", .unit = "m/s"};
     plot->areas = arena_allocate(&of->arena, 2 * sizeof *plot->areas);
     plot->areas[plot->area_count++] = (PlotArea){"5 to 95 %", column[0], column[1], column[4], band.count, ROLE_GRID};
-    plot->areas[plot->area_count++] = (PlotArea){"25 to 75 %", column[0], column[2], column[3], band.count, ROLE_SHADE};
+    plot->areas[plot->area_count++] = (PlotArea){"25 to 75 %", column[0], column[2], column[3], band.count, ROLE_BAND};
     plot->series = arena_allocate(&of->arena, sizeof *plot->series);
     plot->series[plot->series_count++] = (PlotSeries){
         .name = "nominal", .x = column[0], .y = column[5], .count = band.count, .role = ROLE_LOCUS, .width = 1.6};

@@ -81,7 +81,9 @@ TEST(every_role_can_be_read_in_both_themes) {
     static const Role tags[] = {ROLE_EXIT_TAG, ROLE_DANGER_LOW, ROLE_DANGER_MIDDLE, ROLE_DANGER_HIGH,
                                 ROLE_CHAIR,    ROLE_ERROR,      ROLE_LOCUS_FOURTH};
     for (Theme theme = 0; theme < THEME_COUNT; theme++) {
-        Colour paper = palette_colour(theme, ROLE_PAPER);
+        Colour paper = palette_colour(theme, ROLE_PAPER), band = palette_colour(theme, ROLE_BAND);
+        CHECK(palette_contrast(band, palette_colour(theme, ROLE_GRID)) >= 1.4);
+        CHECK(palette_contrast(palette_colour(theme, ROLE_LOCUS), band) >= 3);
         for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
             CHECK(palette_contrast(palette_colour(theme, texts[i]), paper) >= 4.5);
         for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
