@@ -49,6 +49,7 @@
 #include "house/hazard.h"
 #include "house/locus.h"
 #include "house/replan.h"
+#include "house/queue.h"
 #include "house/shake.h"
 #include "plan/overlap.h"
 #include "house/run.h"

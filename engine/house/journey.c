@@ -35,8 +35,8 @@ static Itinerary *find_itinerary(const Journeys *journeys, const Profile *profil
     size_t legs = (route ? route->via.count : 0) - via + 1;
     for (size_t k = 0; k < journeys->itinerary_count; k++) {
         Itinerary *known = journeys->itineraries[k];
-        if (known->profile == profile && known->route == route && known->since == since && known->again == again &&
-            known->leg_count == legs)
+        if (!known->chosen && known->profile == profile && known->route == route && known->since == since &&
+            known->again == again && known->leg_count == legs)
             return known;
     }
     return NULL;
@@ -49,15 +49,27 @@ static bool anything_usable(const House *house, const Goal *goal) {
     return false;
 }
 
+/* Adds an itinerary of `legs` legs without fields and goals. */
+static Itinerary *new_itinerary(Journeys *journeys, const Profile *profile, double since, size_t legs) {
+    Itinerary *itinerary = memory_zeroed(1, sizeof *itinerary);
+    *itinerary = (Itinerary){.profile = profile, .since = since, .leg_count = legs};
+    itinerary->fields = memory_zeroed(legs, sizeof *itinerary->fields);
+    itinerary->legs = memory_zeroed(legs, sizeof *itinerary->legs);
+    for (size_t leg = 0; leg < legs; leg++)
+        itinerary->legs[leg] = &itinerary->fields[leg];
+    journeys->itineraries = memory_reserve(journeys->itineraries, &journeys->itinerary_capacity,
+                                           journeys->itinerary_count + 1, sizeof(Itinerary *));
+    journeys->itineraries[journeys->itinerary_count++] = itinerary;
+    return itinerary;
+}
+
 /* Adds an itinerary without fields, from the route's point `via` on. */
 static void add_itinerary(Journeys *journeys, const House *house, const Profile *profile, const PlanRoute *route,
                           double since, size_t via, bool again) {
-    Itinerary *itinerary = memory_zeroed(1, sizeof *itinerary);
     size_t points = route ? route->via.count : 0;
-    *itinerary =
-        (Itinerary){.profile = profile, .route = route, .since = since, .again = again, .leg_count = points - via + 1};
-    itinerary->fields = memory_zeroed(itinerary->leg_count, sizeof *itinerary->fields);
-    itinerary->legs = memory_zeroed(itinerary->leg_count, sizeof *itinerary->legs);
+    Itinerary *itinerary = new_itinerary(journeys, profile, since, points - via + 1);
+    itinerary->route = route;
+    itinerary->again = again;
     for (size_t leg = 0; leg < itinerary->leg_count; leg++) {
         Goal *goal = &itinerary->fields[leg].goal;
         *goal = field_exit_goal(&house->plan, exit_of(house, route, since), since, again);
@@ -65,12 +77,8 @@ static void add_itinerary(Journeys *journeys, const House *house, const Profile 
             goal->at = route->via.at[via + leg];
             goal->radius = fmax(profile->length / 2, VIA_RADIUS);
         }
-        itinerary->legs[leg] = &itinerary->fields[leg];
     }
     itinerary->has_exit = anything_usable(house, &itinerary->fields[itinerary->leg_count - 1].goal);
-    journeys->itineraries = memory_reserve(journeys->itineraries, &journeys->itinerary_capacity,
-                                           journeys->itinerary_count + 1, sizeof(Itinerary *));
-    journeys->itineraries[journeys->itinerary_count++] = itinerary;
 }
 
 /* Planning ----------------------------------------------------------------------------------------------------------*/
@@ -364,6 +372,29 @@ Journeys journey_plan_any(const House *house, const bool *part, const Stop *stop
 
 Journeys journey_follow(const Journeys *known, const House *house, const bool *part, int jobs, const Stop *stop) {
     return plan_from_start(&(Planning){.house = house, .stop = stop, .known = known}, part, true, jobs);
+}
+
+const FloorField *const *journey_leg_to(const Journeys *journeys, const Profile *profile, size_t exit) {
+    for (size_t k = 0; k < journeys->itinerary_count; k++) {
+        const Itinerary *known = journeys->itineraries[k];
+        if (known->chosen && known->profile == profile && known->fields[0].goal.exit == exit)
+            return known->legs;
+    }
+    return NULL;
+}
+
+void journey_lead_to(Journeys *journeys, const House *house, const Profile *profile, const size_t *exits, size_t count,
+                     double time, int jobs, const Stop *stop) {
+    Planning planning = {
+        .house = house, .stop = stop, .journeys = journeys, .first_itinerary = journeys->itinerary_count};
+    for (size_t k = 0; k < count; k++) {
+        if (journey_leg_to(journeys, profile, exits[k]))
+            continue;
+        Itinerary *itinerary = new_itinerary(journeys, profile, time, 1);
+        itinerary->fields[0].goal = field_exit_goal(&house->plan, exits[k], time, false);
+        itinerary->chosen = itinerary->has_exit = true;
+    }
+    parallel_for(jobs, journeys->itinerary_count - planning.first_itinerary, make_fields, &planning);
 }
 
 JourneyAnswer journey_possible(const House *house, const bool *part, const Stop *stop) {

@@ -30,6 +30,7 @@ typedef struct Itinerary {
     double since;           /* s: exits closed by then do not count */
     bool again;         /* True if planned while people were moving: exits that are not open yet are the last choice */
     bool has_exit;      /* False if all exits are closed */
+    bool chosen;        /* True if it leads to one exit, which a person has chosen on the way */
     FloorField *fields; /* (leg_count) */
     const FloorField **legs; /* (leg_count) into fields */
     size_t leg_count;
@@ -87,3 +88,11 @@ Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t
  * is not told why there is none. */
 void journey_plan_again(Journeys *journeys, const House *house, const Whereabouts *places, size_t count, double time,
                         bool keep, int jobs, const Stop *stop);
+
+/* Computes the fields of one profile to each of `count` exits that are open at `time`, unless they are there. */
+void journey_lead_to(Journeys *journeys, const House *house, const Profile *profile, const size_t *exits, size_t count,
+                     double time, int jobs, const Stop *stop);
+
+/* Returns the one leg, an array of one field, from any place to an exit for people of the profile, if journey_lead_to
+ * has computed it, otherwise NULL. Owned by the journeys. */
+const FloorField *const *journey_leg_to(const Journeys *journeys, const Profile *profile, size_t exit);

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "base/stop.h"
 #include "house/observer.h"
+#include "house/queue.h"
 #include "house/replan.h"
 #include "house/shake.h"
 #include "house/phase.h"
@@ -238,6 +239,7 @@ static Reason run_world(World *world, Journeys *journeys, Observer *observer, Gr
         }
         if (time >= next_stray) {
             replan_strays(world, journeys, group->jobs, options->stop);
+            queue_weigh(world, journeys, group->jobs, options->stop);
             next_stray += REPLAN_PERIOD;
         }
         if (stop_requested(options->stop))

@@ -371,3 +371,37 @@ TEST(a_crowd_has_the_speeds_of_its_profile) {
     CHECK_NEAR(sum / (double)house.person_count, house.people[0].profile->free_speed, 0.03);
     house_free(&house);
 }
+
+/* Returns how many of sixty people, who stand before the near exit of a hall, leave by the far exit. `across` is the
+ * length of a wall that stands between the two exits, m; 0: none. */
+static size_t people_by_the_far_exit(double across, int jobs, uint64_t *digest) {
+    json_t *plan = closed_hall(16, 10);
+    add_door(plan, 0, 5, 0.8, "near", 0);
+    add_door(plan, 0, 11, 0.8, "far", 0);
+    add_crowd(plan, "c", "adult", 60, 1, 1, 7, 7);
+    if (across > 0)
+        json_array_append_new(json_object_get(plan, "walls"),
+                              json_pack("{s:s, s:[[f,f],[f,f]], s:f}", "id", "across", "points", 8.0, 0.0, 8.0, across,
+                                        "thickness", 0.1));
+    House house;
+    case_made(&house, plan, -1, NULL);
+    Observation observation = case_run(&house, jobs);
+    size_t far = 0;
+    for (size_t i = 0; i < observation.person_count; i++)
+        far += observation.people[i].completed && strcmp(house.plan.exits[observation.people[i].exit].id, "far") == 0;
+    printf("  wall of %.1f m: %zu of 60 by the far exit, all in %.1f s\n", across, far, observation.time);
+    CHECK(observation.completed);
+    *digest = observation.digest;
+    observation_free(&observation);
+    house_free(&house);
+    return far;
+}
+
+TEST(people_turn_from_a_queue_to_another_exit_that_they_see) {
+    uint64_t digest, again, hidden;
+    size_t far = people_by_the_far_exit(0, 1, &digest);
+    CHECK(far >= 15 && far <= 30);
+    CHECK(people_by_the_far_exit(0, 3, &again) == far);
+    CHECK(again == digest);
+    CHECK(people_by_the_far_exit(9, 1, &hidden) == 0);
+}
