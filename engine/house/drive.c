@@ -103,11 +103,12 @@ static void watch_progress(Drive *drive, double dt) {
     }
 }
 
-/* Lets a person who has run into something back off a little and try again. Returns true during the retreat, which does
- * not leave the present part of the path. */
+/* Lets a person who has run into something back off a little and try again; one for whom others wait tries as often as
+ * needed. Returns true during the retreat, which does not leave the present part of the path. */
 static bool retreats(const Track *track, Drive *drive, bool touches) {
+    bool yields = drive->gives_way || drive->heeded < 0;
     double due = RETRY_AFTER * (drive->retries + (drive->gives_way ? 1 : 2));
-    if (drive->retreat_to < 0 && touches && drive->stalled > due && drive->retries < RETRIES_MOST) {
+    if (drive->retreat_to < 0 && touches && drive->stalled > due && (yields || drive->retries < RETRIES_MOST)) {
         drive->retreat_to = real_max(drive->s - RETREAT, 0);
         drive->retries++;
     }
@@ -211,8 +212,8 @@ static double calmness(const Profile *profile) {
 }
 
 /* Returns the moment towards the turn rate `target`, rad/s, which itself changes at `rate`, rad/s2, against the moment
- * `load` of contacts with the body or its personal space: a driver feels the load and holds against it, up to the
- * strength of the arms. */
+ * `load` about the axle of contacts with the body or its personal space: a driver feels the load and holds against it,
+ * up to the strength of the arms. */
 static double turning_moment(const Profile *profile, double target, double rate, double turn, double load) {
     double square = profile->radius_of_gyration * profile->radius_of_gyration +
                     profile->mass_centre * profile->mass_centre; /* about the axle */
@@ -232,13 +233,24 @@ static Effort overcome(const World *world, size_t i) {
                     real_clamp(moment, -turning, turning) - moment};
 }
 
+/* Returns the moment about the axle, N m, that the driver holds against. `force` and `moment`, about the mass centre,
+ * are those of contacts: the drive wheels do not slip sideways, so that a force across the chair turns it about the
+ * axle. A driver who touches something and is stalled holds against nothing, so that the contact turns the chair along
+ * it. */
+static double load_of(const World *world, size_t i, Vec2 force, double moment) {
+    if (world->sense[i].body_force > 0 && world->drive[i].stalled > RETRY_AFTER)
+        return 0;
+    return moment + world->house->people[i].profile->mass_centre * vec2_cross(world->axis[i], force);
+}
+
 /* Returns a driver's effort towards a speed along the axis, m/s, and a turn rate, rad/s, that itself changes at
  * `change`, rad/s2. */
 static Effort exert(const World *world, size_t i, double speed, double turn, double change) {
     const Profile *profile = world->house->people[i].profile;
     Vec2 axis = world->axis[i];
     Effort effort = overcome(world, i);
-    double others = vec2_dot(vec2_add(world->force[i], effort.force), axis), load = world->moment[i] + effort.moment;
+    Vec2 felt = vec2_add(world->force[i], effort.force);
+    double others = vec2_dot(felt, axis), load = load_of(world, i, felt, world->moment[i] + effort.moment);
     const TrackPoint *here = &world->journeys[i].track.points[world->drive[i].index];
     bool tucked = here->clearance < profile->hands;
     double faster = real_min(profile->acceleration, pace_in_bend(profile, here->curvature));

@@ -101,17 +101,6 @@ static double pass_offset(const World *world, size_t i, const Sight *sight) {
     return leftwards ? real_min(left, left_room) : -real_min(right, right_room);
 }
 
-/* True if person i lets j go first: of two chairs that go the same way side by side, too near to continue both, the one
- * ahead goes first. */
-static bool lets_go_first(const World *world, size_t i, size_t j, const Sight *sight) {
-    bool beside = world_rides(world, j) && world->phase[j] == PHASE_MOVING && sight->ahead < 0 &&
-                  sight->gap <= PASSING_LEAST && vec2_dot(world->axis[j], sight->way) > STRAIGHT;
-    Vec2 to = vec2_sub(world->centre[j], world->centre[i]);
-    double ahead = vec2_dot(to, sight->way);
-    double near = (world->house->people[i].profile->width + world->house->people[j].profile->width) / 2 + PASSING_SPACE;
-    return beside && vec2_length(to) < near && (ahead > LEVEL || (ahead > -LEVEL && j < i));
-}
-
 /* True if chair i has precedence over chair j: of two with the same exit the one that has the shorter way left. */
 static bool precedes(const World *world, size_t i, size_t j) {
     const Journey *a = &world->journeys[i], *b = &world->journeys[j];
@@ -120,6 +109,19 @@ static bool precedes(const World *world, size_t i, size_t j) {
     double left_a = a->track.points[a->track.count - 1].s - world->drive[i].s;
     double left_b = b->track.points[b->track.count - 1].s - world->drive[j].s;
     return left_a < left_b || (left_a <= left_b && i < j);
+}
+
+/* True if person i lets j go first: of two chairs that go the same way side by side, too near to continue both, the one
+ * ahead goes first. When each sees the other ahead on its own path, and both wait, the one with precedence goes. */
+static bool lets_go_first(const World *world, size_t i, size_t j, const Sight *sight) {
+    bool beside = world_rides(world, j) && world->phase[j] == PHASE_MOVING && sight->ahead < 0 &&
+                  sight->gap <= PASSING_LEAST && vec2_dot(world->axis[j], sight->way) > STRAIGHT;
+    Vec2 to = vec2_sub(world->centre[j], world->centre[i]);
+    double ahead = vec2_dot(to, sight->way);
+    double near = (world->house->people[i].profile->width + world->house->people[j].profile->width) / 2 + PASSING_SPACE;
+    bool both_wait = world->drive[i].stalled > DEADLOCK && vec2_length(world->velocity[j]) < STANDING;
+    return beside && !(both_wait && precedes(world, i, j)) && vec2_length(to) < near &&
+           (ahead > LEVEL || (ahead > -LEVEL && j < i));
 }
 
 static double speed_past(const World *world, size_t i, size_t j, const Sight *sight, double speed) {
