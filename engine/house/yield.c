@@ -124,6 +124,13 @@ static bool lets_go_first(const World *world, size_t i, size_t j, const Sight *s
            (ahead > LEVEL || (ahead > -LEVEL && j < i));
 }
 
+/* Returns the distance between two bodies along the line of their centres, m; negative if they may overlap. */
+static double apart(const World *world, size_t i, size_t j) {
+    Vec2 to = vec2_unit(vec2_sub(world->centre[j], world->centre[i]));
+    return vec2_distance(world->centre[i], world->centre[j]) - extent(world, i, to) -
+           extent(world, j, vec2_scale(to, -1));
+}
+
 static double speed_past(const World *world, size_t i, size_t j, const Sight *sight, double speed) {
     const Profile *profile = world->house->people[i].profile;
     if (lets_go_first(world, i, j, sight))
@@ -134,7 +141,7 @@ static double speed_past(const World *world, size_t i, size_t j, const Sight *si
     double braking = sqrt(2 * PACE_PLANNED * profile->deceleration * real_max(0, sight->ahead - STAND_OFF));
     bool both_wait = vec2_length(world->velocity[j]) < STANDING && world->drive[i].stalled > DEADLOCK &&
                      world->phase[j] == PHASE_MOVING;
-    bool room = sight->ahead > PASSING_LEAST, chair = world_rides(world, j);
+    bool room = sight->ahead > PASSING_LEAST || apart(world, i, j) > STAND_OFF, chair = world_rides(world, j);
     if (both_wait && (!chair || (precedes(world, i, j) && room)))
         braking = SLOW_PASSING;
     else if (both_wait && chair && !room && !precedes(world, i, j))
@@ -146,10 +153,7 @@ static double speed_past(const World *world, size_t i, size_t j, const Sight *si
 static bool gives_way(const World *world, size_t i, size_t j) {
     if (!world_rides(world, j) || world->phase[j] != PHASE_MOVING || world->drive[i].stalled <= DEADLOCK)
         return false;
-    Vec2 to = vec2_unit(vec2_sub(world->centre[j], world->centre[i]));
-    double apart =
-        vec2_distance(world->centre[i], world->centre[j]) - extent(world, i, to) - extent(world, j, vec2_scale(to, -1));
-    return apart < STAND_OFF && !precedes(world, i, j);
+    return apart(world, i, j) < STAND_OFF && !precedes(world, i, j);
 }
 
 /* Lowers the speed to what the other person allows, at most `speed`, and updates the offset at which that person is
