@@ -31,7 +31,7 @@ void case_house(House *house, const char *name, int driving, const char *const *
     read_case(house, path, driving, settings);
 }
 
-const char *const case_touching[] = {"run.ring=\"push\"", "profile.manual-chair.drive.creep=0.3", NULL};
+const char *const case_touching[] = {"run.ring=\"push\"", "profile.manual-chair.drive.creep=0.5", NULL};
 
 void case_made(House *house, json_t *plan, int driving, const char *const *settings) {
     char path[CHECK_PATH];
