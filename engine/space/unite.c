@@ -22,6 +22,7 @@ enum {
 
 #define APART 10.0 /* 1, grid spacings: polygons farther apart do not meet */
 #define ON 5.0     /* 1, grid spacings between an edge and the boundary on which it lies */
+#define THICK 10.0 /* 1, grid spacings: the thickness and the sides of a quadrangle that need not be united */
 
 typedef struct Piece {
     GEOSGeometry *polygon; /* owned */
@@ -74,6 +75,7 @@ static void add_polygons(Unite *unite, const GEOSGeometry *geometry, bool fresh,
         return;
     }
     piece.polygon = GEOSGeom_clone_r(geos, geometry);
+    unite->failed |= !piece.polygon;
     add_piece(pieces, piece);
 }
 
@@ -106,10 +108,29 @@ static bool meet(const Unite *unite, const Piece *a, const Piece *b) {
            GEOSDistanceWithin_r(unite->geos, a->polygon, b->polygon, apart);
 }
 
-/* True if the polygon is a quadrangle, which `settle` can handle. */
+/* True if two corners that follow one another are next to the same point of the grid, or nearly. */
+static bool has_short_side(const Unite *unite, const Piece *piece) {
+    GEOSContextHandle_t geos = unite->geos;
+    const GEOSCoordSequence *sequence = GEOSGeom_getCoordSeq_r(geos, GEOSGetExteriorRing_r(geos, piece->polygon));
+    bool is_short = false;
+    for (unsigned i = 0; i + 1 < CORNERS; i++) {
+        Vec2 from, to;
+        GEOSCoordSeq_getXY_r(geos, sequence, i, &from.x, &from.y);
+        GEOSCoordSeq_getXY_r(geos, sequence, i + 1, &to.x, &to.y);
+        is_short |= vec2_distance(from, to) < THICK * unite->grid;
+    }
+    return is_short;
+}
+
+/* True if the polygon is a quadrangle, which `settle` can handle: it does not cross itself and is thick enough that no
+ * corners fall together when they are rounded. */
 static bool is_plain(const Unite *unite, const Piece *piece) {
-    return GEOSGetNumInteriorRings_r(unite->geos, piece->polygon) == 0 &&
-           GEOSGetNumCoordinates_r(unite->geos, piece->polygon) == CORNERS;
+    GEOSContextHandle_t geos = unite->geos;
+    double area = 0, length = 0;
+    return GEOSGetNumInteriorRings_r(geos, piece->polygon) == 0 &&
+           GEOSGetNumCoordinates_r(geos, piece->polygon) == CORNERS && GEOSisValid_r(geos, piece->polygon) == 1 &&
+           GEOSArea_r(geos, piece->polygon, &area) && GEOSLength_r(geos, piece->polygon, &length) &&
+           area > THICK * unite->grid * length && !has_short_side(unite, piece);
 }
 
 /* Chooses the polygons of both halves, whose first `half` are those of the first one, that a union is needed for.
@@ -286,8 +307,8 @@ static Pieces put_in_place(Unite *unite, Pieces *inputs, Pieces *united) {
 
 /* Unites two halves, the first `half` of the pieces and the rest. Takes them over. */
 static Pieces unite_halves(Unite *unite, Pieces *pieces, size_t half) {
-    size_t joining = choose(unite, pieces, half);
-    for (size_t i = 0; i < pieces->count; i++) {
+    size_t joining = unite->failed ? 0 : choose(unite, pieces, half);
+    for (size_t i = 0; i < pieces->count && !unite->failed; i++) {
         Piece *piece = &pieces->at[i];
         if (piece->fresh && !piece->joins)
             settle(unite, piece);
@@ -306,9 +327,15 @@ static Pieces unite_halves(Unite *unite, Pieces *pieces, size_t half) {
     Pieces united = {0};
     if (both)
         add_polygons(unite, both, false, &united);
-    mark_touching(unite, &united);
     unite->failed |= !both;
     GEOSGeom_destroy_r(unite->geos, both);
+    if (unite->failed) {
+        clear(unite, &united);
+        Pieces all = *pieces;
+        *pieces = (Pieces){0};
+        return all;
+    }
+    mark_touching(unite, &united);
     return put_in_place(unite, pieces, &united);
 }
 

@@ -103,6 +103,27 @@ TEST(polygons_are_united_as_by_geos_alone) {
     CHECK(several > SCENES / 2);
 }
 
+/* A sliver that vanishes on the grid, a corner given twice, a spike and a bow tie, each beside a square far away. */
+TEST(quadrangles_that_are_none_are_left_to_geos) {
+    const Vec2 square[4] = {{9, 0}, {10, 0}, {10, 1}, {9, 1}};
+    const Vec2 shapes[][4] = {{{0, 0}, {1, 0}, {1, 4e-7}, {0, 4e-7}},
+                              {{0, 0}, {1, 0}, {1, 0}, {0, 1}},
+                              {{0, 0}, {2, 0}, {1, 0}, {0, 1}},
+                              {{0, 0}, {1, 1}, {1, 0}, {0, 1}}};
+    GEOSContextHandle_t geos = GEOS_init_r();
+    for (size_t s = 0; s < sizeof shapes / sizeof *shapes; s++) {
+        GEOSGeometry *parts[] = {GEOSGeom_createPolygon_r(geos, ring_of(geos, shapes[s], 4, false), NULL, 0),
+                                 GEOSGeom_createPolygon_r(geos, ring_of(geos, square, 4, false), NULL, 0)};
+        GEOSGeometry *all = GEOSGeom_createCollection_r(geos, GEOS_GEOMETRYCOLLECTION, parts, 2);
+        GEOSGeometry *ours = unite_polygons(geos, all, GRID), *theirs = GEOSUnaryUnionPrec_r(geos, all, GRID);
+        CHECK(ours && theirs ? same_rings(geos, ours, theirs) : !ours && !theirs);
+        GEOSGeom_destroy_r(geos, ours);
+        GEOSGeom_destroy_r(geos, theirs);
+        GEOSGeom_destroy_r(geos, all);
+    }
+    GEOS_finish_r(geos);
+}
+
 TEST(nothing_one_polygon_and_a_line_are_left_to_geos) {
     GEOSContextHandle_t geos = GEOS_init_r();
     const Vec2 square[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
