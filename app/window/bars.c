@@ -223,6 +223,13 @@ static const char *whole_clauses(Window *window, UiTextStyle size, const char *d
     return text_in_arena(&window->arena, "%.*s", (int)length, detail);
 }
 
+/* Returns the first clauses of what a tool does that fit into a width, or all of them, to be shortened, if none does.
+ */
+static const char *some_clauses(Window *window, UiTextStyle size, const char *text, double width) {
+    const char *whole = whole_clauses(window, size, text, width);
+    return *whole ? whole : text;
+}
+
 /* Shows the result's numbers in one line, or small in two. */
 static void show_detail(Window *window, const Result *answer, double left, double right, double y) {
     const char *detail = answer->detail ? answer->detail : "";
@@ -342,7 +349,7 @@ static bool show_gesture(Window *window, Box box) {
     ui_draw_frame(window->ui, box, gesture->refusal ? ROLE_ERROR : ROLE_ROOM, 2);
     double width = box_width(box) - 2 * MARGIN;
     const char *text = gesture->refusal ? text_in_arena(&window->arena, "\u26a0 %s", gesture->refusal)
-                                        : whole_clauses(window, UI_BODY, gesture->doing, width);
+                                        : some_clauses(window, UI_BODY, gesture->doing, width);
     show_text(window, UI_BODY, gesture->refusal ? ROLE_ERROR : ROLE_TEXT, box.low.x + MARGIN, box.high.x - MARGIN,
               middle_of(box).y, text);
     ui_pane_end(window->ui);
@@ -470,7 +477,7 @@ static double show_doing(Window *window, double left, double right, double y) {
     const char *text = tab->trial.session
                            ? "The plan is unchanged until you use the fix: Return uses it, Escape goes back."
                            : editor_gesture(editor)->doing;
-    text = whole_clauses(window, UI_BOLD, text, right - left);
+    text = some_clauses(window, UI_BOLD, text, right - left);
     double end = fmin(right, left + ui_extent(window->ui, UI_BOLD, text).x + 1);
     show_text(window, UI_BOLD, ROLE_TEXT, left, end, y, text);
     return end + GAP;

@@ -74,6 +74,6 @@ check(page["listed"][0].startswith("Continue: ") and "1 edit" in texts, "22: a h
 check(after["sheet"] == "none" and after["edits"] == 1, "22: Return goes back to it", (after["sheet"], after["edits"]))
 
 # an empty plan lacks walls: Return takes their tool, as the button of the answer does
-state = stage.act("lacking", "until answered", "key Ctrl+N", "wait 5", "key Return", "wait 5", "state STATE")[0]
+state = stage.act("lacking", "until answered", "key Ctrl+N", "wait 5", "until answered", "key Return", "wait 5", "state STATE")[0]
 check(state["tool"] == "wall", "20: Return takes the tool for what a house lacks", state["tool"])
 stage.end()
