@@ -244,8 +244,7 @@ void beam_scene_magnified(Scene *scene, const BeamScale *scale) {
     double length = scale->length, below = (LOW - NAME_BELOW * ROW) * length;
     const char *all = scene_text(scene, "deflection magnified %.9g times", scale->joint[0].factor), *brief = all;
     if (scale->parts & BEAM_SCENE_LOUPE) {
-        brief = scene_text(scene, "magnified: beam \u00d7%.9g, loupe \u00d7%.9g", scale->joint[0].factor,
-                           scale->joint[1].factor);
+        brief = scene_text(scene, "beam \u00d7%.9g, loupe \u00d7%.9g", scale->joint[0].factor, scale->joint[1].factor);
         all = scene_text(scene, "%s, in the loupe %.9g times", all, scale->joint[1].factor);
     }
     Vec2 first = vec2(MAGNIFIED_AT * length, below), left = vec2(-BEFORE * length, below);

@@ -365,7 +365,7 @@ TEST(texts_of_the_loupe_lie_inside_or_outside) {
                          good = inside || !overlap(box, edge);
                     told += caption->shape == LABEL_TAG;
                     gaps += strncmp(caption->text, "0.127", 5) == 0;
-                    magnified += strstr(caption->text, "magnified") != NULL;
+                    magnified += strstr(caption->text, "magnified") || strstr(caption->text, "loupe \u00d7");
                     for (int side = -1; side <= 1; side += 2) {
                         Vec2 foot = vec2(joint->middle.x, joint->middle.y + side * joint->ground);
                         Box mount = {{foot.x - half, fmin(foot.y, foot.y + side * ground)},
