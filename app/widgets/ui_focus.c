@@ -103,7 +103,7 @@ void ui_focus_number(Ui *ui, const char *pane) {
 static void find_number(Ui *ui) {
     if (!ui->wants_number)
         return;
-    bool made = ui->wants_frames < NUMBER_FRAMES; /* whoever asks may have changed what the pane is to show */
+    bool made = ui->wants_frames < NUMBER_FRAMES; /* the caller may have changed the contents of the pane */
     for (size_t i = 0; made && i < ui->old_stop_count && ui->wants_number; i++)
         if (ui->old_stops[i].pane == ui->wants_number &&
             (ui->old_stops[i].kind == UI_IS_SLIDER || ui->old_stops[i].kind == UI_IS_FIELD)) {

@@ -236,7 +236,7 @@ void act_plot_explain(Window *window) {
     if (lesson_hides(window))
         notice_post(window, "The class guesses first: the plots come with the next step (PgDn)");
     else if (tab->trial.session)
-        notice_post(window, "Beside a suggested fix there are no plots: Esc leaves it");
+        notice_post(window, "Plots are hidden beside a suggested fix: Esc leaves it");
     else if (!tab->panes.count)
         notice_post(window, "There is nothing to plot");
     else

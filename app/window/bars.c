@@ -223,8 +223,7 @@ static const char *whole_clauses(Window *window, UiTextStyle size, const char *d
     return text_in_arena(&window->arena, "%.*s", (int)length, detail);
 }
 
-/* Returns the first clauses of what a tool does that fit into a width, or all of them, to be shortened, if none does.
- */
+/* Returns the first clauses of what a tool does that fit into a width; if none does, all of them, to be shortened. */
 static const char *some_clauses(Window *window, UiTextStyle size, const char *text, double width) {
     const char *whole = whole_clauses(window, size, text, width);
     return *whole ? whole : text;

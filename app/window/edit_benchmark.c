@@ -107,8 +107,8 @@ static void print(Window *window) {
     double longest = MILLI * part_of(frames->times, frames->count, 1);
     FrameMachine machine = frame_timer_machine(frames);
     printf("%s, %d x %d, dragged for %.1f s: %zu edits, %zu unanswered (%zu steps moved nothing, since pieces snap); "
-           "from an edit to its answer on the screen %.1f "
-           "ms (median), %.1f ms (99 of 100); a frame takes %.1f ms (median), %.1f ms (99 of 100), %.1f ms (longest); "
+           "from an edit to its answer on the screen %.1f ms (median), %.1f ms (99 of 100); a frame takes %.1f ms "
+           "(median), %.1f ms (99 of 100), %.1f ms (longest); "
            "used %.2f of %ld processors, load %.1f\n",
            window_tab(window)->laboratory->title(window_tab(window)->session), window->width, window->height,
            stopwatch_now() - benchmark->begun, benchmark->count + benchmark->missed, benchmark->missed,

@@ -21,8 +21,7 @@
 
 /* 1/(m s): q, the largest specific flow through a door of Nelson and Mowrer (SFPE handbook; known, not read again). */
 static const double SPECIFIC_FLOW = 1.3;
-/* 1 and s: a person turns if another exit takes less than this share of the present time, and this much less. Assumed.
- */
+/* 1 and s: another exit must take less than this share of the present time, and this much less. Assumed. */
 static const double WORTH = 0.8, WORTH_BY = 2;
 /* m: people see an exit if they see the floor this far before the middle of its line. Assumed. */
 static const double BEFORE = 1.0;

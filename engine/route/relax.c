@@ -404,9 +404,7 @@ static void take(Relax *relax, const double *step) {
     way_set_axes(way, 0, way->count - 1);
 }
 
-/* True if a way can be driven: it reaches its goals, its stations are dense enough for its bends, and it keeps a
- * margin.
- */
+/* True if a way can be driven: it reaches its goals, has stations enough in its bends, and keeps a margin. */
 static bool is_drivable(const Way *way, const FreeSpace *space, const Rectangle *body, double margin) {
     return way_reaches_goals(way) && way_is_smooth(way, 0, way->count - 1) && way_swept(way, space, body, margin);
 }

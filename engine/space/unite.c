@@ -315,11 +315,8 @@ static Pieces unite_halves(Unite *unite, Pieces *pieces, size_t half) {
         else if (!piece->joins)
             piece->later++;
     }
-    if (!joining || unite->failed) {
-        Pieces all = *pieces;
-        *pieces = (Pieces){0};
-        return all;
-    }
+    if (!joining || unite->failed)
+        return *pieces;
     GEOSGeometry *one = joining_of(unite, pieces, 0, half), *other = joining_of(unite, pieces, half, pieces->count);
     GEOSGeometry *both = one && other ? GEOSUnionPrec_r(unite->geos, one, other, unite->grid) : NULL;
     GEOSGeom_destroy_r(unite->geos, one);
@@ -331,9 +328,7 @@ static Pieces unite_halves(Unite *unite, Pieces *pieces, size_t half) {
     GEOSGeom_destroy_r(unite->geos, both);
     if (unite->failed) {
         clear(unite, &united);
-        Pieces all = *pieces;
-        *pieces = (Pieces){0};
-        return all;
+        return *pieces;
     }
     mark_touching(unite, &united);
     return put_in_place(unite, pieces, &united);
