@@ -4,6 +4,7 @@
 #include "base/real.h"
 #include "house/track.h"
 #include "house/yield.h"
+#include "plan/plan_geometry.h"
 #include "route/pace.h"
 #include "route/search.h"
 
@@ -160,7 +161,7 @@ static double speed_to_barriers(const World *world, size_t i, Drive *drive) {
     double braking = 2 * pace_braking(profile, journey->track.points[drive->index].clearance);
     int door = -1;
     double way = way_to_door(world, i, &door);
-    if (time < exit->opens || time > exit->closes)
+    if (!plan_geometry_is_open(exit, time))
         way = real_min(way, journey->track.exit_s - STAND_OFF - drive->s);
     if (time < exit->opens)
         drive->stalled = 0; /* the exit will open */

@@ -1,16 +1,43 @@
 #include "house/phase.h"
 
+#include <math.h>
 #include <stdint.h>
 
 #include "house/observation.h"
 #include "plan/plan_geometry.h"
 
-bool phase_leave(World *world, size_t i, Vec2 before, Vec2 after) {
+/* m: who is held stays this far from the line, so that rounding never carries anybody onto it. */
+static const double HOLD_OFF = 1e-3;
+
+static double time_after_step(const World *world) {
+    return (double)(world->clock.step + 1) * world->clock.dt;
+}
+
+bool phase_hold(const World *world, Vec2 before, Vec2 *after, Vec2 *velocity) {
     const Plan *plan = &world->house->plan;
-    double time = (double)(world->clock.step + 1) * world->clock.dt;
+    bool held = false;
     for (size_t e = 0; e < plan->exit_count; e++) {
         const Exit *exit = &plan->exits[e];
-        if (time >= exit->opens && time <= exit->closes && plan_geometry_leads_out(exit, before, after)) {
+        if (plan_geometry_is_open(exit, time_after_step(world)))
+            continue;
+        Vec2 along = vec2_unit(vec2_sub(exit->to, exit->from)), motion = vec2_sub(*after, before);
+        double across = vec2_cross(along, motion);
+        Vec2 ahead = vec2_along(*after, copysign(HOLD_OFF, across), vec2_left(along));
+        if (across == 0 || plan_geometry_side(exit, before) == 0 || !plan_geometry_leads_out(exit, before, ahead))
+            continue;
+        *after = held ? before : vec2_along(before, vec2_dot(motion, along), along); /* held by two: at rest */
+        *velocity = held ? vec2(0, 0) : vec2_scale(along, vec2_dot(*velocity, along));
+        held = true;
+    }
+    return held;
+}
+
+bool phase_leave(World *world, size_t i, Vec2 before, Vec2 after) {
+    const Plan *plan = &world->house->plan;
+    double time = time_after_step(world);
+    for (size_t e = 0; e < plan->exit_count; e++) {
+        const Exit *exit = &plan->exits[e];
+        if (plan_geometry_is_open(exit, time) && plan_geometry_leads_out(exit, before, after)) {
             world->phase[i] = PHASE_OUT;
             world->exit[i] = e;
             world->ended[i] = time;

@@ -11,6 +11,11 @@
  * that have been stalled for longer than the run's patience. Walkers give up by their own decision (walk.c). */
 void phase_update(World *world);
 
+/* Assumed: the line of an exit that is not open holds like a shut door. The middle of a person on foot, or the
+ * reference point of a chair, that would move from `before` across it goes along it instead, with the part of the
+ * velocity that is along it: others behind cannot press it out. No force is told. Returns true if it is held. */
+bool phase_hold(const World *world, Vec2 before, Vec2 *after, Vec2 *velocity);
+
 /* Lets person i, who has moved from `before` to `after`, leave if that leads out by an open exit. Returns true then. */
 bool phase_leave(World *world, size_t i, Vec2 before, Vec2 after);
 

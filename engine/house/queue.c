@@ -18,6 +18,7 @@
 #include "base/memory.h"
 #include "base/real.h"
 #include "house/replan.h"
+#include "plan/plan_geometry.h"
 
 /* 1/(m s): q, the largest specific flow through a door of Nelson and Mowrer (SFPE handbook; known, not read again). */
 static const double SPECIFIC_FLOW = 1.3;
@@ -93,7 +94,7 @@ static size_t list_exits(Queue *queues, const World *world, Journeys *journeys, 
     size_t count = 0;
     size_t *open = memory_zeroed(plan->exit_count, sizeof *open);
     for (size_t e = 0; e < plan->exit_count; e++)
-        if (time >= plan->exits[e].opens && time < plan->exits[e].closes)
+        if (plan_geometry_is_open(&plan->exits[e], time))
             open[count++] = e;
     if (count > 1)
         journey_lead_to(journeys, world->house, profile, open, count, time, jobs, stop);

@@ -90,7 +90,7 @@ static void move_person(World *world, size_t i) {
     }
 }
 
-/* Restores the last good position of a person whose numbers have diverged. */
+/* Restores the last good position of a person whose numbers have diverged, or who is held by an exit. */
 static void place_back(World *world, size_t i, Vec2 centre, double heading) {
     world->centre[i] = centre;
     world->heading[i] = heading;
@@ -131,6 +131,11 @@ static void move_riders(World *world, size_t *diverged) {
         Vec2 before = world_reference(world, i), middle = world->centre[i];
         double heading = world->heading[i];
         move_person(world, i);
+        Vec2 after = world_reference(world, i), velocity = world->velocity[i];
+        if (phase_hold(world, before, &after, &velocity)) {
+            place_back(world, i, middle, heading);
+            world->velocity[i] = velocity;
+        }
         world->wall_crossings += crossed_faces(&world->neighbours[world->seat[i]], middle, world->centre[i]);
         if (world->phase[i] == PHASE_MOVING)
             world->departures += phase_leave(world, i, before, world_reference(world, i));

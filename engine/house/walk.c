@@ -238,8 +238,7 @@ static bool exit_is_shut(const World *world, Vec2 at, Vec2 way, double reach) {
     double time = clock_time(&world->clock);
     for (size_t e = 0; e < plan->exit_count; e++) {
         const Exit *exit = &plan->exits[e];
-        if ((time < exit->opens || time > exit->closes) &&
-            plan_geometry_leads_out(exit, at, vec2_along(at, reach, way)))
+        if (!plan_geometry_is_open(exit, time) && plan_geometry_leads_out(exit, at, vec2_along(at, reach, way)))
             return true;
     }
     return false;

@@ -466,6 +466,8 @@ static inline __attribute__((always_inline)) void step_walker(World *world, Walk
         after = before;
         velocity = vec2(0, 0);
     }
+    if (walkers->marks[s] & MARK_EXIT)
+        phase_hold(world, before, &after, &velocity);
     walkers->next_at[s] = world->centre[i] = after;
     walkers->next_velocity[s] = world->velocity[i] = velocity;
     if (beside.face_count)

@@ -24,8 +24,11 @@ void plan_geometry_corners(const Furniture *piece, Vec2 corners[4]) {
 /* m: a place this near to an exit's line is on it. Rounding moves places and lines by far less, motions by far more. */
 static const double ON_LINE = 1e-9;
 
-/* Returns 1 to the left of the exit's line, -1 to the right of it, 0 on it. */
-static int side_of_exit(const Exit *exit, Vec2 at) {
+bool plan_geometry_is_open(const Exit *exit, double time) {
+    return time >= exit->opens && time < exit->closes;
+}
+
+int plan_geometry_side(const Exit *exit, Vec2 at) {
     Vec2 line = vec2_sub(exit->to, exit->from);
     double left = vec2_cross(line, vec2_sub(at, exit->from)); /* m2, the distance times the line's length */
     if (left * left <= ON_LINE * ON_LINE * vec2_dot(line, line))
@@ -34,7 +37,7 @@ static int side_of_exit(const Exit *exit, Vec2 at) {
 }
 
 bool plan_geometry_leads_out(const Exit *exit, Vec2 from, Vec2 to) {
-    if (side_of_exit(exit, from) == side_of_exit(exit, to))
+    if (plan_geometry_side(exit, from) == plan_geometry_side(exit, to))
         return false;
     Vec2 motion = vec2_sub(to, from);
     double one = vec2_cross(motion, vec2_sub(exit->from, from)), other = vec2_cross(motion, vec2_sub(exit->to, from));

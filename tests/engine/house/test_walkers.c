@@ -109,6 +109,47 @@ TEST(walkers_wait_for_an_exit_that_opens_later) {
     house_free(&house);
 }
 
+/* Those in front are pressed against the exit by those behind; `beyond` moves the exit out of its door. */
+static void press_against_shut_exit(double beyond, double opens, double closes, bool chairs) {
+    json_t *plan = closed_hall(10, 6);
+    add_door(plan, 1, 3, 1, "e", closes);
+    json_t *exit = json_array_get(json_object_get(plan, "exits"), 0);
+    if (opens > 0)
+        json_object_set_new(exit, "opens", json_real(opens));
+    for (int end = 0; end < 2; end++) {
+        json_t *point = json_object_get(exit, end ? "to" : "from");
+        json_array_set_new(point, 0, json_real(json_number_value(json_array_get(point, 0)) + beyond));
+    }
+    add_door(plan, 3, 3, 1, "other", 0);
+    if (chairs) {
+        json_array_remove(json_object_get(plan, "exits"), 1);
+        case_add_person(plan, "manual-chair", 7, 3, 0);
+        case_add_person(plan, "electric-chair", 5, 3, 0);
+    } else {
+        add_crowd(plan, "c", "adult", 50, 6, 1, 9, 5);
+    }
+    House house;
+    case_made(&house, plan, -1, NULL);
+    Observation observation = case_run(&house, 1);
+    for (size_t i = 0; i < observation.person_count; i++) {
+        const PersonObservation *person = &observation.people[i];
+        CHECK(person->completed);
+        if (person->completed && strcmp(house.plan.exits[person->exit].id, "e") == 0)
+            CHECK(person->time >= opens && (closes == 0 || person->time <= closes));
+    }
+    observation_free(&observation);
+    house_free(&house);
+}
+
+TEST(nobody_is_pressed_out_by_a_shut_exit) {
+    for (int place = 0; place < 2; place++) {
+        press_against_shut_exit(0.5 * place, 15, 0, false);
+        press_against_shut_exit(0.5 * place, 15, 0, true);
+        for (double closes = 5; closes < 12; closes += 1)
+            press_against_shut_exit(0.5 * place, 0, closes, false);
+    }
+}
+
 TEST(each_of_two_doors_takes_its_own_time_to_open) {
     json_t *plan = closed_hall(10, 4);
     add_door(plan, 1, 2, 1, "e", 0);
