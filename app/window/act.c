@@ -338,14 +338,19 @@ static bool selects_texts(const Tab *tab) {
     return false;
 }
 
-/* Takes the tool for what a house lacks, as the button of the answer does; false: it lacks nothing. */
+void act_cure(Window *window, Tab *tab, int tool) {
+    act_do(window, ACTION_TOOL_SELECT + (Action)tool, 0, 0);
+    editor_cure(tab_editor(tab));
+}
+
+/* Goes on to what a house lacks, as the button of the answer does; false: it lacks nothing. */
 static bool take_missing(Window *window, Tab *tab) {
     Editor *editor = tab_editor(tab);
     Result answer = tab->laboratory->answer(tab->session);
     bool takes = editor && answer.cure && !answer.stale && !tab->laboratory->selected(tab->session).kind &&
                  editor_tool(editor) == TOOL_SELECT && !lesson_is_shown(window);
     if (takes)
-        act_do(window, ACTION_TOOL_SELECT + (Action)answer.tool, 0, 0);
+        act_cure(window, tab, answer.tool);
     return takes;
 }
 

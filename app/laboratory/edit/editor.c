@@ -10,6 +10,7 @@
 #include "laboratory/edit/handle.h"
 #include "laboratory/edit/image.h"
 #include "laboratory/edit/marks.h"
+#include "laboratory/edit/place.h"
 #include "laboratory/edit/pointer.h"
 #include "laboratory/edit/preview.h"
 #include "laboratory/edit/propose.h"
@@ -170,6 +171,10 @@ const char *editor_image_error(Editor *edit) {
 void editor_set_tool(Editor *edit, EditTool tool) {
     editor_end_number(edit);
     edit_pointer_set_tool(edit, tool);
+}
+
+void editor_cure(Editor *edit) {
+    edit_place_cure(edit);
 }
 
 EditTool editor_tool(const Editor *edit) {

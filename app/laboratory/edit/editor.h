@@ -208,6 +208,10 @@ const EditToolRow *editor_tool_row(EditTool tool);
 void editor_set_tool(Editor *editor, EditTool tool); /* ends the gesture in progress */
 EditTool editor_tool(const Editor *editor);
 
+/* Goes on to what the house lacks, after the tool for it was taken. An exit that can only lie on one opening is placed
+ * there. Once an exit is placed and nobody is in the house, the tool for people follows. */
+void editor_cure(Editor *editor);
+
 /* Pass the pointer's movement and the main button; `twice`: the second press of a double click. */
 void editor_point(Editor *editor, const Pointer *pointer);
 void editor_press(Editor *editor, const Pointer *pointer, bool twice);

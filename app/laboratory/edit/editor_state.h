@@ -129,6 +129,7 @@ struct Editor {
     bool seen;   /* the pointer has been on the plan */
     bool placed; /* an item was placed, and the pointer has not moved away from it since; then nothing is previewed */
     Vec2 placed_at; /* m */
+    bool cures;     /* the tool was taken for what the house lacks */
 
     char **ids; /* (id_count) ids of the selection, in the order of selecting */
     size_t id_count, id_capacity;

@@ -238,7 +238,55 @@ void edit_exit_show(Editor *edit) {
         edit_marks_exit(edit, now->from, now->to);
 }
 
-/* Marks of a house without exits ----------------------------------------------------------------------------------- */
+/* A house without exits -------------------------------------------------------------------------------------------- */
+
+enum { OPENINGS_MOST = 8 };
+
+typedef struct Opening {
+    Vec2 from, to; /* m */
+} Opening;
+
+/* True if straight on, on one side of an opening, no wall follows: it leads outside. */
+static bool leads_outside(const Plan *plan, Vec2 from, Vec2 to) {
+    Vec2 middle = vec2_scale(vec2_add(from, to), 0.5), out = vec2_left(vec2_unit(vec2_sub(to, from)));
+    return next_wall(plan, vec2_along(middle, LEAST_GAP, out), out) == HUGE_VAL ||
+           next_wall(plan, vec2_along(middle, -LEAST_GAP, out), vec2_scale(out, -1)) == HUGE_VAL;
+}
+
+/* Lists doors and gaps that lead outside, at most a few. */
+static size_t list_openings(const Plan *plan, Opening openings[OPENINGS_MOST]) {
+    size_t count = 0;
+    for (size_t d = 0; d < plan->door_count && count < OPENINGS_MOST; d++) {
+        Opening *opening = &openings[count];
+        plan_geometry_door_ends(plan, &plan->doors[d], &opening->from, &opening->to);
+        count += leads_outside(plan, opening->from, opening->to);
+    }
+    Vec2 last = {NAN, NAN};
+    for (size_t w = 0; w < plan->wall_count; w++) {
+        WallEnd ends[2];
+        size_t end_count = wall_ends(&plan->walls[w], ends);
+        for (size_t e = 0; e < end_count && count < OPENINGS_MOST; e++) {
+            Gap gap = {.at = vec2_along(ends[e].at, LEAST_GAP / 2, ends[e].on), .reach = SAME};
+            if (!find_gap(plan, &gap) || !leads_outside(plan, gap.from, gap.to))
+                continue;
+            Vec2 middle = vec2_scale(vec2_add(gap.from, gap.to), 0.5);
+            if (vec2_distance(middle, last) < SAME)
+                continue; /* the other end of the same gap */
+            last = middle;
+            openings[count++] = (Opening){gap.from, gap.to};
+        }
+    }
+    return count;
+}
+
+bool edit_exit_only(const Editor *edit, Vec2 *at) {
+    Opening openings[OPENINGS_MOST];
+    const Plan *plan = draft_plan(edit->draft);
+    if (plan->exit_count || list_openings(plan, openings) != 1)
+        return false;
+    *at = vec2_scale(vec2_add(openings[0].from, openings[0].to), 0.5);
+    return true;
+}
 
 static void add_ring(Editor *edit, Vec2 from, Vec2 to) {
     enum { RING = 24 };
@@ -249,41 +297,12 @@ static void add_ring(Editor *edit, Vec2 from, Vec2 to) {
     edit_marks_ring(edit, ring, RING, "here?");
 }
 
-/* True if straight on, on one side of an opening, no wall follows: it leads outside. */
-static bool leads_outside(const Plan *plan, Vec2 from, Vec2 to) {
-    Vec2 middle = vec2_scale(vec2_add(from, to), 0.5), out = vec2_left(vec2_unit(vec2_sub(to, from)));
-    return next_wall(plan, vec2_along(middle, LEAST_GAP, out), out) == HUGE_VAL ||
-           next_wall(plan, vec2_along(middle, -LEAST_GAP, out), vec2_scale(out, -1)) == HUGE_VAL;
-}
-
 void edit_exit_rings(Editor *edit) {
-    enum { MOST = 8 };
+    Opening openings[OPENINGS_MOST];
     const Plan *plan = draft_plan(edit->draft);
-    size_t rings = 0;
     if (plan->exit_count || (edit->tool != TOOL_SELECT && edit->tool != TOOL_EXIT))
         return;
-    for (size_t d = 0; d < plan->door_count && rings < MOST; d++) {
-        Vec2 from, to;
-        plan_geometry_door_ends(plan, &plan->doors[d], &from, &to);
-        if (!leads_outside(plan, from, to))
-            continue;
-        add_ring(edit, from, to);
-        rings++;
-    }
-    Vec2 last = {NAN, NAN};
-    for (size_t w = 0; w < plan->wall_count; w++) {
-        WallEnd ends[2];
-        size_t count = wall_ends(&plan->walls[w], ends);
-        for (size_t e = 0; e < count && rings < MOST; e++) {
-            Gap gap = {.at = vec2_along(ends[e].at, LEAST_GAP / 2, ends[e].on), .reach = SAME};
-            if (!find_gap(plan, &gap) || !leads_outside(plan, gap.from, gap.to))
-                continue;
-            Vec2 middle = vec2_scale(vec2_add(gap.from, gap.to), 0.5);
-            if (vec2_distance(middle, last) < SAME)
-                continue; /* the other end of the same gap */
-            last = middle;
-            add_ring(edit, gap.from, gap.to);
-            rings++;
-        }
-    }
+    size_t count = list_openings(plan, openings);
+    for (size_t k = 0; k < count; k++)
+        add_ring(edit, openings[k].from, openings[k].to);
 }

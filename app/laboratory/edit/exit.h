@@ -13,5 +13,8 @@ void edit_exit_describe(const Editor *edit, Text *text);
 void edit_exit_promise(const Editor *edit, Text *text); /* what a click does */
 void edit_exit_show(Editor *edit);
 
+/* Fills in the middle of the opening on which the first exit lies, m; false: there is none, or there are several. */
+bool edit_exit_only(const Editor *edit, Vec2 *at);
+
 /* Marks the doors and gaps on which the first exit could lie, at most a few. */
 void edit_exit_rings(Editor *edit);

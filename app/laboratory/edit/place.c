@@ -9,10 +9,12 @@
 #include "laboratory/edit/field.h"
 #include "laboratory/edit/gesture.h"
 #include "laboratory/edit/marks.h"
+#include "laboratory/edit/pointer.h"
 #include "laboratory/edit/select.h"
 #include "laboratory/edit/tool_items.h"
 
 static const double LEAST_SIZE = 0.01; /* m */
+static const double ON_OPENING = 1e-6; /* m: rounding of the middle of an opening */
 
 /* The fields of each kind of item begin with its place. */
 enum { FIELD_X, FIELD_Y };
@@ -190,7 +192,22 @@ static bool confirm(Editor *edit, bool keys) {
         edit_select_only(edit, edit->added_id);
     edit->placed = true;
     edit->placed_at = edit->pointer.at;
+    if (edit->cures && edit->tool == TOOL_EXIT && !draft_plan(edit->draft)->person_count &&
+        !draft_plan(edit->draft)->crowd_count)
+        edit_pointer_set_tool(edit, TOOL_PERSON);
     return true;
+}
+
+void edit_place_cure(Editor *edit) {
+    edit->cures = true;
+    Pointer pointer = edit->pointer;
+    if (edit->tool != TOOL_EXIT || !edit_exit_only(edit, &edit->pointer.at))
+        return;
+    edit->pointer.reach = ON_OPENING;
+    edit_place_begin(edit, false);
+    if (!confirm(edit, false))
+        edit_gesture_cancel(edit);
+    edit->pointer = pointer;
 }
 
 /* Ends the placement of an exit; where none can lie, nothing happens. */

@@ -5,3 +5,6 @@
 
 /* Begins to place the chosen item of the present tool. */
 void edit_place_begin(Editor *edit, bool keys);
+
+/* As editor_cure. */
+void edit_place_cure(Editor *edit);

@@ -46,7 +46,7 @@ void edit_pointer_set_tool(Editor *edit, EditTool tool) {
     edit->pending = PENDING_NOTHING;
     edit->down = false;
     edit->handle = -1;
-    edit->placed = false;
+    edit->placed = edit->cures = false;
     edit->tool = tool < EDIT_TOOLS ? tool : TOOL_SELECT;
 }
 

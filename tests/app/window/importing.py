@@ -101,4 +101,40 @@ state = screen.until(lambda s: s.get("complete") and s["answer"]["title"].starts
 check(state["answer"]["title"].startswith("Out in"), "an imported flat runs after five actions", state["answer"])
 screen.shot("runs")
 screen.end()
+
+# another house is open: five actions from the file dialog, where one opening leads outside; undo knows each of them
+screen = stage.Screen("dialog", stage.house("closed-door"))
+screen.until(lambda s: s.get("complete"))
+screen.keys("ctrl+o")
+screen.type(str(flat))
+screen.keys("Return")
+state = screen.until(lambda s: s["answer"]["cure"] == "Add an exit")
+screen.keys("Return")
+state = screen.until(lambda s: s["answer"]["cure"] == "Place somebody")
+check(state["tool"] == "person" and state["undo_name"] == "Place exit",
+      "the only opening gets the exit, and the tool for people follows", (state["tool"], state["undo_name"]))
+screen.shot("exit")
+screen.click(*place(state, 1.5, 2))
+state = screen.until(lambda s: s.get("complete") and s["answer"]["title"].startswith("Out in"))
+check(state["answer"]["title"].startswith("Out in") and state["edits"] == 2,
+      "from the file dialog an imported flat runs after five actions", (state["answer"], state["edits"]))
+screen.shot("out")
+screen.end()
+
+# two openings lead outside: the house asks on which, and then for somebody
+two = drawing("two.dxf", room(6000, 4000, 900).replace(line("A-WALL", 0, 4000, 0, 0), line("A-WALL", 0, 4000, 0, 2500) +
+                                                       line("A-WALL", 0, 1500, 0, 0)))
+screen = stage.Screen("two", two)
+state = screen.until(lambda s: s["answer"]["cure"] == "Add an exit")
+screen.keys("Return")
+state = screen.state()
+check(state["tool"] == "exit" and not state["edits"], "two openings: the tool for exits", (state["tool"], state["edits"]))
+screen.click(*place(state, 0, 2))
+state = screen.until(lambda s: s["answer"]["cure"] == "Place somebody")
+check(state["tool"] == "person", "once the exit lies there, the tool for people follows", state["tool"])
+screen.keys("Escape", "x")
+screen.click(*place(state, 3.45, 0))
+state = screen.until(lambda s: s["edits"] == 2)
+check(state["tool"] == "exit", "a tool that was taken by its own key stays", state["tool"])
+screen.end()
 stage.end()
