@@ -89,7 +89,8 @@ static Place find_place(const Track *track, const Profile *profile, Vec2 at, Dri
         double turn = vec2_wrap_angle(place.next->heading - place.here->heading);
         place.heading = place.here->heading + part * turn;
         place.speed = place.here->speed + part * (place.next->speed - place.here->speed);
-        drive->s = place.here->s + real_max(done, 0);
+        double behind = drive->retreats && drive->index == 0 ? RETREAT : 0;
+        drive->s = place.here->s + real_max(done, -behind);
         drive->offset = vec2_cross(place.along, vec2_sub(at, place.here->at));
         return place;
     }
@@ -105,19 +106,20 @@ static void watch_progress(Drive *drive, double dt) {
 }
 
 /* Lets a person who has run into something back off a little and try again; one for whom others wait tries as often as
- * needed. Returns true during the retreat, which does not leave the present part of the path. */
+ * needed. Returns true during the retreat, which does not leave the present part of the path, but goes straight on
+ * behind the beginning of a path that was planned where the person got stuck. */
 static bool retreats(const Track *track, Drive *drive, bool touches) {
     bool yields = drive->gives_way || drive->heeded < 0;
     double due = RETRY_AFTER * (drive->retries + (drive->gives_way ? 1 : 2));
-    if (drive->retreat_to < 0 && touches && drive->stalled > due && (yields || drive->retries < RETRIES_MOST)) {
-        drive->retreat_to = real_max(drive->s - RETREAT, 0);
+    if (!drive->retreats && touches && drive->stalled > due && (yields || drive->retries < RETRIES_MOST)) {
+        drive->retreats = true;
+        drive->retreat_to = drive->s - RETREAT;
         drive->retries++;
     }
     bool ended = drive->s <= drive->retreat_to || drive->stalled > due + RETRY_AFTER ||
                  (drive->index > 0 && track->points[drive->index].direction != piece_direction(track, drive->index));
-    if (drive->retreat_to >= 0 && ended)
-        drive->retreat_to = -1;
-    return drive->retreat_to >= 0;
+    drive->retreats = drive->retreats && !ended;
+    return drive->retreats;
 }
 
 /* Moves back along the track with the retreating reference point. */
@@ -500,7 +502,7 @@ static Effort drive_miura(const World *world, size_t i, Drive *drive, const Plac
 
 Effort drive_person(const World *world, size_t i, Drive *drive) {
     const Profile *profile = world->house->people[i].profile;
-    if (drive->retreat_to >= 0)
+    if (drive->retreats)
         step_back(&world->journeys[i].track, world_reference(world, i), drive);
     Place place = find_place(&world->journeys[i].track, profile, world_reference(world, i), drive);
     watch_progress(drive, world->clock.dt);

@@ -52,7 +52,6 @@ void replan_set_out(World *world, size_t i, bool strayed) {
         drive->stalled = drive->retries = 0;
     else
         *drive = (Drive){.best_turn = HUGE_VAL,
-                         .retreat_to = -1,
                          .heeded = HUGE_VAL,
                          .free_way = HUGE_VAL,
                          .gone = drive->gone,

@@ -65,7 +65,6 @@ static void place_person(World *world, size_t i, bool takes_part) {
     world->start[i] = person->delay;
     world->phase[i] = takes_part ? PHASE_WAITING : PHASE_ABSENT;
     world->drive[i].best_turn = HUGE_VAL;
-    world->drive[i].retreat_to = -1;
     world->drive[i].heeded = world->drive[i].free_way = HUGE_VAL;
     world->walk[i] = (Walk){.best = HUGE_VAL, .door = -1};
 }

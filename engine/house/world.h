@@ -63,7 +63,8 @@ typedef struct Drive {
     double best_turn;  /* rad, least remaining part of a turn on the spot */
     double stalled;    /* s, without progress */
     double handle;     /* s, spent at a shut door's handle */
-    double retreat_to; /* m, along the track: target of a retreat before another attempt; negative: no retreat */
+    bool retreats;     /* backs off before another attempt, */
+    double retreat_to; /* m, along the track: to there */
     int retries;       /* attempts since the last progress */
     int plans;         /* number of new plans after having been pushed off the path */
     double heeded;     /* m/s, speed limit due to the people ahead, when last updated */

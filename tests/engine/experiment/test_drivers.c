@@ -97,6 +97,23 @@ static Touched touched(size_t count, const char *caution, const char *ring) {
     return result;
 }
 
+/* Once they pressed on against the inner post for ever, where their ways had been planned again. */
+TEST(drivers_who_press_against_a_post_back_off_and_get_out) {
+    static const size_t stuck[] = {13, 57, 69, 85, 98};
+    House house;
+    Population population = manual();
+    case_house(&house, "corner-1.00-1.00", -1, NULL);
+    house.seed = 0;
+    for (size_t k = 0; k < sizeof stuck / sizeof *stuck; k++) {
+        Observation observation;
+        drivers_run_one(&observation, &house, &population, stuck[k], SIZE_MAX, NULL);
+        CHECK(observation.people[0].contacts > 0 && observation.completed);
+        observation_free(&observation);
+    }
+    house_free(&house);
+    population_free(&population);
+}
+
 /* The chance of a touch on either side in a way of s: 1 - exp(-2 nu s), nu = sqrt(K) / (2 pi) exp(-z^2 / 2) (Rice),
  * sqrt(K) = sqrt(1 / 0.6^2 + 1 / 2^2) per metre: 22.6 % with z = 2.5 and 1.3 % with 3.5 in 10 m. */
 LONG_TEST(as_many_drivers_touch_a_wall_as_the_formula_says) {
