@@ -207,43 +207,57 @@ static void seed_exit(const Field *field, Queue *queue, const Exit *exit) {
     seed_line(field, queue, exit->from, exit->to, cell, is_short ? 0 : EXIT_END);
 }
 
-static const signed char moves[16][2] = {{1, 0}, {-1, 0}, {0, 1},  {0, -1},  {1, 1}, {-1, 1}, {1, -1}, {-1, -1},
-                                         {2, 1}, {-2, 1}, {2, -1}, {-2, -1}, {1, 2}, {-1, 2}, {1, -2}, {-1, -2}};
+/* A step from a grid point to one of 16 around it. */
+typedef struct Move {
+    int x, y;
+    float length;         /* m, half of it: the slowness is the sum of those at both ends */
+    ptrdiff_t to;         /* from the point to there, in points of the grid */
+    ptrdiff_t half, rest; /* to the two points between which a knight's move passes, which must be free; 0: neither */
+} Move;
 
-/* True if a knight's move is free: both points that it passes between must be free. */
-static bool way_free(const float *slowness, int nx, size_t point, int dx, int dy) {
-    if (dx * dx + dy * dy <= 2)
-        return true;
-    ptrdiff_t half = (ptrdiff_t)(dy / 2) * nx + dx / 2, rest = (ptrdiff_t)(dy - dy / 2) * nx + (dx - dx / 2);
-    return slowness[(size_t)((ptrdiff_t)point + half)] > 0 && slowness[(size_t)((ptrdiff_t)point + rest)] > 0;
+enum { MOVES = 16, MOVE_REACH = 2 /* cells */ };
+
+static void list_moves(Move moves[MOVES], int nx, double cell) {
+    static const signed char steps[MOVES][2] = {{1, 0}, {-1, 0}, {0, 1},  {0, -1},  {1, 1}, {-1, 1}, {1, -1}, {-1, -1},
+                                                {2, 1}, {-2, 1}, {2, -1}, {-2, -1}, {1, 2}, {-1, 2}, {1, -2}, {-1, -2}};
+    static const float lengths[] = {1, 1.41421f, 2.23607f};
+    for (int m = 0; m < MOVES; m++) {
+        int x = steps[m][0], y = steps[m][1], half_x = x / 2, half_y = y / 2;
+        moves[m] = (Move){x, y, lengths[m < 4 ? 0 : m < 8 ? 1 : 2] * (0.5f * (float)cell), (ptrdiff_t)y * nx + x, 0, 0};
+        if (m < 8)
+            continue;
+        moves[m].half = (ptrdiff_t)half_y * nx + half_x;
+        moves[m].rest = (ptrdiff_t)(y - half_y) * nx + (x - half_x);
+    }
 }
 
-static void relax(const Field *field, Queue *queue, size_t point) {
+static void relax(const Field *field, const Move moves[MOVES], Queue *queue, size_t point) {
     const Ground *ground = field->ground;
     const FreeSpace *space = ground->space;
-    const float *slowness = ground->slowness;
-    static const float lengths[16] = {1,        1,        1,        1,        1.41421f, 1.41421f, 1.41421f, 1.41421f,
-                                      2.23607f, 2.23607f, 2.23607f, 2.23607f, 2.23607f, 2.23607f, 2.23607f, 2.23607f};
-    int x = (int)(point % (size_t)space->nx), y = (int)(point / (size_t)space->nx);
-    float half = 0.5f * (float)space->cell, time = field->time[point];
-    for (int m = 0; m < 16; m++) {
-        int i = x + moves[m][0], j = y + moves[m][1];
-        if (i < 0 || j < 0 || i >= space->nx || j >= space->ny)
+    const float *here = ground->slowness + point;
+    float *times = field->time + point, time = *times;
+    int nx = space->nx, ny = space->ny, x = (int)(point % (size_t)nx), y = (int)(point / (size_t)nx);
+    bool amid = x >= MOVE_REACH && y >= MOVE_REACH && x < nx - MOVE_REACH && y < ny - MOVE_REACH;
+    for (int m = 0; m < MOVES; m++) {
+        const Move *move = &moves[m];
+        int i = x + move->x, j = y + move->y;
+        if (!amid && (i < 0 || j < 0 || i >= nx || j >= ny))
             continue;
-        size_t to = (size_t)j * (size_t)space->nx + (size_t)i;
-        if (!(slowness[to] > 0))
+        float there = here[move->to];
+        if (!(there > 0))
             continue;
-        float reached = time + lengths[m] * half * (slowness[point] + slowness[to]);
-        if (reached >= field->time[to] || !way_free(slowness, space->nx, point, moves[m][0], moves[m][1]))
+        float reached = time + move->length * (*here + there);
+        if (reached >= times[move->to] || !(here[move->half] > 0) || !(here[move->rest] > 0))
             continue;
+        size_t to = (size_t)((ptrdiff_t)point + move->to);
         if (ground->doors && ground->doors[point] && ground->doors[to]) {
             Vec2 from = {space->origin.x + x * space->cell, space->origin.y + y * space->cell};
-            Vec2 there = {space->origin.x + i * space->cell, space->origin.y + j * space->cell};
-            reached += (float)field_delay(ground, from, there);
-            if (reached >= field->time[to])
+            Vec2 end = {space->origin.x + i * space->cell, space->origin.y + j * space->cell};
+            reached += (float)field_delay(ground, from, end);
+            if (reached >= times[move->to])
                 continue;
         }
-        field->time[to] = reached;
+        times[move->to] = reached;
         queue_put(queue, (int)to, reached);
     }
 }
@@ -274,6 +288,8 @@ void field_init(Field *field, const Ground *ground, const Goal *goal) {
     for (size_t e = 0; goal->radius <= 0 && e < plan->exit_count; e++)
         if (field_exit_usable(goal, plan, e))
             seed_exit(field, &queue, &plan->exits[e]);
+    Move moves[MOVES];
+    list_moves(moves, space->nx, space->cell);
     for (size_t b = 0; queue.held > 0; b = (b + 1) % queue.bucket_count)
         while (queue.heads[b] >= 0) {
             int place = queue.heads[b];
@@ -283,7 +299,7 @@ void field_init(Field *field, const Ground *ground, const Goal *goal) {
             queue.unused = place;
             queue.held--;
             if (entry.time <= field->time[entry.point])
-                relax(field, &queue, (size_t)entry.point);
+                relax(field, moves, &queue, (size_t)entry.point);
         }
     memory_free(queue.entries);
     memory_free(queue.heads);
