@@ -9,7 +9,6 @@
 #include "laboratory/edit/field.h"
 #include "laboratory/edit/gesture.h"
 #include "laboratory/edit/marks.h"
-#include "laboratory/edit/pointer.h"
 #include "laboratory/edit/select.h"
 #include "laboratory/edit/tool_items.h"
 
@@ -192,9 +191,9 @@ static bool confirm(Editor *edit, bool keys) {
         edit_select_only(edit, edit->added_id);
     edit->placed = true;
     edit->placed_at = edit->pointer.at;
-    if (edit->cures && edit->tool == TOOL_EXIT && !draft_plan(edit->draft)->person_count &&
-        !draft_plan(edit->draft)->crowd_count)
-        edit_pointer_set_tool(edit, TOOL_PERSON);
+    const Plan *plan = draft_plan(edit->draft);
+    if (edit->cures && edit->tool == TOOL_EXIT && !plan->person_count && !plan->crowd_count)
+        edit->tool = TOOL_PERSON;
     return true;
 }
 
