@@ -115,16 +115,13 @@ void bars_show_menu(Window *window) {
 
 /* The answer ------------------------------------------------------------------------------------------------------- */
 
-static Action tool_action(const Result *answer) {
-    return ACTION_TOOL_SELECT + (Action)answer->tool;
-}
-
 /* Shows a button that goes on to what is missing. */
 static double show_cure_button(Window *window, Tab *tab, Box bar, const Result *answer) {
     double width = ui_extent(window->ui, UI_BOLD, answer->cure).x + BUTTON_PAD;
     double left = bar.high.x - MARGIN - width, y = middle_of(bar).y, half = fmin(SHOW_HEIGHT, box_height(bar) - 8) / 2;
     ui_at(window->ui, (Box){{left, y - half}, {left + width, y + half}});
-    UiButton button = {.label = answer->cure, .chosen = true, .help = keys_help(&window->arena, tool_action(answer))};
+    Action tool = ACTION_TOOL_SELECT + (Action)answer->tool;
+    UiButton button = {.label = answer->cure, .chosen = true, .help = keys_help(&window->arena, tool)};
     if (ui_button(window->ui, &button) && tab_editor(tab))
         act_cure(window, tab, answer->tool);
     return left - GAP;

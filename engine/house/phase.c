@@ -15,10 +15,11 @@ static double time_after_step(const World *world) {
 
 bool phase_hold(const World *world, Vec2 before, Vec2 *after, Vec2 *velocity) {
     const Plan *plan = &world->house->plan;
+    double time = time_after_step(world);
     bool held = false;
     for (size_t e = 0; e < plan->exit_count; e++) {
         const Exit *exit = &plan->exits[e];
-        if (plan_geometry_is_open(exit, time_after_step(world)))
+        if (plan_geometry_is_open(exit, time))
             continue;
         Vec2 along = vec2_unit(vec2_sub(exit->to, exit->from)), motion = vec2_sub(*after, before);
         double across = vec2_cross(along, motion);
