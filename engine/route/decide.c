@@ -23,6 +23,7 @@
 #define MARGIN 0.005         /* m, kept from everything, unless the start has less */
 #define BARELY 1e-3          /* m, kept where there is no room for the margin */
 #define HAIR 5e-4            /* m */
+#define HARDLY 0.006         /* m, more relief than this is another body */
 
 enum { SWEEPS = 8, SURE = 2, ASK_WHETHER_IT_FITS = 2 };
 
@@ -54,7 +55,7 @@ enum { RUNGS = sizeof rungs / sizeof *rungs };
 
 #define MOST_RELIEF 0.040 /* m */
 
-/* With the true body: each is limited to about as many nodes as take a second. */
+/* With the true body. */
 static const SearchGrain true_grains[] = {
     {.cell = 0.10, .turn = M_PI / 18, .step = 0.15, .weight = 1.5, .most_nodes = 60000},
     {.cell = 0.05, .turn = M_PI / 36, .step = 0.10, .weight = 1.5, .most_nodes = 150000},
@@ -88,6 +89,8 @@ typedef struct Decide {
     double before;         /* s, the time of the best before the latest proposal */
     double latest;         /* s, the least time that the latest proposal has led to with this margin */
     bool vain[TRUE_RUNGS]; /* True if a smaller body was searched for in every state at this grain, in vain */
+    bool proposed;         /* True if a search has found a way of a smaller body */
+    double spent[RUNGS];   /* m2 rad, of states that a rung has tried until it gave up; 0: it did not */
 } Decide;
 
 static Rectangle relieved(const Rectangle *body, double by) {
@@ -231,12 +234,29 @@ static void give_track(const Decide *decide, SearchTrack *track) {
     track->exit = (size_t)(decide->best.exit - query->plan->exits);
 }
 
+/* Returns the most of the space of states that a search can try, m2 rad. */
+static double extent_of(const SearchGrain *grain) {
+    return (double)grain->most_nodes * grain->cell * grain->cell * grain->turn;
+}
+
+/* True if a search need not be tried, since a body that is hardly larger gave up, with as many changes of direction,
+ * after it had tried as much of the space as this one could; or, with the true body, since smaller ones gave up and
+ * none found a way. */
+static bool is_vain(const Decide *decide, const SearchGrain *grain, double relief, Stage stage) {
+    bool vain = false;
+    for (int r = 0; r < RUNGS; r++)
+        if (decide->spent[r] > 0 && (stage == STAGE_ONWARDS || rungs[r].stage != STAGE_ONWARDS))
+            vain |= (rungs[r].relief >= relief - HARDLY && decide->spent[r] >= extent_of(grain)) ||
+                    (relief <= 0 && !decide->proposed);
+    return vain;
+}
+
 /* Searches with the true body, ever finer: what is found is free, though not by much. */
 static SearchAnswer search_truly(const Decide *decide, SearchTrack *track, size_t *pins) {
     const RouteQuery *query = decide->query;
     SearchAnswer answer = SEARCH_NONE;
     for (int t = 0; t < TRUE_RUNGS; t++) {
-        if (decide->vain[t])
+        if (decide->vain[t] || is_vain(decide, &true_grains[t], 0, STAGE_LAST))
             continue;
         /* The finest grain cannot succeed if the previous one exhausted its nodes. */
         if ((decide->coarsely && t > 0) || (t == TRUE_RUNGS - 1 && answer == SEARCH_GAVE_UP))
@@ -247,12 +267,6 @@ static SearchAnswer search_truly(const Decide *decide, SearchTrack *track, size_
             break;
     }
     return answer;
-}
-
-/* True if a rung need not be tried. Without a change of direction, one search that uses up its nodes stands for all:
- * the others have larger bodies, and the finer ones three times the nodes for eight times the states. */
-static bool is_vain(const Decide *decide, const Rung *rung, bool gave_up) {
-    return (rung->stage == STAGE_ONWARDS && gave_up) || (decide->coarsely && rung->grain->cell < coarse.cell);
 }
 
 /* Decides in either manner; the parameters are those of decide_way. */
@@ -269,16 +283,18 @@ static DecideAnswer decide_fresh(const RouteQuery *query, const Rectangle *body,
                      .time = HUGE_VAL};
     SearchTrack proposal = {0};
     DecideAnswer result = DECIDE_NONE;
-    bool whole = true, gave_up = false; /* a search of this stage */
+    bool whole = true;
     int enough = decide.any ? 1 : SURE;
     for (int r = 0; r < RUNGS && whole && result == DECIDE_NONE && decide.confirmed < enough; r++) {
         bool begins = r > 0 && rungs[r].stage != rungs[r - 1].stage;
         if (begins && (decide.confirmed > 0 || query->most_reversals == 0))
             break;
-        gave_up &= !begins;
-        if (!is_vain(&decide, &rungs[r], gave_up)) {
+        bool too_fine = coarsely && rungs[r].grain->cell < coarse.cell;
+        if (!too_fine && !is_vain(&decide, rungs[r].grain, rungs[r].relief, rungs[r].stage)) {
             SearchAnswer answer = propose(&decide, &rungs[r], &proposal);
-            gave_up |= answer == SEARCH_GAVE_UP;
+            if (answer == SEARCH_GAVE_UP)
+                decide.spent[r] = extent_of(rungs[r].grain);
+            decide.proposed |= answer == SEARCH_FOUND;
             for (int t = 0; t < TRUE_RUNGS && answer == SEARCH_NONE && rungs[r].stage != STAGE_ONWARDS; t++)
                 decide.vain[t] |= true_grains[t].cell == rungs[r].grain->cell;
             whole = answer != SEARCH_INTERRUPTED && (answer != SEARCH_FOUND || realise(&decide, &proposal));
