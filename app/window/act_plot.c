@@ -182,7 +182,7 @@ static void begin_frames(Window *window) {
     order.arguments = autosave_command(window, &order.argument_count);
     window->export = export_begin(&order, &fault);
     if (window->export)
-        notice_post(window, "Writing frames to %s", out);
+        notice_log(window, "Writing frames to %s", out);
     notice_fault(window, &fault, NAN);
     memory_free(out);
     memory_free(folder);

@@ -82,7 +82,7 @@ static void make(Window *window, const Making *making) {
     }
     window->export = export_begin(&order, &fault);
     if (window->export)
-        notice_post(window, "Writing %s", movie ? movie : out);
+        notice_log(window, "Writing %s", movie ? movie : out);
     notice_fault(window, &fault, NAN);
     memory_free(free_name);
     memory_free(folder);

@@ -4,14 +4,26 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-void notice_post(Window *window, const char *format, ...) {
+static void add_note(Window *window, const char *format, va_list arguments) {
     char text[512];
-    va_list arguments;
-    va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
     messages_add(&window->messages, MESSAGE_NOTE, NAN, "%s", text);
     window->dirty = true;
+}
+
+void notice_post(Window *window, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    add_note(window, format, arguments);
+    va_end(arguments);
+}
+
+void notice_log(Window *window, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    add_note(window, format, arguments);
+    va_end(arguments);
+    window->dismissed = messages_last(&window->messages)->number;
 }
 
 const Message *notice_shown(Window *window, size_t *faults) {

@@ -6,6 +6,9 @@
 /* Posts a line that disappears by itself after a while. */
 void notice_post(Window *window, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* Adds a line to the log alone, of what the strip counts while it goes on. */
+void notice_log(Window *window, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
 /* Returns the message that is shown, the oldest fault first, and how many faults there are; NULL: none. */
 const Message *notice_shown(Window *window, size_t *faults);
 

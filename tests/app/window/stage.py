@@ -19,6 +19,7 @@ folder = pathlib.Path(tempfile.mkdtemp(prefix="clearance-window-"))
 atexit.register(shutil.rmtree, folder, ignore_errors=True)
 failed = []
 PATIENCE = 300  # s, longest wait for a state, even on a busy machine
+TEXTS = "texts"  # the file of a window that also writes its texts
 SCREEN = tuple(int(n) for n in os.environ.get("CLEARANCE_SCREEN", "1280x720").split("x"))  # of windows with real input
 
 
@@ -124,9 +125,9 @@ class Screen:
     """The program on its own display, operated by xdotool through real input events. A script that repeatedly writes
     the state reports on the program. The state counts the presses and releases that the program has handled, and
     contains the position of the mouse: each input is followed by a wait for its effect, never for a fixed time. The window
-    is as large as the display, or, if it is not `whole`, as the program chooses."""
+    is as large as the display, or, if it is not `whole`, as the program chooses. With `texts` its texts are written, too."""
 
-    def __init__(self, name, *arguments, width=SCREEN[0], height=SCREEN[1], minutes=5, whole=True):
+    def __init__(self, name, *arguments, width=SCREEN[0], height=SCREEN[1], minutes=5, whole=True, texts=False):
         self.place = folder / name
         self.place.mkdir(exist_ok=True)
         self.display = self.start_display(width, height)
@@ -134,8 +135,9 @@ class Screen:
         self.log_read, self.log_count, self.last = 0, 0, {}  # bytes and lines read so far, last state
         self.sent = 0  # number of presses and releases sent
         script = self.place / "script"
-        frames = 1 + minutes // 20  # a script has at most 1 MiB
-        script.write_text(f"wait {frames}\nstate {self.log.name}\n" * int(minutes * 60 * 60 / frames) + "quit\n")
+        frames = 1 + minutes // (8 if texts else 20)  # a script has at most 1 MiB
+        step = f"wait {frames}\nstate {self.log.name}\n" + (f"texts {TEXTS}\n" if texts else "")
+        script.write_text(step * int(minutes * 60 * 60 / frames) + "quit\n")
         self.env = environment(self.place / "home", DISPLAY=self.display, SDL_MOUSE_DOUBLE_CLICK_TIME="0")
         if (width, height) != (1280, 720) and whole:
             arguments = ("--size", f"{width}x{height}", *arguments)
@@ -193,6 +195,11 @@ class Screen:
         self.look()
         count = self.log_count + 2
         return self.until(lambda s: self.log_count >= count)
+
+    def texts(self):
+        """Returns the present texts of the window, but for the labels of its view, which are in the state."""
+        self.state()
+        return states(self.place / TEXTS)[-1]
 
     def until(self, what, patience=PATIENCE, may_end=False):
         """Waits for a state; returns the last state read. It is a failure that it does not come, unless the program may
