@@ -176,6 +176,11 @@ void census_clear(Census *census) {
     *census = (Census){0};
 }
 
+const char *census_start(const Blockage *blockage) {
+    static const char start[] = "start, ";
+    return strncmp(blockage->what, start, sizeof start - 1) == 0 ? blockage->what + sizeof start - 1 : NULL;
+}
+
 /* Returns the format of a reason without a place, of one person or of several. */
 static const char *other_reason(Reason reason) {
     return reason == REASON_NO_EXIT          ? "%s without an exit"
@@ -196,6 +201,8 @@ static void format_hold(const House *house, const Hold *hold, bool with_widths, 
         snprintf(who, sizeof who, "%s", house->people[hold->first].id);
     if (house->people[hold->first].under)
         snprintf(text, size, "%s caught %s", who, what);
+    else if (hold->reason == REASON_CANNOT_PASS && census_start(&hold->blockage))
+        snprintf(text, size, hold->people > 1 ? "%s start %s" : "%s starts %s", who, census_start(&hold->blockage));
     else if (hold->reason == REASON_CANNOT_PASS)
         snprintf(text, size, *widths ? "%s cannot pass %s (%s)" : "%s cannot pass %s", who, *what ? what : "here",
                  widths);

@@ -53,6 +53,10 @@ void census_clear(Census *census);
  * people who are not out, with or without the widths. */
 void census_reasons(const House *house, const Census *census, bool with_widths, char *text, size_t size);
 
+/* Returns "inside wall w1" if people who cannot pass have no room where they start; NULL: they are stopped elsewhere.
+ */
+const char *census_start(const Blockage *blockage);
+
 /* Returns the id of the crowd or of the only member, or "single people". */
 const char *census_party_name(const House *house, const Party *party);
 

@@ -97,6 +97,8 @@ static const char *why(const House *house, const PersonObservation *person, size
         return text_in_arena(arena, "%s is caught %s", id, what);
     switch (person->reason) {
     case REASON_CANNOT_PASS:
+        if (census_start(&person->blockage))
+            return text_in_arena(arena, "%s starts %s", id, census_start(&person->blockage));
         return text_in_arena(arena, "%s cannot pass %s", id, *what ? what : "here");
     case REASON_BLOCKED:
         return *what ? text_in_arena(arena, "%s is blocked at %s after %.1f s", id, what, person->time)

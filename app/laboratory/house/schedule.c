@@ -111,13 +111,14 @@ void house_schedule_restart(HouseSession *session) {
     ask_missing(session);
 }
 
-/* True if people take part in the displayed run and each of them has an exit to go to: earlier plans of a new house
- * are not worth comparing with. */
+/* True if people take part in the displayed run, and each of them has room to stand and an exit to go to: earlier plans
+ * of a new house are not worth comparing with. */
 static bool is_answered(const HouseSession *session) {
     bool answered = false;
     for (size_t i = 0; i < session->observation->person_count; i++) {
         const PersonObservation *person = &session->observation->people[i];
-        if (person->took_part && person->reason == REASON_NO_EXIT)
+        if (person->took_part && (person->reason == REASON_NO_EXIT ||
+                                  (person->reason == REASON_CANNOT_PASS && census_start(&person->blockage))))
             return false;
         answered |= person->took_part;
     }

@@ -110,6 +110,15 @@ check(not counts(plan, "nobody")["people"], "18: and is not placed there")
 plan.keys("p")
 said = preview(plan, 1, 0)
 check(not said["refused"] and not said["warns"], "18: in free space nothing is wrong", said)
+
+# the first person stands where nobody can: that is said, and no run before it
+plan.put(-2.8, 0)
+stands = plan.until(lambda s: s["complete"] and s["answer"]["title"] == "A starts inside wall" and not s["answer"]["stale"])
+check(stands["answer"]["title"] == "A starts inside wall" and "before" not in stands["answer"]["detail"],
+      "who is placed where nobody can stand is no run to compare with", stands["answer"])
+plan.put(1, 0)
+more = plan.until(lambda s: s["complete"] and "A starts inside wall" in s["answer"]["detail"] and not s["answer"]["stale"])
+check("before" not in more["answer"]["detail"], "and is told beside the others", more["answer"])
 plan.end()
 
 
