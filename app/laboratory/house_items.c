@@ -112,8 +112,20 @@ void house_item_name(const House *house, const Observation *observation, Item it
     else if (item.kind == HOUSE_PERSON)
         snprintf(name, size, "%s, %s", names_person(house, item.index, &arena),
                  names_profile(house->people[item.index].profile->name));
+    else if (item.kind == HOUSE_WALL)
+        snprintf(name, size, "%s", names_wall(&house->plan, item.index, &arena));
     else
-        snprintf(name, size, "%s %s", item.kind == HOUSE_WALL ? "wall" : "exit", house_item_id(house, item));
+        snprintf(name, size, "exit %s", house_item_id(house, item));
+    arena_clear(&arena);
+}
+
+void house_item_name_at(const House *house, const Observation *observation, Item item, Vec2 at, char *name,
+                        size_t size) {
+    Arena arena = {0};
+    if (item.kind == HOUSE_WALL && item.index < house->plan.wall_count)
+        snprintf(name, size, "%s", names_wall_at(&house->plan, item.index, at, &arena));
+    else
+        house_item_name(house, observation, item, name, size);
     arena_clear(&arena);
 }
 

@@ -30,8 +30,11 @@ const char *house_item_id(const House *house, Item item);
 /* Finds the item with this id; kind 0: there is none. */
 Item house_item_find(const House *house, int kind, const char *id);
 
-/* "door d2", "wardrobe (f3)", "dangerous point 1: door d2" */
+/* Write "bedroom door", "wardrobe", "tight place 1: bedroom door"; the second one for the part of a wall that is
+ * nearest to a place, m: "wall between bedroom and corridor". */
 void house_item_name(const House *house, const Observation *observation, Item item, char *name, size_t size);
+void house_item_name_at(const House *house, const Observation *observation, Item item, Vec2 at, char *name,
+                        size_t size);
 
 /* The house and its people's places over time: trails (person_count) belong to the observation. */
 typedef struct HouseScenery {

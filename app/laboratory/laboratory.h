@@ -257,8 +257,9 @@ typedef struct Laboratory {
     Item (*next)(const void *session, Item item, int step); /* cycles through the items in a fixed order */
     void (*select)(void *session, Item item);
     Item (*selected)(void *session);
-    const char *(*item_name)(void *session, Item item); /* "bedroom door" */
-    const char *(*item_key)(void *session, Item item);  /* "door d2", as in files; NULL: the same as the name */
+    const char *(*item_name)(void *session, Item item);        /* "bedroom door" */
+    const char *(*item_key)(void *session, Item item);         /* "door d2", as in files; NULL: the same as the name */
+    const char *(*name_at)(void *session, Item item, Vec2 at); /* at a place on it, m; NULL: the same everywhere */
 
     /* Writes the outline of an item at a time (m); returns the number of points, at most LABORATORY_OUTLINE_MOST; 0:
      * the item has no place at that time. */

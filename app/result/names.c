@@ -271,6 +271,47 @@ const char *names_thing(const House *house, const char *thing, Vec2 at, Arena *a
     return text_in_arena(arena, "%s wall of %s", side_of(&house->plan, room, at), room);
 }
 
+/* Returns "wall between bedroom and corridor", "left wall of bedroom", or "wall" without a named room. */
+static const char *segment_name(const Plan *plan, Vec2 from, Vec2 to, double thickness, Vec2 at, Arena *arena) {
+    Vec2 foot = vec2_nearest_on_segment(at, from, to), left = vec2_left(vec2_unit(vec2_sub(to, from)));
+    double reach = thickness / 2 + BESIDE;
+    const char *a = names_room(plan, vec2_along(foot, reach, left)),
+               *b = names_room(plan, vec2_along(foot, -reach, left));
+    if (a && b && strcmp(a, b) != 0)
+        return text_in_arena(arena, "wall between %s and %s", a, b);
+    if (a && b)
+        return text_in_arena(arena, "wall in %s", a);
+    const char *room = a ? a : b;
+    return room ? text_in_arena(arena, "%s wall of %s", side_of(plan, room, foot), room) : "wall";
+}
+
+const char *names_wall_at(const Plan *plan, size_t wall, Vec2 at, Arena *arena) {
+    const Points *points = &plan->walls[wall].points;
+    double nearest = HUGE_VAL;
+    size_t segment = 0;
+    for (size_t i = 0; i + 1 < points->count; i++) {
+        double away = vec2_distance(at, vec2_nearest_on_segment(at, points->at[i], points->at[i + 1]));
+        segment = away < nearest ? i : segment;
+        nearest = fmin(nearest, away);
+    }
+    return segment_name(plan, points->at[segment], points->at[segment + 1], plan->walls[wall].thickness, at, arena);
+}
+
+const char *names_wall(const Plan *plan, size_t wall, Arena *arena) {
+    const Points *points = &plan->walls[wall].points;
+    const char *name = NULL;
+    enum { PARTS = 5 }; /* places looked at along each segment */
+    for (size_t i = 0; i + 1 < points->count; i++)
+        for (int part = 0; part < PARTS; part++) {
+            Vec2 way = vec2_sub(points->at[i + 1], points->at[i]);
+            const char *own = names_wall_at(plan, wall, vec2_along(points->at[i], (part + 0.5) / PARTS, way), arena);
+            if (name && strcmp(name, own) != 0)
+                return "wall";
+            name = own;
+        }
+    return name ? name : "wall";
+}
+
 const char *names_number(const char *label) {
     static const char *const words[][2] = {{"changes of direction", "back and forth"},
                                            {"narrowest clearance", "least room to spare"},

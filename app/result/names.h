@@ -12,6 +12,11 @@ const char *names_door(const Plan *plan, size_t door, Arena *arena);
 /* Returns the name of the room that holds a place; NULL: none does. */
 const char *names_room(const Plan *plan, Vec2 at);
 
+/* Returns the name of a wall at a place, m, by the rooms there: "wall between bedroom and corridor", "left wall of
+ * bedroom", "wall" if no room is named; or the name that all pieces of a wall share, else "wall". */
+const char *names_wall_at(const Plan *plan, size_t wall, Vec2 at, Arena *arena);
+const char *names_wall(const Plan *plan, size_t wall, Arena *arena);
+
 /* Returns the letter of a person: that of the route, otherwise by order. */
 const char *names_person(const House *house, size_t person, Arena *arena);
 

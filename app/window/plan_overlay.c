@@ -341,20 +341,27 @@ static bool is_written(const Layout *layout, const char *name) {
     return false;
 }
 
+/* Returns the place under the pointer, m on the floor. */
+static Vec2 floor_at(const Window *window, const Tab *tab) {
+    Vec2 at = vec2_sub(vec2_scale(window->mouse, 1 / window->unit), window->frame.view.low);
+    return view_layers_floor(&tab->view_layers, at);
+}
+
 /* Returns the thing under the pointer while nothing is being done. */
 static Item hovered_item(const Window *window, Tab *tab, const GestureView *gesture) {
     const int left = SDL_WINDOW_EVENT_LEFT;
     if (!has_pointer(window) || window->dialog != DIALOG_NONE || gesture->active || window->input.down[left] ||
         editor_tool(tab_editor(tab)) != TOOL_SELECT || !tab->view_layers.painted)
         return (Item){0};
-    Vec2 at = vec2_sub(vec2_scale(window->mouse, 1 / window->unit), window->frame.view.low);
-    return tab->laboratory->pick(tab->session, view_layers_floor(&tab->view_layers, at), tab_time(tab), (Item){0});
+    return tab->laboratory->pick(tab->session, floor_at(window, tab), tab_time(tab), (Item){0});
 }
 
-/* Returns the name of a thing; NULL: it is none, or the name is written on the plan. */
-static const char *unwritten_name(const Tab *tab, Item item) {
-    const char *name = item.kind ? tab->laboratory->item_name(tab->session, item) : NULL;
-    return name && !is_written(&tab->view_layers.still, name) ? name : NULL;
+/* Returns the name of a thing at a place; NULL: it is written on the plan. */
+static const char *unwritten_name(const Tab *tab, Item item, Vec2 at) {
+    const Laboratory *laboratory = tab->laboratory;
+    const char *name =
+        laboratory->name_at ? laboratory->name_at(tab->session, item, at) : laboratory->item_name(tab->session, item);
+    return !is_written(&tab->view_layers.still, name) ? name : NULL;
 }
 
 void plan_overlay_show(Window *window) {
@@ -369,7 +376,7 @@ void plan_overlay_show(Window *window) {
     show_read_out(window, gesture, &labels); /* reserves its place before labels are placed */
     const char *words = preview_words(window, gesture);
     Item hovered = hovered_item(window, tab, gesture), selected = tab->laboratory->selected(tab->session);
-    const char *name = words ? NULL : unwritten_name(tab, hovered);
+    const char *name = words ? NULL : hovered.kind ? unwritten_name(tab, hovered, floor_at(window, tab)) : NULL;
     snprintf(window->hovered, sizeof window->hovered, "%s", name ? name : "");
     words = words ? words : name ? window->hovered : NULL; /* a copy: other names are asked for below */
     Vec2 above = vec2_add(vec2_scale(window->mouse, 1 / window->unit), vec2(0, -HAND)); /* never under the pointer */

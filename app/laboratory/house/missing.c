@@ -4,41 +4,20 @@
 #include <string.h>
 
 #include "laboratory/edit/editor.h"
-
-/* m beside a wall's face, where its rooms are looked for. */
-static const double BESIDE = 0.15;
-
-/* Returns the name of the room at a place; NULL: none, or it has no name. */
-static const char *room_at(const Plan *plan, Vec2 at) {
-    for (size_t r = 0; r < plan->room_count; r++) {
-        const Points *outline = &plan->rooms[r].outline;
-        bool inside = false;
-        for (size_t i = 0, j = outline->count - 1; i < outline->count; j = i++) {
-            Vec2 a = outline->at[i], b = outline->at[j];
-            if ((a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x))
-                inside = !inside;
-        }
-        if (inside)
-            return *plan->rooms[r].name ? plan->rooms[r].name : NULL;
-    }
-    return NULL;
-}
+#include "result/names.h"
 
 /* Returns "the wall between bedroom and corridor", or "wall w3" if the rooms have no names. */
 static const char *wall_name(const Plan *plan, const Blockage *blockage, Scene *scene) {
+    Arena arena = {0};
+    const char *text = scene_text(scene, "%s", blockage->what);
     for (size_t w = 0; w < plan->wall_count; w++) {
-        const Wall *wall = &plan->walls[w];
-        for (size_t s = 0; strcmp(blockage->what + strlen("wall "), wall->id) == 0 && s + 1 < wall->points.count; s++) {
-            Vec2 a = wall->points.at[s], b = wall->points.at[s + 1], foot = vec2_nearest_on_segment(blockage->at, a, b);
-            if (vec2_distance(foot, blockage->at) > wall->thickness)
-                continue;
-            Vec2 side = vec2_scale(vec2_left(vec2_unit(vec2_sub(b, a))), wall->thickness / 2 + BESIDE);
-            const char *left = room_at(plan, vec2_add(foot, side)), *right = room_at(plan, vec2_sub(foot, side));
-            if (left && right && strcmp(left, right) != 0)
-                return scene_text(scene, "the wall between %s and %s", left, right);
-        }
+        const char *name = names_wall_at(plan, w, blockage->at, &arena);
+        bool named = strcmp(name, "wall") != 0;
+        if (named && strcmp(blockage->what + strlen("wall "), plan->walls[w].id) == 0)
+            text = scene_text(scene, "the %s", name);
     }
-    return scene_text(scene, "%s", blockage->what);
+    arena_clear(&arena);
+    return text;
 }
 
 /* True if walls without a door are all that keeps the first stuck person inside. */

@@ -376,6 +376,16 @@ static const char *item_name(void *context, Item item) {
     return texts->name;
 }
 
+static const char *name_at(void *context, Item item, Vec2 at) {
+    HouseSession *session = context;
+    HouseTexts *texts = &session->texts;
+    *texts->name = 0;
+    if (session->runs[RUN_SHOWN])
+        house_item_name_at(&session->runs[RUN_SHOWN]->house, session->observation, item, at, texts->name,
+                           sizeof texts->name);
+    return texts->name;
+}
+
 static const char *item_key(void *context, Item item) {
     HouseSession *session = context;
     HouseTexts *texts = &session->texts;
@@ -514,6 +524,7 @@ const Laboratory house_laboratory = {
     .selected = selected,
     .item_name = item_name,
     .item_key = item_key,
+    .name_at = name_at,
     .outline = outline,
     .command = house_control_command,
     .digest = house_session_digest,

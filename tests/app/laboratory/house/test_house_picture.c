@@ -161,12 +161,17 @@ TEST(what_is_pointed_at_is_found) {
     Item door = laboratory->pick(session, vec2(7.86, 4.095), 0, none);
     CHECK_TEXT(laboratory->item_name(session, door), "bedroom 1 door");
     CHECK_TEXT(laboratory->item_name(session, laboratory->pick(session, vec2(2.6, 4.7775), 0, none)), "A, wheelchair");
-    CHECK_TEXT(laboratory->item_name(session, laboratory->pick(session, vec2(10, 0), 0, none)), "wall w1");
+    Item wall = laboratory->pick(session, vec2(10, 0), 0, none);
+    CHECK_TEXT(laboratory->item_name(session, wall), "wall"); /* round the house */
+    CHECK_TEXT(laboratory->item_key(session, wall), "wall w1");
+    CHECK_TEXT(laboratory->name_at(session, wall, vec2(10, 0)), "lower wall of bedroom 1");
     CHECK_TEXT(laboratory->item_name(session, laboratory->pick(session, vec2(1.45, 1.85), 0, none)), "dining table");
     CHECK_TEXT(laboratory->item_name(session, laboratory->pick(session, vec2(11.05, 4.9), 0, none)), "exit porch");
     CHECK(laboratory->pick(session, vec2(50, 50), 0, none).kind == HOUSE_NOTHING);
     Item below = laboratory->pick(session, vec2(7.86, 4.095), 0, door);
-    CHECK_TEXT(laboratory->item_name(session, below), "wall w2");
+    CHECK_TEXT(laboratory->item_key(session, below), "wall w2");
+    CHECK_TEXT(laboratory->item_name(session, below), "wall"); /* along several rooms */
+    CHECK_TEXT(laboratory->name_at(session, below, vec2(7.86, 4.095)), "wall between corridor and bedroom 1");
     CHECK(item_same(laboratory->pick(session, vec2(7.86, 4.095), 0, below), door));
     Vec2 points[LABORATORY_OUTLINE_MOST];
     for (int step = -1; step <= 1; step += 2) {
