@@ -337,8 +337,23 @@ static void place_grid(Layout *layout, const Scene *scene) {
         add_metre_line(layout, vec2(box.low.x, y), vec2(box.high.x, y));
 }
 
+/* True if a label that stands on its point has it in a box of the page, or nearly. */
+static bool is_taken(const Layout *layout, const Scene *scene, Box box) {
+    for (size_t i = 0; i < scene->count; i++) {
+        const Primitive *label = &scene->primitives[i];
+        if (label->kind != PRIMITIVE_LABEL || !label->fixed)
+            continue;
+        Vec2 half = vec2_add(vec2_scale(text_extent(label->text, label->size, label->bold), 0.5), vec2(MARGIN, 0));
+        Vec2 at = layout_raised(layout, label->points[0], label->base);
+        if (box.low.x < at.x + half.x && at.x - half.x < box.high.x && box.low.y < at.y + half.y &&
+            at.y - half.y < box.high.y)
+            return true;
+    }
+    return false;
+}
+
 /* Adds the scale bar at the lower right; a raised view has no single scale and shows the size of the grid's squares
- * instead. */
+ * instead, there or at the lower left. */
 static void place_scale_bar(Layout *layout, const Scene *scene, double foot) {
     double right = layout->plan.high.x, length = round_step(layout->metre, BAR_SHORTEST);
     double left = right - length * layout->metre;
@@ -348,8 +363,13 @@ static void place_scale_bar(Layout *layout, const Scene *scene, double foot) {
             return;
         snprintf(text, sizeof text, "squares of %g m", grid_step(layout, scene));
         const char *label = arena_text(&layout->arena, text);
-        left = right - text_extent(label, NAME_TEXT, false).x;
-        add_text(layout, ROLE_DIM_TEXT, label, NAME_TEXT, false, left, right, foot);
+        double width = text_extent(label, NAME_TEXT, false).x;
+        const double places[] = {right - width, layout->plan.low.x + MARGIN};
+        for (size_t i = 0; i < sizeof places / sizeof *places; i++)
+            if (!is_taken(layout, scene, (Box){{places[i], foot - NAME_TEXT}, {places[i] + width, foot + NAME_TEXT}})) {
+                add_text(layout, ROLE_DIM_TEXT, label, NAME_TEXT, false, places[i], places[i] + width, foot);
+                return;
+            }
         return;
     }
     double y = foot + 10;

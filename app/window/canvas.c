@@ -197,6 +197,24 @@ static void show_animation(Window *window, const char *text) {
     ui_draw_text(window->ui, UI_HEADING, ROLE_PAPER, middle_of(strip), 0.5, text);
 }
 
+static bool stands_in(const Window *window, const Layout *layout, Box box) {
+    for (size_t i = 0; i < layout->caption_count; i++) {
+        Box label = caption_box(&layout->captions[i]);
+        label.low = vec2_add(label.low, window->frame.view.low);
+        label.high = vec2_add(label.high, window->frame.view.low);
+        if (box.low.x < label.high.x && label.low.x < box.high.x && box.low.y < label.high.y &&
+            label.low.y < box.high.y)
+            return true;
+    }
+    return false;
+}
+
+/* True if a label of the picture stands in a box of the page. */
+static bool has_label(const Window *window, const Tab *tab, Box box) {
+    return tab->view_layers.painted &&
+           (stands_in(window, &tab->view_layers.still, box) || stands_in(window, &tab->view_layers.moving, box));
+}
+
 static void show_view_text(Window *window, Tab *tab) {
     Box view = window->frame.view;
     if (!window->noted_in_title)
@@ -210,6 +228,9 @@ static void show_view_text(Window *window, Tab *tab) {
     Vec2 size = ui_extent(window->ui, UI_HEADING, "PAUSED");
     Box tag = {{view.high.x - size.x - 3 * MARGIN, view.low.y + MARGIN},
                {view.high.x - MARGIN, view.low.y + MARGIN + size.y + 6}};
+    Vec2 down = {0, size.y + 6 + MARGIN};
+    while (has_label(window, tab, tag) && tag.high.y + down.y < middle_of(view).y)
+        tag = (Box){vec2_add(tag.low, down), vec2_add(tag.high, down)};
     ui_draw_box(window->ui, tag, ROLE_TEXT, 1);
     ui_draw_text(window->ui, UI_HEADING, ROLE_PAPER, vec2(tag.low.x + MARGIN, middle_of(tag).y), 0, "PAUSED");
 }
