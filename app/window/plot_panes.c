@@ -88,11 +88,13 @@ static void set_axes(PlotPane *pane) {
     pane->shown.y.high = axes->y[1];
 }
 
-/* Takes over the laboratory's present plot, and rebuilds the canvas if axes, size or theme have changed. */
+/* Takes over the laboratory's present plot, and rebuilds the canvas if axes, note, size or theme have changed. */
 static void refresh(PlotPane *pane, const LaboratoryPlot *now, int width, int height, double unit, Theme theme) {
+    char note[PLOT_PANES_TEXT];
+    snprintf(note, sizeof note, "%s", now->plot->note ? now->plot->note : "");
     bool same = pane->canvas && pane->source.revision == now->revision &&
                 pane->shown.series_count == now->plot->series_count && pane->width == width && pane->height == height &&
-                pane->unit == unit && pane->theme == theme;
+                pane->unit == unit && pane->theme == theme && strcmp(pane->note, note) == 0;
     pane->source = *now;
     set_axes(pane);
     if (same)
@@ -103,6 +105,7 @@ static void refresh(PlotPane *pane, const LaboratoryPlot *now, int width, int he
     pane->unit = unit;
     pane->theme = theme;
     pane->time = NAN;
+    memcpy(pane->note, note, sizeof note);
     pane->canvas = plot_canvas_create(&pane->shown, width, height, unit, theme);
 }
 

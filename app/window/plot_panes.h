@@ -29,6 +29,7 @@ typedef struct PlotPane {
     double unit;
     Theme theme;
     double time;                               /* s, drawn last */
+    char note[PLOT_PANES_TEXT];                /* drawn last */
     PlotPaneAxes views[PLOT_PANES_VIEWS_MOST]; /* (view_count) the last is shown; none: the plot's own */
     size_t view_count;
     PlotPaneBox box;

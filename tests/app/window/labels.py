@@ -47,6 +47,9 @@ def look(screen, what):
     check(not out, f"3: {what}: none leaves the view", out)
     names = [t for t in texts if t["kind"] == "name" and not t["string"].endswith(" m")]
     check(len(names) <= (view[2] - view[0]) * (view[3] - view[1]) / state["unit"] ** 2 / 30000, f"3: {what}: not too many names", len(names))
+    out = [int(row[1].split("/")[0]) for row in state["rows"] if re.fullmatch(r"[0-9]+/[0-9]+", row[1])]
+    said = [text["string"] for chart in state["charts"].values() for text in chart["texts"]]
+    check(not (out and sum(out)) or "nobody is out" not in said, f"{what}: no plot says that nobody is out", (out, said))
     kept = os.environ.get("CLEARANCE_SCREENS")
     if kept:
         shutil.copy(screen.shot("now"), pathlib.Path(kept) / f"{what.replace(' ', '-').replace(',', '')}.png")
