@@ -3,6 +3,7 @@ offscreen driver or with a real mouse and keyboard under Xvfb."""
 
 import atexit
 import inspect
+import itertools
 import json
 import os
 import pathlib
@@ -19,6 +20,7 @@ folder = pathlib.Path(tempfile.mkdtemp(prefix="clearance-window-"))
 atexit.register(shutil.rmtree, folder, ignore_errors=True)
 failed = []
 PATIENCE = 300  # s, longest wait for a state, even on a busy machine
+SCRIPT_LARGEST = 1 << 20  # bytes, as script.c allows
 TEXTS = "texts"  # the file of a window that also writes its texts
 SCREEN = tuple(int(n) for n in os.environ.get("CLEARANCE_SCREEN", "1280x720").split("x"))  # of windows with real input
 
@@ -135,9 +137,7 @@ class Screen:
         self.log_read, self.log_count, self.last = 0, 0, {}  # bytes and lines read so far, last state
         self.sent = 0  # number of presses and releases sent
         script = self.place / "script"
-        frames = 1 + minutes // (8 if texts else 20)  # a script has at most 1 MiB
-        step = f"wait {frames}\nstate {self.log.name}\n" + (f"texts {TEXTS}\n" if texts else "")
-        script.write_text(step * int(minutes * 60 * 60 / frames) + "quit\n")
+        script.write_text(self.script_of(minutes, texts))
         self.env = environment(self.place / "home", DISPLAY=self.display, SDL_MOUSE_DOUBLE_CLICK_TIME="0")
         if (width, height) != (1280, 720) and whole:
             arguments = ("--size", f"{width}x{height}", *arguments)
@@ -149,6 +149,14 @@ class Screen:
             sys.exit(f"the window does not open: {(self.place / 'errors').read_text()}")
         self.window = self.tool("search", "--sync", "--onlyvisible", "--name", "clearance").stdout.split()[0]
         self.tool("windowfocus", "--sync", self.window)
+
+    def script_of(self, minutes, texts):
+        """Returns a script that writes the state for a time, as often as one script can hold."""
+        for frames in itertools.count(1):
+            step = f"wait {frames}\nstate {self.log.name}\n" + (f"texts {TEXTS}\n" if texts else "")
+            script = step * int(minutes * 60 * 60 / frames) + "quit\n"
+            if len(script) <= SCRIPT_LARGEST:
+                return script
 
     def start_display(self, width, height):
         """Starts a display without key repeat, since releases may come late."""
