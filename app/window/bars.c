@@ -324,7 +324,9 @@ void bars_show_answer(Window *window) {
 
 static void show_export(Window *window, Box box) {
     const ExportStatus *status = export_update(window->export);
-    const char *text = text_in_arena(&window->arena, "Writing to %s: %s", status->folder, status->doing);
+    const char *text = *status->doing
+                           ? text_in_arena(&window->arena, "%s, written to %s", status->doing, status->folder)
+                           : text_in_arena(&window->arena, "Writing to %s", status->folder);
     show_text(window, UI_BODY, ROLE_TEXT, box.low.x + MARGIN, box.high.x - 100, middle_of(box).y, text);
     ui_at(window->ui, (Box){{box.high.x - 94, box.low.y + 3}, {box.high.x - 6, box.high.y - 3}});
     if (ui_button(window->ui,
