@@ -11,9 +11,10 @@ static const char *wall_name(const Plan *plan, const Blockage *blockage, Scene *
     Arena arena = {0};
     const char *text = scene_text(scene, "%s", blockage->what);
     for (size_t w = 0; w < plan->wall_count; w++) {
+        if (strcmp(blockage->what + strlen("wall "), plan->walls[w].id) != 0)
+            continue;
         const char *name = names_wall_at(plan, w, blockage->at, &arena);
-        bool named = strcmp(name, "wall") != 0;
-        if (named && strcmp(blockage->what + strlen("wall "), plan->walls[w].id) == 0)
+        if (strcmp(name, "wall") != 0)
             text = scene_text(scene, "the %s", name);
     }
     arena_clear(&arena);

@@ -33,13 +33,7 @@ lost.keys("space", "Tab", "Right")
 settle(lost)
 lost.until(lambda s: s["unsaved_edits"] == 1)
 place = lost.state()["parameters"]
-kept = lost.place / "home" / ".local" / "state" / "clearance" / "recovery"
-lost.until(lambda s: list(kept.glob("*.about")))
-lost.program.kill()
-lost.program.wait()
-lost.server.terminate()
-lost.server.wait()
-lost.log.unlink()
+lost.crash()
 check(house.read_bytes() == original, "25: killed, the file is as it was")
 lost = Plan("lost", minutes=20)
 state = lost.until(lambda s: s["sheet"] == "recovered")
@@ -123,7 +117,7 @@ chance = random.Random(25)
 KEYS = ["space", "Tab", "Return", "Escape", "Delete", "Left", "Right", "Up", "Down", "Home", "End", "F1", "F2", "F3", "F4", "F5", "F6",
         "F7", "F8", "F10", "period", "comma", "bracketleft", "bracketright", "ctrl+z", "ctrl+y", "ctrl+a", "ctrl+c", "ctrl+v", "ctrl+d",
         "ctrl+e", "ctrl+o", "ctrl+t", "ctrl+j", "alt+k", "alt+r", "shift+p", "shift+t", *"wdopxmabrtkgchv123456789qen"]
-wild = Screen("wild", house, minutes=20)
+wild = Plan("wild", house, minutes=20)
 settle(wild)
 for _ in range(ACTIONS):
     if wild.program.poll() is not None:
@@ -144,12 +138,7 @@ copy = wild.place / "copy.json"
 if wild.state()["present"]:
     wild.keys("F5")
 wild.keys("F2", "Escape", "Escape", "Escape")
-wild.keys("ctrl+shift+s")
-wild.until(lambda s: s["sheet"] == "save")
-wild.keys("ctrl+a")
-wild.type(str(copy))
-wild.keys("Return")
-wild.until(lambda s: s["sheet"] == "none")
+wild.save_as(copy)
 check(copy.exists() and json.loads(copy.read_text())["format"] == "clearance-house", "25: it saves")
 wild.keys("ctrl+o")
 wild.until(lambda s: s["sheet"] == "open")
