@@ -2,6 +2,7 @@
 
 #include "base/random.h"
 #include "base/real.h"
+#include "house/place.h"
 #include "house/track.h"
 #include "house/yield.h"
 #include "plan/plan_geometry.h"
@@ -10,12 +11,8 @@
 
 /* All constants below are assumed; numbers for users are in the profile. */
 
-/* m: a part of the path counts as done this near to its end. */
-static const double ARRIVED = 0.01;
 /* rad: a turn on the spot counts as done this near to its end. */
-static const double TURNED = 0.02;
-/* m/s: slowest target speed before the end of the path, so that no chair creeps for ever. */
-static const double SLOWEST = 0.05;
+static const double TURNED = 0.005;
 /* 1: the share of the turning moment with which the end of a turn on the spot is planned. */
 static const double SPOT_BRAKE = 0.4;
 /* m: distance before the place where a door must be open at which a standing person reaches the handle. */
@@ -33,68 +30,13 @@ static const double ROUND_RETURN_SPEED = 0.2; /* m/s, at most */
 static const double ROUND_LATERAL = 1.0;      /* m/s2, at most */
 /* m and rad: smaller progress than this does not count. */
 static const double PROGRESS = 0.05;
-/* s, m and number: when a touching person without progress backs off, how far, and how often. */
-static const double RETRY_AFTER = 2, RETREAT = 0.25;
+/* s and number: when a touching person without progress backs off, by PLACE_RETREAT, and how often. */
+static const double RETRY_AFTER = 2;
 enum { RETRIES_MOST = 3 };
+/* s: in which a driver who stands and changes direction turns to the heading of the path. */
+static const double ALIGNING = 0.3;
 /* m: lower bound of R, the denominator in the paper's F4. */
 static const double SMALLEST_RADIUS = 0.1;
-
-/* Position of a person relative to the track. */
-typedef struct Place {
-    const TrackPoint *here, *next; /* next == here at the end */
-    Vec2 along;                    /* unit, the path's direction of travel */
-    double heading;                /* rad, of the track */
-    double speed;                  /* m/s, the track's limit */
-} Place;
-
-static int piece_direction(const Track *track, size_t index) {
-    return track->points[index + 1 < track->count ? index + 1 : index].direction;
-}
-
-static bool changes_after(const Track *track, size_t index) {
-    return index + 2 < track->count && track->points[index + 2].direction != track->points[index + 1].direction;
-}
-
-/* Passes to the next point; a change between forwards and backwards takes its time. */
-static void pass_point(const Track *track, const Profile *profile, Drive *drive) {
-    int before = piece_direction(track, drive->index);
-    drive->index++;
-    int after = piece_direction(track, drive->index);
-    if (before != after) {
-        drive->pause = before * after < 0 ? profile->reversing_time : 0;
-        drive->best_turn = HUGE_VAL;
-        drive->stalled = 0;
-    }
-}
-
-/* Advances along the track to the reference point, and measures the offset. */
-static Place find_place(const Track *track, const Profile *profile, Vec2 at, Drive *drive) {
-    Place place;
-    for (;;) {
-        place.here = &track->points[drive->index];
-        place.next = drive->index + 1 < track->count ? place.here + 1 : place.here;
-        Vec2 way = vec2_sub(place.next->at, place.here->at);
-        double length = vec2_length(way);
-        bool last = place.next == place.here;
-        int direction = piece_direction(track, drive->index);
-        place.along = length > 0 ? vec2_scale(way, 1 / length)
-                                 : vec2_scale(vec2_heading(place.here->heading), direction < 0 ? -1 : 1);
-        double done = vec2_dot(vec2_sub(at, place.here->at), place.along);
-        bool cusp = changes_after(track, drive->index);
-        if (!last && direction != 0 && done >= length - (cusp ? ARRIVED : 0)) {
-            pass_point(track, profile, drive);
-            continue;
-        }
-        double part = length > 0 ? real_clamp(done / length, 0, 1) : 0;
-        double turn = vec2_wrap_angle(place.next->heading - place.here->heading);
-        place.heading = place.here->heading + part * turn;
-        place.speed = place.here->speed + part * (place.next->speed - place.here->speed);
-        double behind = drive->retreats && drive->index == 0 ? RETREAT : 0;
-        drive->s = place.here->s + real_max(done, -behind);
-        drive->offset = vec2_cross(place.along, vec2_sub(at, place.here->at));
-        return place;
-    }
-}
 
 static void watch_progress(Drive *drive, double dt) {
     drive->stalled += dt;
@@ -113,18 +55,18 @@ static bool retreats(const Track *track, Drive *drive, bool touches) {
     double due = RETRY_AFTER * (drive->retries + (drive->gives_way ? 1 : 2));
     if (!drive->retreats && touches && drive->stalled > due && (yields || drive->retries < RETRIES_MOST)) {
         drive->retreats = true;
-        drive->retreat_to = drive->s - RETREAT;
+        drive->retreat_to = drive->s - PLACE_RETREAT;
         drive->retries++;
     }
     bool ended = drive->s <= drive->retreat_to || drive->stalled > due + RETRY_AFTER ||
-                 (drive->index > 0 && track->points[drive->index].direction != piece_direction(track, drive->index));
+                 (drive->index > 0 && track->points[drive->index].direction != place_direction(track, drive->index));
     drive->retreats = drive->retreats && !ended;
     return drive->retreats;
 }
 
 /* Moves back along the track with the retreating reference point. */
 static void step_back(const Track *track, Vec2 at, Drive *drive) {
-    while (drive->index > 0 && track->points[drive->index].direction == piece_direction(track, drive->index)) {
+    while (drive->index > 0 && track->points[drive->index].direction == place_direction(track, drive->index)) {
         const TrackPoint *here = &track->points[drive->index];
         Vec2 way = vec2_sub(here[1].at, here->at);
         if (drive->index + 1 >= track->count || vec2_dot(vec2_sub(at, here->at), way) >= 0)
@@ -178,26 +120,27 @@ static double speed_to_barriers(const World *world, size_t i, Drive *drive) {
 static double wanted_speed(const World *world, size_t i, Drive *drive, const Place *place) {
     if (place->next == place->here)
         return 0;
-    return real_min(real_max(place->speed, SLOWEST), speed_to_barriers(world, i, drive));
+    return real_min(real_max(place->speed, PLACE_SLOWEST), speed_to_barriers(world, i, drive));
 }
 
 int drive_door_at_hand(const World *world, size_t i) {
     int door = -1;
-    bool at_rest = vec2_length(world->velocity[i]) < 2 * SLOWEST;
+    bool at_rest = vec2_length(world->velocity[i]) < 2 * PLACE_SLOWEST;
     return way_to_door(world, i, &door) < ARMS_REACH && at_rest ? door : -1;
 }
 
 /* Forces ------------------------------------------------------------------------------------------------------------*/
 
-/* Returns F3: towards the target speed along a direction, limited by the acceleration `faster_by`, m/s2, by a_d and the
- * push; `others` is the sum of other forces along the direction. The paper's element knows only its speed and yields to
- * forces; a driver feels them (`holding` is 1) and pushes against them, with `most` N. */
-static double driving_force(const Profile *profile, double most, double faster_by, double target, double speed,
-                            double others, double holding) {
-    double wanted = profile->mass * (target - speed) / profile->speed_response - holding * others;
-    bool faster = fabs(target) > fabs(speed) && target * speed >= 0;
-    double limit = profile->mass * (faster ? faster_by : profile->deceleration);
-    wanted = real_clamp(wanted, -limit - others, limit - others);
+/* Returns F3: towards the target speed along a direction, which itself changes at `hurry`, m/s2, limited by the
+ * acceleration `faster_by`, m/s2, by a_d and the push; `others` is the sum of other forces along the direction. The
+ * paper's element knows only its speed and yields to forces; a driver feels them (`holding` is 1) and pushes against
+ * them, with `most` N. */
+static double driving_force(const Profile *profile, double most, double faster_by, double target, double hurry,
+                            double speed, double others, double holding) {
+    double wanted = profile->mass * ((target - speed) / profile->speed_response + hurry) - holding * others;
+    double ahead = profile->mass * (target > 0 && speed >= 0 ? faster_by : profile->deceleration);
+    double back = profile->mass * (target < 0 && speed <= 0 ? faster_by : profile->deceleration);
+    wanted = real_clamp(wanted, -back - others, ahead - others);
     return real_clamp(wanted, -most, most);
 }
 
@@ -246,20 +189,24 @@ static double load_of(const World *world, size_t i, Vec2 force, double moment) {
     return moment + world->house->people[i].profile->mass_centre * vec2_cross(world->axis[i], force);
 }
 
-/* Returns a driver's effort towards a speed along the axis, m/s, and a turn rate, rad/s, that itself changes at
- * `change`, rad/s2. */
-static Effort exert(const World *world, size_t i, double speed, double turn, double change) {
+/* Returns a driver's effort towards a speed along the axis, m/s, that itself changes at `hurry`, m/s2, and a turn rate,
+ * rad/s, that changes at `change`, rad/s2, and by `bend`, rad/m, with the speed. */
+static Effort exert(const World *world, size_t i, double speed, double hurry, double turn, double change, double bend) {
     const Profile *profile = world->house->people[i].profile;
     Vec2 axis = world->axis[i];
     Effort effort = overcome(world, i);
     Vec2 felt = vec2_add(world->force[i], effort.force);
-    double others = vec2_dot(felt, axis), load = load_of(world, i, felt, world->moment[i] + effort.moment);
+    double swing =
+        profile->mass * profile->mass_centre * world->turn[i] * world->turn[i]; /* N, outwards from the axle */
+    double others = vec2_dot(felt, axis) + swing, load = load_of(world, i, felt, world->moment[i] + effort.moment);
     const TrackPoint *here = &world->journeys[i].track.points[world->drive[i].index];
     bool tucked = here->clearance < profile->hands;
-    double faster = real_min(profile->acceleration, pace_in_bend(profile, here->curvature));
+    double bent = real_max(fabs(here->curvature), fabs(bend));
+    double faster = real_min(profile->acceleration, pace_in_bend(profile, bent));
     double most = (tucked ? PACE_TUCKED_PUSH : 1) * profile->push;
-    double push = driving_force(profile, most, faster, speed, vec2_dot(world->velocity[i], axis), others, 1);
+    double push = driving_force(profile, most, faster, speed, hurry, vec2_dot(world->velocity[i], axis), others, 1);
     effort.force = vec2_along(effort.force, push, axis);
+    change += bend * (push + others) / profile->mass;
     effort.moment += turning_moment(profile, turn, change, world->turn[i], load);
     return effort;
 }
@@ -399,7 +346,7 @@ static void take_aim(const World *world, size_t i, Drive *drive, const Place *pl
         look_for_obstacles(world, i, drive, drive->aside + drive->axle, speed);
 }
 
-/* Turns on the spot, heading by heading of the track, and ends at rest. */
+/* Turns on the spot, heading by heading of the track, and comes to rest where the track stops turning to that side. */
 static Effort turn_on_the_spot(const World *world, size_t i, Drive *drive, const Place *place) {
     const Track *track = &world->journeys[i].track;
     const Profile *profile = world->house->people[i].profile;
@@ -409,15 +356,18 @@ static Effort turn_on_the_spot(const World *world, size_t i, Drive *drive, const
     double planned = vec2_wrap_angle(track->points[end].heading - place->here->heading);
     while (end + 1 < track->count && track->points[end + 1].direction == 0) {
         double step = vec2_wrap_angle(track->points[end + 1].heading - track->points[end].heading);
+        if (step * planned < 0)
+            break;
         left += step;
         planned += step;
         end++;
     }
     bool last = end == drive->index + 1;
-    if (last ? fabs(left) < TURNED
+    double response = calmness(profile) * profile->turn_response;
+    if (last ? fabs(left) < real_max(TURNED, copysign(response, left) * world->turn[i])
              : (left - planned) * planned < 0 &&
                    fabs(left) < fabs(planned) - fabs(vec2_wrap_angle(place->next->heading - place->here->heading)))
-        pass_point(track, profile, drive);
+        place_pass(track, profile, drive);
     drive->aimed = 0;
     if (fabs(left) < drive->best_turn - PROGRESS) {
         drive->best_turn = fabs(left);
@@ -426,17 +376,18 @@ static Effort turn_on_the_spot(const World *world, size_t i, Drive *drive, const
     double inertia = profile->mass * profile->radius_of_gyration * profile->radius_of_gyration;
     double brake = SPOT_BRAKE * profile->turning_moment / inertia; /* rad/s2 */
     int door = -1;
-    bool barred = way_to_door(world, i, &door) < 2 * ARRIVED; /* barred until the door is open */
-    double rate = barred ? 0 : real_min(profile->turn_rate, sqrt(2 * brake * fabs(left)));
+    bool barred = way_to_door(world, i, &door) < 2 * PLACE_ARRIVED; /* barred until the door is open */
+    double slower = sqrt(2 * brake * fabs(left)), rate = real_min(profile->turn_rate, slower);
+    double change = rate < slower || barred || !(slower > 0) ? 0 : -brake * real_clamp(world->turn[i] / slower, -1, 1);
     double back = vec2_dot(vec2_sub(place->here->at, world_reference(world, i)), axis);
-    double speed = real_clamp(back / profile->speed_response / 4, -2 * SLOWEST, 2 * SLOWEST);
-    return exert(world, i, speed, copysign(rate, left), 0);
+    double speed = real_clamp(back / profile->speed_response / 4, -2 * PLACE_SLOWEST, 2 * PLACE_SLOWEST);
+    return exert(world, i, speed, 0, copysign(barred ? 0 : rate, left), change, 0);
 }
 
 static Effort drive_driver(const World *world, size_t i, Drive *drive, const Place *place) {
     const Profile *profile = world->house->people[i].profile;
     Vec2 axis = world->axis[i];
-    int direction = piece_direction(&world->journeys[i].track, drive->index);
+    int direction = place_direction(&world->journeys[i].track, drive->index);
     if (direction == 0)
         return turn_on_the_spot(world, i, drive, place);
     double target = wanted_speed(world, i, drive, place);
@@ -456,20 +407,25 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
     /* Offsets and turns in the body's own frame: its left, its heading, also when it goes backwards. */
     double speed = vec2_dot(world->velocity[i], axis);
     double offset = direction * (drive->offset - drive->aside - drive->axle);
-    double pace = real_max(fabs(speed), SLOWEST) * (target > 0);
+    double pace = real_max(fabs(speed), PLACE_SLOWEST) * (target > 0);
     double swerve = drive->swerve; /* 1: the slope of the swerve itself */
     if (direction > 0)
         swerve += (drive->aim - drive->axle) / aim_ahead(profile);
     double slant = vec2_wrap_angle(world->heading[i] - place->heading) - swerve;
-    double bend = sense * place->next->curvature * pace;
+    double bend = place->curvature * (target > 0);
     /* Return to the path at an angle in proportion to the offset, with an upper bound, so that no chair turns round
      * however far off it is. */
     double calm = calmness(profile);
     double back = profile->heading_gain > 0 ? profile->lateral_gain / (calm * profile->heading_gain) * offset : 0;
     back = sense * direction * real_clamp(back, -STEEPEST_RETURN, STEEPEST_RETURN);
-    double turn = bend - profile->heading_gain / calm * pace * real_sin(slant + back);
+    double turn = sense * bend * pace - profile->heading_gain / calm * pace * real_sin(slant + back);
+    if (drive->pause > 0)
+        turn = -slant / ALIGNING;
     turn = real_clamp(turn, -profile->turn_rate, profile->turn_rate);
-    return exert(world, i, sense * direction * target, turn, pace * pace * place->next->bending);
+    bool as_planned = sense > 0 && target > 0 && target == place->speed;
+    double hurry = as_planned ? place->hurry * real_clamp(direction * speed / target, 0, 1) : 0;
+    return exert(world, i, sense * direction * target, direction * hurry, turn, pace * pace * place->bending,
+                 direction * bend);
 }
 
 /* Drives as in the paper: along the leg, or along the tangent about the corner with F4 towards it. */
@@ -488,7 +444,7 @@ static Effort drive_miura(const World *world, size_t i, Drive *drive, const Plac
             centripetal = vec2_scale(vec2_unit(from), -profile->mass * speed * speed / radius);
     }
     double target = wanted_speed(world, i, drive, place);
-    double push = driving_force(profile, profile->push, profile->acceleration, target, vec2_dot(velocity, way),
+    double push = driving_force(profile, profile->push, profile->acceleration, target, 0, vec2_dot(velocity, way),
                                 vec2_dot(world->force[i], way), 0);
     Vec2 across = vec2_left(way);
     double back = real_clamp(-drive->offset / ROUND_RETURN_TIME, -ROUND_RETURN_SPEED, ROUND_RETURN_SPEED);
@@ -504,7 +460,8 @@ Effort drive_person(const World *world, size_t i, Drive *drive) {
     const Profile *profile = world->house->people[i].profile;
     if (drive->retreats)
         step_back(&world->journeys[i].track, world_reference(world, i), drive);
-    Place place = find_place(&world->journeys[i].track, profile, world_reference(world, i), drive);
+    Place place = place_find(&world->journeys[i].track, profile, world_reference(world, i),
+                             vec2_length(world->velocity[i]), drive);
     watch_progress(drive, world->clock.dt);
     return profile->driving == DRIVING_MIURA ? drive_miura(world, i, drive, &place)
                                              : drive_driver(world, i, drive, &place);

@@ -13,8 +13,8 @@ static const double DOOR_SPACE = 0.10;
 enum { DOOR_SAMPLES = 13 };
 /* points to either side over which the curvature of a path is averaged: about 0.1 m */
 enum { CURVATURE_SPAN = 2 };
-/* m: of shorter steps the curvature is only rounding. */
-static const double SHORTEST_STEP = 0.01;
+/* m: shorter steps are not rolled. */
+static const double TOO_SHORT = 0.005;
 
 static TrackPoint *add_point(Track *track, size_t *capacity, TrackPoint point) {
     track->points = memory_reserve(track->points, capacity, track->count + 1, sizeof *track->points);
@@ -192,16 +192,16 @@ static double sharpest(const Track *track, size_t i) {
     for (size_t k = i > 0 ? i : 1; k <= i + 1 && k < track->count; k++) {
         const TrackPoint *from = &track->points[k - 1], *to = &track->points[k];
         double length = to->s - from->s;
-        if (to->direction == track->points[i].direction && to->direction != 0 && length > SHORTEST_STEP)
+        if (to->direction != 0 && length >= TOO_SHORT)
             most = fmax(most, fabs(vec2_wrap_angle(to->heading - from->heading)) / length);
     }
     return most;
 }
 
-static double driver_speed(const Inhabitant *person, const Track *track, size_t i, double clearance) {
+static double driver_speed(const Inhabitant *person, const Track *track, size_t i) {
     const TrackPoint *point = &track->points[i];
     double pace =
-        pace_at(person->profile, person->speed, clearance, sharpest(track, i), point->bending, point->direction);
+        pace_at(person->profile, person->speed, point->clearance, sharpest(track, i), point->bending, point->direction);
     return fmin(passage_speed(person, point->width), pace);
 }
 
@@ -230,24 +230,51 @@ static void look_for_necks(Track *track) {
     }
 }
 
-void track_build_driver(Track *track, const House *house, const Inhabitant *person, const Route *route) {
-    const Profile *profile = person->profile;
+/* True if a part of the path begins at pose i - 1 or ends at pose i. */
+static bool is_at_joint(const Route *route, size_t i) {
+    int direction = route->poses[i].direction;
+    return i == 1 || i + 1 == route->count || route->poses[i - 1].direction != direction ||
+           route->poses[i + 1].direction != direction;
+}
+
+/* Takes over the poses of a route. A step that is too short to be rolled is turned on the spot where a part of the path
+ * begins or ends, and left out elsewhere; one that bends more sharply than the chair can roll is turned on the spot. */
+static void take_poses(Track *track, const Profile *profile, const Route *route) {
     size_t capacity = 0;
-    for (size_t i = 0; i < route->count; i++)
+    for (size_t i = 0; i < route->count; i++) {
+        const Pose *pose = &route->poses[i];
+        int direction = pose->direction;
+        if (i > 0 && i + 1 < route->count && direction != 0) {
+            TrackPoint *last = &track->points[track->count - 1];
+            double length = vec2_distance(last->at, pose->at);
+            double turn = fabs(vec2_wrap_angle(pose->heading - last->heading));
+            bool sharp = turn > length * pace_sharpest(profile);
+            if (length < TOO_SHORT && !sharp && !is_at_joint(route, i)) {
+                last->clearance = fmin(last->clearance, pose->clearance);
+                continue;
+            }
+            if (length < TOO_SHORT || sharp)
+                direction = 0;
+        }
         add_point(track, &capacity,
-                  (TrackPoint){.at = route->poses[i].at,
-                               .heading = route->poses[i].heading,
-                               .direction =
-                                   i == 0 && route->count > 1 ? route->poses[1].direction : route->poses[i].direction,
+                  (TrackPoint){.at = pose->at,
+                               .heading = pose->heading,
+                               .direction = direction,
+                               .clearance = pose->clearance,
                                .corner = -1,
                                .door = -1});
+    }
+    track->points[0].direction = track->points[track->count > 1].direction;
+}
+
+void track_build_driver(Track *track, const House *house, const Inhabitant *person, const Route *route) {
+    const Profile *profile = person->profile;
+    take_poses(track, profile, route);
     measure(track, house, profile->length / 2 - profile->axle);
     look_ahead(track);
     bend(track);
-    for (size_t i = 0; i < track->count; i++) {
-        track->points[i].clearance = route->poses[i].clearance;
-        track->points[i].speed = driver_speed(person, track, i, route->poses[i].clearance);
-    }
+    for (size_t i = 0; i < track->count; i++)
+        track->points[i].speed = driver_speed(person, track, i);
     look_for_necks(track);
     if (house_ring(house) == RING_STEERS)
         measure_sides(track, house, profile);

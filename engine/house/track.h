@@ -8,9 +8,10 @@
  *     before      the deceleration length L from v^2 - v_c^2 = 2 a_d L;
  *     after       the initial acceleration a_0.
  *
- * For the driver the points are those of the planned path. For the paper's round body they are straight legs and
- * corners: a corner is an arc about the obstacle's convex corner, from the middle of the passage before it (radius W1 /
- * 2) to the middle of the one after it (W2 / 2), and the legs are the common tangents. */
+ * For the driver the points are those of the planned path, but steps that are too short or too sharp to be rolled are
+ * turned on the spot, or left out. For the paper's round body they are straight legs and corners: a corner is an arc
+ * about the obstacle's convex corner, from the middle of the passage before it (radius W1 / 2) to the middle of the one
+ * after it (W2 / 2), and the legs are the common tangents. */
 #pragma once
 
 #include <stdbool.h>

@@ -71,6 +71,10 @@ double pace_braking(const Profile *profile, double clearance) {
     return PACE_PLANNED * (paper ? profile->deceleration : fmin(profile->deceleration, strength(profile, clearance)));
 }
 
+double pace_sharpest(const Profile *profile) {
+    return PLANNED_TURN * profile->turn_rate / TURNING_CREEP;
+}
+
 double pace_in_bend(const Profile *profile, double curvature) {
     double bend = fabs(curvature);
     return bend > 0 ? fmax(agility(profile) / bend, WEAKEST) : HUGE_VAL;

@@ -30,6 +30,9 @@ double pace_at(const Profile *profile, double free, double clearance, double cur
 double pace_starting(const Profile *profile, double clearance);
 double pace_braking(const Profile *profile, double clearance);
 
+/* Returns the greatest curvature that can be driven at all, rad/m; a sharper bend is a turn on the spot. */
+double pace_sharpest(const Profile *profile);
+
 /* Returns the change of speed, m/s2, that half of the turning moment M allows in a bend of `curvature` k, rad/m, since
  * the turn rate changes with the speed: I k a <= M / 2. Infinite on the straight. */
 double pace_in_bend(const Profile *profile, double curvature);

@@ -31,7 +31,7 @@ void case_house(House *house, const char *name, int driving, const char *const *
     read_case(house, path, driving, settings);
 }
 
-const char *const case_touching[] = {"run.ring=\"push\"", "profile.manual-chair.drive.creep=0.5", NULL};
+const char *const case_touching[] = {"run.ring=\"push\"", "profile.manual-chair.turn_response=0.5", NULL};
 
 void case_made(House *house, json_t *plan, int driving, const char *const *settings) {
     char path[CHECK_PATH];
@@ -81,6 +81,28 @@ json_t *case_corner(double w1, double w2, double angle) {
                      "thickness", 0.12, "exits", "id", "e1", "from", turned(4, 4 + w1, angle), "to",
                      turned(4 + w2, 4 + w1, angle), "people", "id", "p1", "profile", "manual-chair", "at",
                      turned(1, w1 / 2, angle), "heading", angle * 180 / M_PI);
+}
+
+json_t *case_side_door(double wide, double door, bool from_room, double angle) {
+    const double wall = wide + 0.06, far = wide + 4, low = 3 - door / 2, high = 3 + door / 2;
+    const double walls[7][4] = {{-0.06, wall, -0.06, -0.06}, {-0.06, -0.06, 6.06, -0.06}, {-0.06, wall, low, wall},
+                                {high, wall, 6.06, wall},    {1.44, wall, 1.44, far},     {4.56, wall, 4.56, far},
+                                {1.44, far, 4.56, far}};
+    json_t *list = json_array();
+    for (int w = 0; w < (from_room ? 7 : 6); w++) {
+        char id[8];
+        snprintf(id, sizeof id, "w%d", w + 1);
+        json_array_append_new(list, json_pack("{s:s, s:[o,o], s:f}", "id", id, "points",
+                                              turned(walls[w][0], walls[w][1], angle),
+                                              turned(walls[w][2], walls[w][3], angle), "thickness", 0.12));
+    }
+    Vec2 at = from_room ? vec2(3, wide + 2.2) : vec2(1, wide / 2);
+    Vec2 from = from_room ? vec2(6, 0) : vec2(1.5, far - 1), to = from_room ? vec2(6, wide) : vec2(4.5, far - 1);
+    return json_pack("{s:s, s:i, s:s, s:o, s:[{s:s, s:o, s:o}], s:[{s:s, s:s, s:o, s:f}]}", "format", "clearance-house",
+                     "version", 1, "name", "side door", "walls", list, "exits", "id", "e1", "from",
+                     turned(from.x, from.y, angle), "to", turned(to.x, to.y, angle), "people", "id", "p1", "profile",
+                     "manual-chair", "at", turned(at.x, at.y, angle), "heading",
+                     angle * 180 / M_PI - (from_room ? 90 : 0));
 }
 
 void case_add_person(json_t *plan, const char *profile, double x, double y, double heading) {

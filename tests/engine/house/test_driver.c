@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "case.h"
+#include "base/random.h"
 #include "check.h"
 #include "house/journey.h"
 #include "house/phase.h"
@@ -11,6 +12,7 @@
 #include "house/step.h"
 #include "house/touch.h"
 #include "house/world.h"
+#include "planned_time.h"
 #include "route/pace.h"
 
 /* The drive of a chair through a corridor. */
@@ -164,6 +166,53 @@ TEST(a_chair_touches_nothing_where_its_plan_is_free) {
         journey_free_all(&journeys);
         house_free(&house);
     }
+}
+
+/* Where nothing disturbs the chair, the run is the plan: it takes the planned time, and no less clearance. */
+static void check_as_planned(json_t *plan, const char *what) {
+    House house;
+    case_made(&house, plan, -1, NULL);
+    Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
+    const Route *route = &journeys.of[0].route;
+    if (route->answer == ROUTE_FOUND) {
+        Observation observation = case_run(&house, 1);
+        const PersonObservation *person = &observation.people[0];
+        double time = planned_time(&house, house.people[0].profile, route);
+        printf("%s: planned %.2f s, %.1f mm, driven %.2f s, %.1f mm\n", what, time, 1000 * route->narrowest,
+               person->time, 1000 * person->narrowest);
+        CHECK(person->completed && person->contacts == 0);
+        CHECK(person->narrowest > fmax(0, route->narrowest - 0.01));
+        CHECK_NEAR(person->time, time, 0.02 * time);
+        observation_free(&observation);
+    }
+    journey_free_all(&journeys);
+    house_free(&house);
+}
+
+static double between(Random *random, double low, double high) {
+    return low + (high - low) * random_uniform(random);
+}
+
+static void check_houses_as_planned(int count) {
+    Random random = random_seed(11, 0);
+    for (int k = 0; k < count; k++) {
+        char what[80];
+        double angle = k % 3 ? between(&random, 0, 2 * M_PI) : 0;
+        double first = between(&random, 0.84, 1.25), second = between(&random, 0.84, 1.25);
+        snprintf(what, sizeof what, "corner %.3f, %.3f m", first, second);
+        check_as_planned(case_corner(first, second, angle), what);
+        double wide = between(&random, 0.94, 1.35), door = between(&random, 0.72, 0.92);
+        snprintf(what, sizeof what, "door of %.3f m %s a corridor of %.3f m", door, k % 2 ? "into" : "out of", wide);
+        check_as_planned(case_side_door(wide, door, k % 2, angle), what);
+    }
+}
+
+TEST(a_chair_drives_as_planned) {
+    check_houses_as_planned(6);
+}
+
+LONG_TEST(a_chair_drives_as_planned_in_many_houses) {
+    check_houses_as_planned(100);
 }
 
 /* Every driver gets out by the way that is planned for the strength there is, without a touch, and none the later the

@@ -240,7 +240,7 @@ TEST(routes_alone_do_not_meet) {
 TEST(the_trace_loses_no_extremes) {
     House house;
     case_house(&house, "corner-1.20-0.80", -1,
-               (const char *[]){"run.sample=0.5", "run.ring=\"push\"", "profile.manual-chair.drive.creep=0.5", NULL});
+               (const char *[]){"run.sample=0.5", "run.ring=\"push\"", "profile.manual-chair.turn_response=0.5", NULL});
     Observation observation = case_run(&house, 1);
     const PersonObservation *person = &observation.people[0];
     double force = 0, clearance = HUGE_VAL, ring = 0;

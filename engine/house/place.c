@@ -1,0 +1,124 @@
+#include "house/place.h"
+
+#include "base/real.h"
+
+/* The track between two points: a step begins at point i; u from 0 to 1 is the part of its length l that is done.
+ * Heading and place are the cubic polynomials with the headings, their slopes k and the places of both ends,
+ *
+ *     h(u) = h0 + (3 u^2 - 2 u^3) (h1 - h0) + l ((u - 2 u^2 + u^3) k0 + (u^3 - u^2) k1),
+ *
+ * as in the planner's proof that the way is free (smooth_between). The slope at a point is that of the parabola through
+ * it and both its neighbours; a part of the path ends with the slope of its last step. The speed changes evenly by
+ * time, v^2 = v0^2 + u (v1^2 - v0^2), and a change of direction ends at rest. */
+
+int place_direction(const Track *track, size_t index) {
+    return track->points[index + 1 < track->count ? index + 1 : index].direction;
+}
+
+static bool changes_after(const Track *track, size_t index) {
+    return index + 2 < track->count && track->points[index + 2].direction != track->points[index + 1].direction;
+}
+
+/* Returns the mean slope of the heading in the step that begins at a point, rad/m. */
+static double step_slope(const Track *track, size_t i) {
+    const TrackPoint *here = &track->points[i];
+    double length = here[1].s - here->s;
+    return length > 0 ? vec2_wrap_angle(here[1].heading - here->heading) / length : 0;
+}
+
+/* Returns the slope of the heading between the steps `before` and before + 1, which belong to one part, rad/m. */
+static double slope_between(const Track *track, size_t before) {
+    const TrackPoint *points = &track->points[before];
+    double first = points[1].s - points[0].s, second = points[2].s - points[1].s;
+    if (!(first + second > 0))
+        return 0;
+    return (step_slope(track, before) * second + step_slope(track, before + 1) * first) / (first + second);
+}
+
+static void find_heading(const Track *track, size_t i, double part, Place *place) {
+    const TrackPoint *here = place->here, *next = place->next;
+    double length = next->s - here->s, turn = vec2_wrap_angle(next->heading - here->heading);
+    place->heading = here->heading + part * turn;
+    place->curvature = place->bending = 0;
+    if (!(length > 0))
+        return;
+    double mean = turn / length;
+    double begin = i > 0 && here->direction == next->direction ? slope_between(track, i - 1) : mean;
+    double end = i + 2 < track->count && here[2].direction == next->direction ? slope_between(track, i) : mean;
+    double u = part, v = 1 - part;
+    place->heading = here->heading + (3 - 2 * u) * u * u * turn + length * (u * v * v * begin - u * u * v * end);
+    place->curvature = 6 * u * v * mean + v * (1 - 3 * u) * begin + u * (3 * u - 2) * end;
+    place->bending = (6 * (1 - 2 * u) * mean + (6 * u - 4) * begin + (6 * u - 2) * end) / length;
+}
+
+/* Returns how far to the left of the straight line between its ends a step leads, m. */
+static double bulge(const Place *place, double part) {
+    double length = place->next->s - place->here->s;
+    int direction = place->next->direction;
+    double straight = real_atan2(direction * place->along.y, direction * place->along.x);
+    double begin = vec2_wrap_angle(place->here->heading - straight);
+    double end = vec2_wrap_angle(place->next->heading - straight);
+    return length * (part * (1 - part) * (1 - part) * begin - part * part * (1 - part) * end);
+}
+
+static void find_speed(const Track *track, size_t i, double part, Place *place) {
+    double begin = place->here->speed, length = place->next->s - place->here->s;
+    double end = changes_after(track, i) ? 0 : place->next->speed;
+    place->speed = sqrt(real_max(begin * begin + part * (end * end - begin * begin), 0));
+    place->hurry = length > 0 ? (end * end - begin * begin) / (2 * length) : 0;
+}
+
+/* Returns the direction in which a person has rolled to a point, before any turns on the spot; 0: not yet. */
+static int rolled_to(const Track *track, size_t index) {
+    while (index > 0 && track->points[index].direction == 0)
+        index--;
+    return index > 0 ? track->points[index].direction : 0;
+}
+
+void place_pass(const Track *track, const Profile *profile, Drive *drive) {
+    int before = place_direction(track, drive->index);
+    drive->index++;
+    int after = place_direction(track, drive->index);
+    if (before != after) {
+        drive->pause = rolled_to(track, drive->index) * after < 0 ? profile->reversing_time : 0;
+        drive->best_turn = HUGE_VAL;
+        drive->stalled = 0;
+    }
+}
+
+/* Returns how far before a change of direction it counts as reached, m: whose speed falls off from there on by its
+ * response comes to rest on it. */
+static double arrival(const Profile *profile, double speed) {
+    return speed > PLACE_SLOWEST ? speed * profile->speed_response : PLACE_ARRIVED;
+}
+
+Place place_find(const Track *track, const Profile *profile, Vec2 at, double speed, Drive *drive) {
+    Place place;
+    for (;;) {
+        place.here = &track->points[drive->index];
+        place.next = drive->index + 1 < track->count ? place.here + 1 : place.here;
+        Vec2 way = vec2_sub(place.next->at, place.here->at);
+        double length = vec2_length(way);
+        bool last = place.next == place.here;
+        int direction = place_direction(track, drive->index);
+        place.along = length > 0 ? vec2_scale(way, 1 / length)
+                                 : vec2_scale(vec2_heading(place.here->heading), direction < 0 ? -1 : 1);
+        double done = vec2_dot(vec2_sub(at, place.here->at), place.along);
+        bool cusp = changes_after(track, drive->index);
+        if (!last && direction != 0 && done >= length - (cusp ? arrival(profile, speed) : 0)) {
+            place_pass(track, profile, drive);
+            continue;
+        }
+        double part = length > 0 ? real_clamp(done / length, 0, 1) : 0;
+        find_heading(track, drive->index, part, &place);
+        if (done < 0) /* before the beginning of a part */
+            place.curvature = place.bending = 0;
+        find_speed(track, drive->index, part, &place);
+        double behind = drive->retreats && drive->index == 0 ? PLACE_RETREAT : 0;
+        drive->s = place.here->s + real_max(done, -behind);
+        drive->offset = vec2_cross(place.along, vec2_sub(at, place.here->at));
+        if (profile->driving == DRIVING_DRIVER && direction != 0)
+            drive->offset -= bulge(&place, part);
+        return place;
+    }
+}
