@@ -14,6 +14,8 @@
 #include "house/world.h"
 #include "planned_time.h"
 #include "route/pace.h"
+#include "route/search.h"
+#include "route/smooth.h"
 
 /* The drive of a chair through a corridor. */
 typedef struct Driven {
@@ -168,6 +170,23 @@ TEST(a_chair_touches_nothing_where_its_plan_is_free) {
     }
 }
 
+/* Returns the least clearance along a route, m, also between its poses. */
+static double planned_clearance(const House *house, const Route *route) {
+    enum { PARTS = 8 };
+    Rectangle body = search_body(house->people[0].profile);
+    double least = HUGE_VAL;
+    for (size_t i = 1; i < route->count; i++) {
+        const Pose *from = &route->poses[i - 1], *to = &route->poses[i];
+        double turn = vec2_wrap_angle(to->heading - from->heading);
+        for (int k = 0; k <= PARTS; k++) {
+            double part = (double)k / PARTS;
+            Vec2 at = smooth_between(from, to, to->direction, part);
+            least = fmin(least, search_clearance(&house->space, &body, at, from->heading + part * turn, 0.5, NULL));
+        }
+    }
+    return least;
+}
+
 /* Where nothing disturbs the chair, the run is the plan: it takes the planned time, and no less clearance. */
 static void check_as_planned(json_t *plan, const char *what) {
     House house;
@@ -177,12 +196,12 @@ static void check_as_planned(json_t *plan, const char *what) {
     if (route->answer == ROUTE_FOUND) {
         Observation observation = case_run(&house, 1);
         const PersonObservation *person = &observation.people[0];
-        double time = planned_time(&house, house.people[0].profile, route);
-        printf("%s: planned %.2f s, %.1f mm, driven %.2f s, %.1f mm\n", what, time, 1000 * route->narrowest,
-               person->time, 1000 * person->narrowest);
+        double time = planned_time(&house, house.people[0].profile, route), least = planned_clearance(&house, route);
+        printf("%s: planned %.2f s, %.1f mm, driven %.2f s, %.1f mm\n", what, time, 1000 * least, person->time,
+               1000 * person->narrowest);
         CHECK(person->completed && person->contacts == 0);
-        CHECK(person->narrowest > fmax(0, route->narrowest - 0.01));
-        CHECK_NEAR(person->time, time, 0.02 * time);
+        CHECK(person->narrowest > fmax(0, least - 0.01));
+        CHECK_NEAR(person->time, time, 0.03 * time);
         observation_free(&observation);
     }
     journey_free_all(&journeys);
