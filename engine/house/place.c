@@ -3,13 +3,13 @@
 #include "base/real.h"
 
 /* The track between two points: a step begins at point i; u from 0 to 1 is the part of its length l that is done.
- * Heading and place are the cubic polynomials with the headings, their slopes k and the places of both ends,
+ * The heading is the cubic polynomial with the headings and their slopes k at both ends,
  *
  *     h(u) = h0 + (3 u^2 - 2 u^3) (h1 - h0) + l ((u - 2 u^2 + u^3) k0 + (u^3 - u^2) k1),
  *
- * as in the planner's proof that the way is free (smooth_between). The slope at a point is that of the parabola through
- * it and both its neighbours; a part of the path ends with the slope of its last step. The speed changes evenly by
- * time, v^2 = v0^2 + u (v1^2 - v0^2), and a change of direction ends at rest. */
+ * so that the turn rate that is fed forward, k v, brings the chair to the heading of every point. The slope at a point
+ * is that of the parabola through it and both its neighbours; a part of the path ends with the slope of its last step.
+ * The speed changes evenly by time, v^2 = v0^2 + u (v1^2 - v0^2), and a change of direction ends at rest. */
 
 int place_direction(const Track *track, size_t index) {
     return track->points[index + 1 < track->count ? index + 1 : index].direction;
@@ -19,46 +19,35 @@ static bool changes_after(const Track *track, size_t index) {
     return index + 2 < track->count && track->points[index + 2].direction != track->points[index + 1].direction;
 }
 
-/* Returns the mean slope of the heading in the step that begins at a point, rad/m. */
-static double step_slope(const Track *track, size_t i) {
-    const TrackPoint *here = &track->points[i];
+/* The length of a step, m, and the mean slope of the heading in it, rad/m. */
+typedef struct Step {
+    double length, slope;
+} Step;
+
+static Step step_from(const TrackPoint *here) {
     double length = here[1].s - here->s;
-    return length > 0 ? vec2_wrap_angle(here[1].heading - here->heading) / length : 0;
+    return (Step){length, length > 0 ? vec2_wrap_angle(here[1].heading - here->heading) / length : 0};
 }
 
-/* Returns the slope of the heading between the steps `before` and before + 1, which belong to one part, rad/m. */
-static double slope_between(const Track *track, size_t before) {
-    const TrackPoint *points = &track->points[before];
-    double first = points[1].s - points[0].s, second = points[2].s - points[1].s;
-    if (!(first + second > 0))
-        return 0;
-    return (step_slope(track, before) * second + step_slope(track, before + 1) * first) / (first + second);
+/* Returns the slope of the heading between two steps of one part, rad/m. */
+static double slope_between(Step first, Step second) {
+    double length = first.length + second.length;
+    return length > 0 ? (first.slope * second.length + second.slope * first.length) / length : 0;
 }
 
 static void find_heading(const Track *track, size_t i, double part, Place *place) {
     const TrackPoint *here = place->here, *next = place->next;
-    double length = next->s - here->s, turn = vec2_wrap_angle(next->heading - here->heading);
-    place->heading = here->heading + part * turn;
-    place->curvature = place->bending = 0;
-    if (!(length > 0))
-        return;
-    double mean = turn / length;
-    double begin = i > 0 && here->direction == next->direction ? slope_between(track, i - 1) : mean;
-    double end = i + 2 < track->count && here[2].direction == next->direction ? slope_between(track, i) : mean;
-    double u = part, v = 1 - part;
-    place->heading = here->heading + (3 - 2 * u) * u * u * turn + length * (u * v * v * begin - u * u * v * end);
-    place->curvature = 6 * u * v * mean + v * (1 - 3 * u) * begin + u * (3 * u - 2) * end;
-    place->bending = (6 * (1 - 2 * u) * mean + (6 * u - 4) * begin + (6 * u - 2) * end) / length;
-}
-
-/* Returns how far to the left of the straight line between its ends a step leads, m. */
-static double bulge(const Place *place, double part) {
-    double length = place->next->s - place->here->s;
-    int direction = place->next->direction;
-    double straight = real_atan2(direction * place->along.y, direction * place->along.x);
-    double begin = vec2_wrap_angle(place->here->heading - straight);
-    double end = vec2_wrap_angle(place->next->heading - straight);
-    return length * (part * (1 - part) * (1 - part) * begin - part * part * (1 - part) * end);
+    Step step = next == here ? (Step){0, 0} : step_from(here);
+    double turn = step.slope * step.length, u = part, v = 1 - part;
+    double begin = step.slope, end = step.slope;
+    if (i > 0 && here->direction == next->direction)
+        begin = slope_between(step_from(here - 1), step);
+    if (i + 2 < track->count && here[2].direction == next->direction)
+        end = slope_between(step, step_from(next));
+    place->heading = here->heading + (3 - 2 * u) * u * u * turn + step.length * (u * v * v * begin - u * u * v * end);
+    place->curvature = 6 * u * v * step.slope + v * (1 - 3 * u) * begin + u * (3 * u - 2) * end;
+    place->bending = (6 * (1 - 2 * u) * step.slope + (6 * u - 4) * begin + (6 * u - 2) * end);
+    place->bending = step.length > 0 ? place->bending / step.length : 0;
 }
 
 static void find_speed(const Track *track, size_t i, double part, Place *place) {
@@ -117,8 +106,6 @@ Place place_find(const Track *track, const Profile *profile, Vec2 at, double spe
         double behind = drive->retreats && drive->index == 0 ? PLACE_RETREAT : 0;
         drive->s = place.here->s + real_max(done, -behind);
         drive->offset = vec2_cross(place.along, vec2_sub(at, place.here->at));
-        if (profile->driving == DRIVING_DRIVER && direction != 0)
-            drive->offset -= bulge(&place, part);
         return place;
     }
 }
