@@ -8,8 +8,12 @@
  *     h(u) = h0 + (3 u^2 - 2 u^3) (h1 - h0) + l ((u - 2 u^2 + u^3) k0 + (u^3 - u^2) k1),
  *
  * so that the turn rate that is fed forward, k v, brings the chair to the heading of every point. The slope at a point
- * is that of the parabola through it and both its neighbours; a part of the path ends with the slope of its last step.
- * The speed changes evenly by time, v^2 = v0^2 + u (v1^2 - v0^2), and a change of direction ends at rest. */
+ * is that of the parabola through it and both its neighbours, at most STEEPEST times that of either step, so that no
+ * heading is beyond those of both ends (Fritsch and Carlson 1980); a part of the path ends with the slope of its last
+ * step. The speed changes evenly by time, v^2 = v0^2 + u (v1^2 - v0^2), and a change of direction ends at rest. */
+
+/* 1 */
+static const double STEEPEST = 3;
 
 int place_direction(const Track *track, size_t index) {
     return track->points[index + 1 < track->count ? index + 1 : index].direction;
@@ -32,7 +36,10 @@ static Step step_from(const TrackPoint *here) {
 /* Returns the slope of the heading between two steps of one part, rad/m. */
 static double slope_between(Step first, Step second) {
     double length = first.length + second.length;
-    return length > 0 ? (first.slope * second.length + second.slope * first.length) / length : 0;
+    if (first.slope * second.slope <= 0 || !(length > 0))
+        return 0;
+    double most = STEEPEST * real_min(fabs(first.slope), fabs(second.slope));
+    return real_clamp((first.slope * second.length + second.slope * first.length) / length, -most, most);
 }
 
 static void find_heading(const Track *track, size_t i, double part, Place *place) {
