@@ -9,6 +9,8 @@
 static const double FORESIGHT = 0.2;
 /* m, assumed: distance from a shut door's leaf, and from its swing. */
 static const double DOOR_SPACE = 0.10;
+/* m, assumed: a shut door is opened for a body that comes nearer than this to its leaf. */
+static const double LEAF_SPACE = 0.03;
 /* places checked along a leaf of 1 m: 8 cm apart */
 enum { DOOR_SAMPLES = 13 };
 /* points to either side over which the curvature of a path is averaged: about 0.1 m */
@@ -109,18 +111,26 @@ static double body_distance(const Profile *profile, const TrackPoint *point, Vec
     return ahead > 0 && beside > 0 ? vec2_length(vec2(ahead, beside)) : fmax(ahead, beside);
 }
 
+/* Returns the distance of a body at a track point from the leaf of a shut door. */
+static double leaf_distance(const DoorWay *way, const Profile *profile, const TrackPoint *point) {
+    double least = HUGE_VAL;
+    for (int k = 0; k < DOOR_SAMPLES; k++)
+        least = fmin(least, body_distance(profile, point, way->leaf[k]));
+    return least;
+}
+
 static bool is_in_the_way(const DoorWay *way, const Profile *profile, const TrackPoint *point) {
     bool on_left = vec2_cross(vec2_sub(way->to, way->from), vec2_sub(point->at, way->from)) > 0;
-    for (int k = 0; k < DOOR_SAMPLES; k++)
-        if (body_distance(profile, point, way->leaf[k]) < DOOR_SPACE)
-            return true;
+    if (leaf_distance(way, profile, point) < DOOR_SPACE)
+        return true;
     for (size_t k = 0; k < way->swing_count && on_left == way->swings_left; k++)
         if (body_distance(profile, point, way->swing[k]) < DOOR_SPACE)
             return true;
     return false;
 }
 
-/* Marks where the body first obstructs each door that opens and shuts, and again when it comes back. */
+/* Marks where the body first obstructs each door that must be opened for it, and again when it comes back. A door that
+ * it only comes by stays shut. */
 static void mark_doors(Track *track, const Plan *plan, const Profile *profile) {
     for (size_t i = 0; i < track->count; i++)
         track->points[i].door = -1;
@@ -128,12 +138,12 @@ static void mark_doors(Track *track, const Plan *plan, const Profile *profile) {
         if (!outline_door_moves(&plan->doors[d]))
             continue;
         DoorWay way = door_way(plan, &plan->doors[d]);
-        bool before = false;
-        for (size_t i = 0; i < track->count; i++) {
-            bool now = is_in_the_way(&way, profile, &track->points[i]);
-            if (now && !before && track->points[i].door < 0)
-                track->points[i].door = (int)d;
-            before = now;
+        for (size_t first = 0, i; first < track->count; first = i + 1) {
+            double least = HUGE_VAL;
+            for (i = first; i < track->count && is_in_the_way(&way, profile, &track->points[i]); i++)
+                least = fmin(least, leaf_distance(&way, profile, &track->points[i]));
+            if (least < LEAF_SPACE && track->points[first].door < 0)
+                track->points[first].door = (int)d;
         }
     }
     int next_door = -1;

@@ -151,6 +151,22 @@ TEST(a_door_takes_the_longer_the_narrower_it_is) {
     CHECK_NEAR(gap.slowest, PACE_CREEP, 1e-3);
 }
 
+/* A chair comes by a sliding door in a thin wall, 6.5 cm from its leaf. */
+TEST(a_shut_door_beside_the_way_stays_shut) {
+    House house;
+    json_t *plan = closed_corridor(0.7 - 2 * 0.07, 0), *north = json_array_get(json_object_get(plan, "walls"), 1);
+    json_object_set_new(north, "thickness", json_real(0.06));
+    json_object_set_new(json_array_get(json_object_get(plan, "walls"), 0), "thickness", json_real(0.06));
+    json_object_set_new(plan, "doors",
+                        json_pack("[{s:s, s:s, s:f, s:f, s:s, s:s}]", "id", "d1", "wall", "north", "at", 8.0, "width",
+                                  0.8, "kind", "sliding", "state", "closed"));
+    case_made(&house, plan, -1, NULL);
+    Observation observation = case_run(&house, 1);
+    CHECK(observation.completed && !isfinite(observation.door_opened[0]));
+    observation_free(&observation);
+    house_free(&house);
+}
+
 /* The chair stays within what the plan leaves free of it, also where that is 4 mm and it goes back twice. */
 TEST(a_chair_touches_nothing_where_its_plan_is_free) {
     static const double legs[][2] = {{0.90, 0.90}, {0.92, 0.92}, {1.20, 0.80}};
