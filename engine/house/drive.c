@@ -95,32 +95,42 @@ static bool steers(const World *world, size_t i) {
     return house_ring(world->house) == RING_STEERS && world->house->people[i].profile->driving == DRIVING_DRIVER;
 }
 
+/* A target speed, m/s, and its change when it is driven, m/s2. */
+typedef struct Pace {
+    double speed, hurry;
+} Pace;
+
 /* Returns the highest speed at which the person can still stop before a shut door, and before an exit that is not open.
  */
-static double speed_to_barriers(const World *world, size_t i, Drive *drive) {
+static Pace speed_to_barriers(const World *world, size_t i, Drive *drive) {
     const Journey *journey = &world->journeys[i];
     const Exit *exit = &world->house->plan.exits[journey->route.exit];
     const Profile *profile = world->house->people[i].profile;
     double time = clock_time(&world->clock);
-    double braking = 2 * pace_braking(profile, journey->track.points[drive->index].clearance);
+    double braking = pace_braking(profile, journey->track.points[drive->index].clearance);
     int door = -1;
     double way = way_to_door(world, i, &door);
     if (!plan_geometry_is_open(exit, time))
         way = real_min(way, journey->track.exit_s - STAND_OFF - drive->s);
     if (time < exit->opens)
         drive->stalled = 0; /* the exit will open */
-    double speed = sqrt(braking * real_max(way, 0));
+    Pace pace = {sqrt(2 * braking * real_max(way, 0)), -braking};
     if (!steers(world, i))
-        return speed;
-    double before_obstacle = sqrt(braking * real_max(drive->free_way - drive->s, 0));
-    return real_min(speed, drive->barred ? before_obstacle : real_max(before_obstacle, pace_creep(profile)));
+        return pace;
+    double before_obstacle = sqrt(2 * braking * real_max(drive->free_way - drive->s, 0));
+    if (!drive->barred && before_obstacle < pace_creep(profile))
+        return pace.speed < pace_creep(profile) ? pace : (Pace){pace_creep(profile), 0};
+    pace.speed = real_min(pace.speed, before_obstacle);
+    return pace;
 }
 
 /* Returns the track's speed, limited by doors and exits; 0 at the end of the track. */
-static double wanted_speed(const World *world, size_t i, Drive *drive, const Place *place) {
+static Pace wanted_speed(const World *world, size_t i, Drive *drive, const Place *place) {
     if (place->next == place->here)
-        return 0;
-    return real_min(real_max(place->speed, PLACE_SLOWEST), speed_to_barriers(world, i, drive));
+        return (Pace){0, 0};
+    Pace planned = place->speed < PLACE_SLOWEST ? (Pace){PLACE_SLOWEST, 0} : (Pace){place->speed, place->hurry};
+    Pace pace = speed_to_barriers(world, i, drive);
+    return pace.speed < planned.speed ? pace : planned;
 }
 
 int drive_door_at_hand(const World *world, size_t i) {
@@ -355,18 +365,19 @@ static Effort turn_on_the_spot(const World *world, size_t i, Drive *drive, const
     double left = vec2_wrap_angle(track->points[end].heading - world->heading[i]);
     double planned = vec2_wrap_angle(track->points[end].heading - place->here->heading);
     while (end + 1 < track->count && track->points[end + 1].direction == 0) {
-        double step = vec2_wrap_angle(track->points[end + 1].heading - track->points[end].heading);
-        if (step * planned < 0)
+        double more = vec2_wrap_angle(track->points[end + 1].heading - track->points[end].heading);
+        if (more * planned < 0)
             break;
-        left += step;
-        planned += step;
+        left += more;
+        planned += more;
         end++;
     }
     bool last = end == drive->index + 1;
     double response = calmness(profile) * profile->turn_response;
-    if (last ? fabs(left) < real_max(TURNED, copysign(response, left) * world->turn[i])
-             : (left - planned) * planned < 0 &&
-                   fabs(left) < fabs(planned) - fabs(vec2_wrap_angle(place->next->heading - place->here->heading)))
+    double step = fabs(vec2_wrap_angle(place->next->heading - place->here->heading));
+    bool ended = last ? fabs(left) < real_max(TURNED, copysign(response, left) * world->turn[i])
+                      : fabs(planned) < TURNED || ((left - planned) * planned < 0 && fabs(left) < fabs(planned) - step);
+    if (ended)
         place_pass(track, profile, drive);
     drive->aimed = 0;
     if (fabs(left) < drive->best_turn - PROGRESS) {
@@ -390,8 +401,8 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
     int direction = place_direction(&world->journeys[i].track, drive->index);
     if (direction == 0)
         return turn_on_the_spot(world, i, drive, place);
-    double target = wanted_speed(world, i, drive, place);
-    target = yield_speed(world, i, drive, vec2_scale(axis, direction), target);
+    Pace wanted = wanted_speed(world, i, drive, place);
+    double target = yield_speed(world, i, drive, vec2_scale(axis, direction), wanted.speed);
     take_aim(world, i, drive, place, direction);
     if (drive->pause > 0) {
         drive->pause -= world->clock.dt;
@@ -422,8 +433,8 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
     if (drive->pause > 0)
         turn = -slant / ALIGNING;
     turn = real_clamp(turn, -profile->turn_rate, profile->turn_rate);
-    bool as_planned = sense > 0 && target > 0 && target == place->speed;
-    double hurry = as_planned ? place->hurry * real_clamp(direction * speed / target, 0, 1) : 0;
+    bool as_wanted = sense > 0 && target > 0 && target == wanted.speed;
+    double hurry = as_wanted ? wanted.hurry * real_clamp(direction * speed / target, 0, 1) : 0;
     return exert(world, i, sense * direction * target, direction * hurry, turn, pace * pace * place->bending,
                  direction * bend);
 }
@@ -443,7 +454,7 @@ static Effort drive_miura(const World *world, size_t i, Drive *drive, const Plac
         if (run->centripetal == SWITCH_ON)
             centripetal = vec2_scale(vec2_unit(from), -profile->mass * speed * speed / radius);
     }
-    double target = wanted_speed(world, i, drive, place);
+    double target = wanted_speed(world, i, drive, place).speed;
     double push = driving_force(profile, profile->push, profile->acceleration, target, 0, vec2_dot(velocity, way),
                                 vec2_dot(world->force[i], way), 0);
     Vec2 across = vec2_left(way);

@@ -240,11 +240,10 @@ static void look_for_necks(Track *track) {
     }
 }
 
-/* True if a part of the path begins at pose i - 1 or ends at pose i. */
+/* True if a part of the path begins at pose i - 1 or ends at pose i, which is not the last. */
 static bool is_at_joint(const Route *route, size_t i) {
     int direction = route->poses[i].direction;
-    return i == 1 || i + 1 == route->count || route->poses[i - 1].direction != direction ||
-           route->poses[i + 1].direction != direction;
+    return i == 1 || route->poses[i - 1].direction != direction || route->poses[i + 1].direction != direction;
 }
 
 /* Takes over the poses of a route. A step that is too short to be rolled is turned on the spot where a part of the path
