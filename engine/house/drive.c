@@ -156,15 +156,33 @@ static double driving_force(const Profile *profile, double most, double faster_b
 
 /* rad/s2: with less turning moment than this per moment of inertia, a driver steers more calmly. */
 static const double AGILE = 4.5;
+/* m: of way within the response of the turn rate; on a longer one a driver comes back to the path more slowly, since
+ * from twice that on a chair would swing about it. */
+static const double PROMPT = 0.15;
+/* 1: the share of the turning moment that the change of the path's own curvature may ask for. */
+static const double OWN_BENDS = 0.5;
+
+/* Returns the angular acceleration that the whole turning moment gives about the axle, rad/s2. */
+static double agility(const Profile *profile) {
+    double square =
+        profile->radius_of_gyration * profile->radius_of_gyration + profile->mass_centre * profile->mass_centre;
+    return profile->turning_moment / (profile->mass * square);
+}
 
 /* Returns how many times as long a way a driver takes to come back to the path: the moment that an offset calls for
  * falls with the third power of that length, so that a weak driver is not asked for more than there is, and does not
  * swing about the path. */
 static double calmness(const Profile *profile) {
-    double square = profile->radius_of_gyration * profile->radius_of_gyration +
-                    profile->mass_centre * profile->mass_centre; /* about the axle */
-    double agility = profile->turning_moment / (profile->mass * square);
-    return agility < AGILE ? real_exp(real_log(AGILE / agility) / 3) : 1;
+    return agility(profile) < AGILE ? real_exp(real_log(AGILE / agility(profile)) / 3) : 1;
+}
+
+/* Returns how much of the path's own curvature is driven, and not the average of what is near, 1: where its change asks
+ * for `change`, rad/s2, of which a driver has less, every bend would be made too late. */
+static double sharpness(const Profile *profile, double change) {
+    double most = OWN_BENDS * agility(profile);
+    if (agility(profile) < AGILE)
+        return 0;
+    return fabs(change) > most ? most / fabs(change) : 1;
 }
 
 /* Returns the moment towards the turn rate `target`, rad/s, which itself changes at `rate`, rad/s2, against the moment
@@ -423,10 +441,12 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
     if (direction > 0)
         swerve += (drive->aim - drive->axle) / aim_ahead(profile);
     double slant = vec2_wrap_angle(world->heading[i] - place->heading) - swerve;
-    double bend = place->curvature * (target > 0);
+    double sharp = sharpness(profile, place->bending * pace * pace);
+    double bend = (target > 0) * (place->even + sharp * (place->curvature - place->even));
+    double bending = place->even_bending + sharp * (place->bending - place->even_bending);
     /* Return to the path at an angle in proportion to the offset, with an upper bound, so that no chair turns round
      * however far off it is. */
-    double calm = calmness(profile);
+    double calm = calmness(profile) * real_max(1, pace * profile->turn_response / PROMPT);
     double back = profile->heading_gain > 0 ? profile->lateral_gain / (calm * profile->heading_gain) * offset : 0;
     back = sense * direction * real_clamp(back, -STEEPEST_RETURN, STEEPEST_RETURN);
     double turn = sense * bend * pace - profile->heading_gain / calm * pace * real_sin(slant + back);
@@ -435,7 +455,7 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
     turn = real_clamp(turn, -profile->turn_rate, profile->turn_rate);
     bool as_wanted = sense > 0 && target > 0 && target == wanted.speed;
     double hurry = as_wanted ? wanted.hurry * real_clamp(direction * speed / target, 0, 1) : 0;
-    return exert(world, i, sense * direction * target, direction * hurry, turn, pace * pace * place->bending,
+    return exert(world, i, sense * direction * target, direction * hurry, turn, pace * pace * bending,
                  direction * bend);
 }
 

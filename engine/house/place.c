@@ -57,6 +57,13 @@ static void find_heading(const Track *track, size_t i, double part, Place *place
     place->bending = step.length > 0 ? place->bending / step.length : 0;
 }
 
+static void find_averages(double part, Place *place) {
+    const TrackPoint *here = place->here, *next = place->next;
+    double share = here->direction == next->direction ? part : 1; /* another part bends otherwise */
+    place->even = here->curvature + share * (next->curvature - here->curvature);
+    place->even_bending = here->bending + share * (next->bending - here->bending);
+}
+
 static void find_speed(const Track *track, size_t i, double part, Place *place) {
     double begin = place->here->speed, length = place->next->s - place->here->s;
     double end = changes_after(track, i) ? 0 : place->next->speed;
@@ -107,8 +114,9 @@ Place place_find(const Track *track, const Profile *profile, Vec2 at, double spe
         }
         double part = length > 0 ? real_clamp(done / length, 0, 1) : 0;
         find_heading(track, drive->index, part, &place);
+        find_averages(part, &place);
         if (done < 0) /* before the beginning of a part */
-            place.curvature = place.bending = 0;
+            place.curvature = place.bending = place.even = place.even_bending = 0;
         find_speed(track, drive->index, part, &place);
         double behind = drive->retreats && drive->index == 0 ? PLACE_RETREAT : 0;
         drive->s = place.here->s + real_max(done, -behind);

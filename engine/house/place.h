@@ -19,6 +19,7 @@ typedef struct Place {
     Vec2 along;                    /* unit, the path's direction of travel */
     double heading;                /* rad, of the track */
     double curvature, bending;     /* rad/m and rad/m2, its first and second derivative by way */
+    double even, even_bending;     /* the same, averaged over some 0.1 m either way (TrackPoint) */
     double speed;                  /* m/s, the track's limit */
     double hurry;                  /* m/s2, its change when it is driven */
 } Place;
