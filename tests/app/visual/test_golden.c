@@ -45,7 +45,7 @@ static const Golden goldens[] = {
     {"ube-raised", "ube-techno-house", "C", VIEW_RAISED, THEME_BOARD, 6, 0},
     {"flat-raised", "flat-0.910-module", NULL, VIEW_RAISED, THEME_PAPER, 0, 0},
     {"meeting-raised", "two-chairs-corridor", NULL, VIEW_RAISED, THEME_PAPER, 7, FILM_CIRCLES},
-    {"touch-plan", "corner-1.20-0.80", NULL, VIEW_PLAN, THEME_BOARD, 7.88, FILM_ROUTES | FILM_WIDTHS},
+    {"touch-plan", "corner-1.20-0.80", NULL, VIEW_PLAN, THEME_BOARD, 6.6, FILM_ROUTES | FILM_WIDTHS},
     {"bedroom-still", "bedroom-after-earthquake", NULL, VIEW_PLAN, THEME_PAPER, -1, 0},
 };
 enum { GOLDENS = sizeof goldens / sizeof *goldens };
