@@ -30,6 +30,8 @@ static const double ROUND_RETURN_SPEED = 0.2; /* m/s, at most */
 static const double ROUND_LATERAL = 1.0;      /* m/s2, at most */
 /* m and rad: smaller progress than this does not count. */
 static const double PROGRESS = 0.05;
+/* m: who is this far behind the farthest place has been pushed back, since retreats are shorter. */
+static const double PUSHED_BACK = 0.4;
 /* s and number: when a touching person without progress backs off, by PLACE_RETREAT, and how often. */
 static const double RETRY_AFTER = 2;
 enum { RETRIES_MOST = 3 };
@@ -38,8 +40,11 @@ static const double ALIGNING = 0.3;
 /* m: lower bound of R, the denominator in the paper's F4. */
 static const double SMALLEST_RADIUS = 0.1;
 
+/* Counts the time without progress; from a place to which others have pushed a person back, the way counts again. */
 static void watch_progress(Drive *drive, double dt) {
     drive->stalled += dt;
+    if (drive->s < drive->best_s - PUSHED_BACK)
+        drive->best_s = drive->s;
     if (drive->s > drive->best_s + PROGRESS) {
         drive->best_s = drive->s;
         drive->stalled = 0;

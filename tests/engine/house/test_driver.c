@@ -167,6 +167,27 @@ TEST(a_shut_door_beside_the_way_stays_shut) {
     house_free(&house);
 }
 
+/* A chair whose way back to where it has been takes longer than people wait without progress. */
+TEST(who_is_pushed_back_comes_again) {
+    House house;
+    case_made(&house, closed_corridor(0.75, 0), -1, (const char *const[]){"run.patience=3", NULL});
+    Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
+    World world = world_create(&house, journeys.of, NULL);
+    bool pushed = false;
+    while (phase_any_active(&world)) {
+        step_world(&world, NULL);
+        if (!pushed && world_reference(&world, 0).x > 6) {
+            world.centre[0].x -= 2; /* 7 s at 0.3 m/s */
+            world.drive[0].index = 0;
+            pushed = true;
+        }
+    }
+    CHECK(pushed && world.phase[0] == PHASE_OUT);
+    world_destroy(&world);
+    journey_free_all(&journeys);
+    house_free(&house);
+}
+
 /* The chair stays within what the plan leaves free of it, also where that is 4 mm and it goes back twice. */
 TEST(a_chair_touches_nothing_where_its_plan_is_free) {
     static const double legs[][2] = {{0.90, 0.90}, {0.92, 0.92}, {1.20, 0.80}};
