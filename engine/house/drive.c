@@ -181,12 +181,13 @@ static double calmness(const Profile *profile) {
     return agility(profile) < AGILE ? real_exp(real_log(AGILE / agility(profile)) / 3) : 1;
 }
 
-/* Returns how much of the path's own curvature is driven, and not the average of what is near, 1: where its change asks
- * for `change`, rad/s2, of which a driver has less, every bend would be made too late. */
+/* Returns how much of the path's own curvature is driven, the rest being the average of what is near, 1: less than all
+ * where its change asks for `change`, rad/s2, of which there is not as much, and nothing by a weak driver, who would
+ * make every sharp bend too late. */
 static double sharpness(const Profile *profile, double change) {
-    double most = OWN_BENDS * agility(profile);
     if (agility(profile) < AGILE)
         return 0;
+    double most = OWN_BENDS * agility(profile);
     return fabs(change) > most ? most / fabs(change) : 1;
 }
 

@@ -12,7 +12,7 @@
  * heading is beyond those of both ends (Fritsch and Carlson 1980); a part of the path ends with the slope of its last
  * step. The speed changes evenly by time, v^2 = v0^2 + u (v1^2 - v0^2), and a change of direction ends at rest. */
 
-/* 1 */
+/* 1: with at most this slope at its ends a cubic rises or falls all the way. */
 static const double STEEPEST = 3;
 
 int place_direction(const Track *track, size_t index) {

@@ -90,7 +90,7 @@ json_t *case_side_door(double wide, double door, bool from_room, double angle) {
                                 {1.44, far, 4.56, far}};
     json_t *list = json_array();
     for (int w = 0; w < (from_room ? 7 : 6); w++) {
-        char id[8];
+        char id[16];
         snprintf(id, sizeof id, "w%d", w + 1);
         json_array_append_new(list, json_pack("{s:s, s:[o,o], s:f}", "id", id, "points",
                                               turned(walls[w][0], walls[w][1], angle),
