@@ -30,7 +30,7 @@ static const double ROUND_RETURN_SPEED = 0.2; /* m/s, at most */
 static const double ROUND_LATERAL = 1.0;      /* m/s2, at most */
 /* m and rad: smaller progress than this does not count. */
 static const double PROGRESS = 0.05;
-/* m: who is this far behind the farthest place has been pushed back, since two retreats are no longer. */
+/* m: who is this far behind the farthest place has been pushed back by others; a retreat is half as long. */
 static const double PUSHED_BACK = 2 * PLACE_RETREAT;
 /* s and number: when a touching person without progress backs off, by PLACE_RETREAT, and how often. */
 static const double RETRY_AFTER = 2;
