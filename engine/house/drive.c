@@ -164,8 +164,6 @@ static const double AGILE = 4.5;
 /* m: of way within the response of the turn rate; on a longer one a driver comes back to the path more slowly, since
  * from twice that on a chair would swing about it. */
 static const double PROMPT = 0.15;
-/* 1: the share of the turning moment that the change of the path's own curvature may ask for. */
-static const double OWN_BENDS = 0.5;
 
 /* Returns the angular acceleration that the whole turning moment gives about the axle, rad/s2. */
 static double agility(const Profile *profile) {
@@ -182,13 +180,11 @@ static double calmness(const Profile *profile) {
 }
 
 /* Returns how much of the path's own curvature is driven, the rest being the average of what is near, 1: less than all
- * where its change asks for `change`, rad/s2, of which there is not as much, and nothing by a weak driver, who would
- * make every sharp bend too late. */
+ * where its change asks for `change`, rad/s2, of which there is not as much, and by a weak driver, who would make sharp
+ * bends too late. */
 static double sharpness(const Profile *profile, double change) {
-    if (agility(profile) < AGILE)
-        return 0;
-    double most = OWN_BENDS * agility(profile);
-    return fabs(change) > most ? most / fabs(change) : 1;
+    double most = PACE_OWN_MOMENT * agility(profile), strength = real_min(agility(profile) / AGILE, 1);
+    return fabs(change) > most ? strength * most / fabs(change) : strength;
 }
 
 /* Returns the moment towards the turn rate `target`, rad/s, which itself changes at `rate`, rad/s2, against the moment

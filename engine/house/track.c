@@ -208,10 +208,25 @@ static double sharpest(const Track *track, size_t i) {
     return most;
 }
 
+/* Returns the change of the curvature at a point from the step to it to the one from it, rad/m2. */
+static double own_bending(const Track *track, size_t i) {
+    if (i == 0 || i + 1 >= track->count)
+        return 0;
+    const TrackPoint *before = &track->points[i - 1], *here = before + 1, *next = here + 1;
+    double first = here->s - before->s, second = next->s - here->s;
+    if (here->direction == 0 || next->direction != here->direction || fmin(first, second) < TOO_SHORT)
+        return 0;
+    double slope_before = vec2_wrap_angle(here->heading - before->heading) / first;
+    double slope = vec2_wrap_angle(next->heading - here->heading) / second;
+    return 2 * (slope - slope_before) / (first + second);
+}
+
 static double driver_speed(const Inhabitant *person, const Track *track, size_t i) {
     const TrackPoint *point = &track->points[i];
+    double own = own_bending(track, i) * (PACE_MOMENT / PACE_OWN_MOMENT);
+    double bending = fmax(fabs(point->bending), fabs(own));
     double pace =
-        pace_at(person->profile, person->speed, point->clearance, sharpest(track, i), point->bending, point->direction);
+        pace_at(person->profile, person->speed, point->clearance, sharpest(track, i), bending, point->direction);
     return fmin(passage_speed(person, point->width), pace);
 }
 

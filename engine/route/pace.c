@@ -3,8 +3,6 @@
 #include <math.h>
 #include <stdbool.h>
 
-/* 1, assumed: the share of the turning moment with which a driver plans. */
-static const double PLANNED_MOMENT = 0.5;
 /* 1, assumed: the share of the turn rate with which a driver plans; the rest is a reserve for coming back to the path.
  */
 static const double PLANNED_TURN = 0.9;
@@ -32,7 +30,7 @@ static double agility(const Profile *profile) {
     double square = profile->radius_of_gyration * profile->radius_of_gyration +
                     profile->mass_centre * profile->mass_centre; /* m2, of the inertia about the axle */
     double inertia = profile->mass * square;
-    return inertia > 0 ? PLANNED_MOMENT * profile->turning_moment / inertia : HUGE_VAL;
+    return inertia > 0 ? PACE_MOMENT * profile->turning_moment / inertia : HUGE_VAL;
 }
 
 double pace_at(const Profile *profile, double free, double clearance, double curvature, double bending, int direction) {

@@ -10,6 +10,11 @@
  * is a reserve. */
 #define PACE_PLANNED 0.8
 
+/* 1, assumed: the shares of the turning moment that the change of the curvature may ask for, with the curvature
+ * averaged over some 0.2 m, as a path is planned, and from step to step, as it is driven. */
+#define PACE_MOMENT 0.5
+#define PACE_OWN_MOMENT 0.85
+
 /* Returns the speed, m/s, of a driver whose free speed is `free` m/s, where the body has `clearance` m, the path's
  * curvature is `curvature` rad/m and changes by `bending` rad/m2; `direction` is -1 backwards.
  *

@@ -79,6 +79,10 @@ static void find_limit(const Course *course, Speeds *speeds, size_t s) {
     double first = mean_curvature(course, speeds, low, &none, &none);
     double last = mean_curvature(course, speeds, high, &none, &none);
     double bending = (last - first) / ((double)(high - low) * piece->step);
+    if (s > piece->first && s < piece->last) {
+        double own = (speeds_turn(speeds, s, s + 1) - speeds_turn(speeds, s - 1, s)) / (piece->step * piece->step);
+        bending = real_max(fabs(bending), fabs(own) * (PACE_MOMENT / PACE_OWN_MOMENT));
+    }
     double in_bend = pace_in_bend(profile, bend);
     speeds->braking[s] = real_min(speeds->braking[s], in_bend);
     speeds->starting[s] = real_min(speeds->starting[s], in_bend);

@@ -224,21 +224,23 @@ static double planned_clearance(const House *house, const Route *route) {
     return least;
 }
 
-/* Where nothing disturbs the chair, the run is the plan: it takes the planned time, and no less clearance. */
-static void check_as_planned(json_t *plan, const char *what) {
+/* Where nothing disturbs a chair, the run is the plan: it takes the planned time, and no less clearance. */
+static void check_as_planned(json_t *plan, const char *profile, const char *what) {
     House house;
+    json_t *person = json_array_get(json_object_get(plan, "people"), 0);
+    json_object_set_new(person, "profile", json_string(profile));
     case_made(&house, plan, -1, NULL);
     Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
     const Route *route = &journeys.of[0].route;
     if (route->answer == ROUTE_FOUND) {
         Observation observation = case_run(&house, 1);
-        const PersonObservation *person = &observation.people[0];
+        const PersonObservation *driven = &observation.people[0];
         double time = planned_time(&house, house.people[0].profile, route), least = planned_clearance(&house, route);
-        printf("%s: planned %.2f s, %.1f mm, driven %.2f s, %.1f mm\n", what, time, 1000 * least, person->time,
-               1000 * person->narrowest);
-        CHECK(person->completed && person->contacts == 0);
-        CHECK(person->narrowest > fmax(0, least - 0.01));
-        CHECK_NEAR(person->time, time, 0.03 * time);
+        printf("%s, %s: planned %.2f s, %.1f mm, driven %.2f s, %.1f mm\n", what, profile, time, 1000 * least,
+               driven->time, 1000 * driven->narrowest);
+        CHECK(driven->completed && driven->contacts == 0);
+        CHECK(driven->narrowest > fmax(0, least - 0.01));
+        CHECK_NEAR(driven->time, time, 0.03 * time);
         observation_free(&observation);
     }
     journey_free_all(&journeys);
@@ -250,16 +252,18 @@ static double between(Random *random, double low, double high) {
 }
 
 static void check_houses_as_planned(int count) {
+    static const char *const profiles[] = {"manual-chair", "electric-chair", "assisted-chair"};
     Random random = random_seed(11, 0);
     for (int k = 0; k < count; k++) {
         char what[80];
+        const char *profile = profiles[k / 2 % 3];
         double angle = k % 3 ? between(&random, 0, 2 * M_PI) : 0;
         double first = between(&random, 0.84, 1.25), second = between(&random, 0.84, 1.25);
         snprintf(what, sizeof what, "corner %.3f, %.3f m", first, second);
-        check_as_planned(case_corner(first, second, angle), what);
+        check_as_planned(case_corner(first, second, angle), profile, what);
         double wide = between(&random, 0.94, 1.35), door = between(&random, 0.72, 0.92);
         snprintf(what, sizeof what, "door of %.3f m %s a corridor of %.3f m", door, k % 2 ? "into" : "out of", wide);
-        check_as_planned(case_side_door(wide, door, k % 2, angle), what);
+        check_as_planned(case_side_door(wide, door, k % 2, angle), profile, what);
     }
 }
 
