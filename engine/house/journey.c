@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "base/stop.h"
 #include "house/shake.h"
+#include "route/narrowest.h"
 #include "route/search.h"
 
 /* m: radius of a route's point for walkers, so that a crowd can pass it side by side. Assumed. */
@@ -170,17 +171,14 @@ static void follow(const Planning *planning, const Whereabouts *place, Journey *
     journey->route = planning->known->of[place->person].route;
     Route *route = &journey->route;
     Pose *poses = memory_zeroed(route->count, sizeof *poses);
-    route->narrowest = ROUTE_CLEARANCE_REACH;
     for (size_t p = 0; p < route->count; p++) {
         poses[p] = route->poses[p];
         poses[p].clearance =
             search_clearance(&house->space, &body, poses[p].at, poses[p].heading, ROUTE_CLEARANCE_REACH, NULL);
-        if (poses[p].clearance < route->narrowest) {
-            route->narrowest = poses[p].clearance;
-            route->narrowest_at = poses[p].at;
-        }
     }
     route->poses = poses;
+    if (route->count > 0)
+        route->narrowest = narrowest_on(&house->space, &body, poses, route->count, &route->narrowest_at);
     if (route->answer == ROUTE_FOUND)
         track_build_driver(&journey->track, house, person, route);
 }

@@ -10,6 +10,7 @@
 #include "route/decide.h"
 #include "route/fit.h"
 #include "route/frame.h"
+#include "route/narrowest.h"
 #include "route/search.h"
 #include "route/smooth.h"
 #include "route/disc_route.h"
@@ -182,16 +183,6 @@ static bool crosses_exit(const SearchTrack *track, const Plan *plan) {
     return false;
 }
 
-static void note_narrowest(Route *route) {
-    route->narrowest = ROUTE_CLEARANCE_REACH;
-    route->narrowest_at = route->poses[0].at;
-    for (size_t i = 0; i < route->count; i++)
-        if (route->poses[i].clearance < route->narrowest) {
-            route->narrowest = route->poses[i].clearance;
-            route->narrowest_at = route->poses[i].at;
-        }
-}
-
 static void give_poses(Route *route, const SearchTrack *track) {
     route->answer = ROUTE_FOUND;
     route->fits = route->drivable = true;
@@ -201,7 +192,6 @@ static void give_poses(Route *route, const SearchTrack *track) {
     route->count = track->count;
     for (size_t i = 1; i < track->count; i++)
         route->length += vec2_distance(track->poses[i - 1].at, track->poses[i].at);
-    note_narrowest(route);
 }
 
 /* Smooths a searched track and stores it in the route. */
@@ -430,7 +420,6 @@ static void begin_at(Route *route, Vec2 at, int direction) {
     route->length += vec2_distance(at, route->poses[1].at);
     if (route->count > 2 && route->poses[2].direction != direction)
         route->reversals++;
-    note_narrowest(route);
 }
 
 /* Finds the start pose of the body. In the middle of a run it is moved away from obstacles that it presses on or stands
@@ -512,8 +501,6 @@ static void leave_with_poses(Route *route, const RouteFrame *frame, const RouteQ
         pose->heading = ahead ? query->heading : frame_heading_in_plan(frame, pose->heading) + turned;
         pose->clearance = clearance_at(query, round, pose);
     }
-    if (route->count > 0)
-        note_narrowest(route);
 }
 
 /* Plans by one of the two driving models in a frame of the plan, which the query's fields hold. A plan without a frame
@@ -544,6 +531,20 @@ static void answer_in_frame(Route *route, const RouteQuery *query, bool round) {
         route->blockage.at = frame_place_in_plan(frame, route->blockage.at);
 }
 
+/* Finds where the path is narrowest; that of a round body at its poses. */
+static void note_narrowest(Route *route, const RouteQuery *query, bool round) {
+    Rectangle body = search_body(query->profile);
+    route->narrowest = ROUTE_CLEARANCE_REACH;
+    route->narrowest_at = route->poses[0].at;
+    if (!round)
+        route->narrowest = narrowest_on(query->space, &body, route->poses, route->count, &route->narrowest_at);
+    for (size_t i = 0; round && i < route->count; i++)
+        if (route->poses[i].clearance < route->narrowest) {
+            route->narrowest = route->poses[i].clearance;
+            route->narrowest_at = route->poses[i].at;
+        }
+}
+
 /* Plans with fields of its own unless there are shared ones. */
 static Route answer_with(const RouteQuery *query, bool round) {
     Route route = {.answer = ROUTE_CANNOT_PASS, .exit = query->exit};
@@ -551,6 +552,8 @@ static Route answer_with(const RouteQuery *query, bool round) {
     if (!query->fields)
         with.fields = fields_create();
     answer_in_frame(&route, &with, round);
+    if (route.count > 0)
+        note_narrowest(&route, query, round);
     if (!query->fields)
         fields_destroy(with.fields);
     return route;

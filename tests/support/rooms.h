@@ -36,6 +36,10 @@ void rooms_build(Rooms *fixture);
 /* Turns the house about the origin by `angle` rad, then shifts it. */
 void rooms_turn(Rooms *fixture, double angle, Vec2 shift);
 
+/* Returns the least clearance of a profile's body, m, up to ROUTE_CLEARANCE_REACH, along a path and at 99 places
+ * between each two of its poses. */
+double rooms_clearance_along(const FreeSpace *space, const Profile *profile, const Route *route);
+
 /* Releases either house. */
 void rooms_free(Rooms *fixture);
 

@@ -13,6 +13,7 @@
 #include "house/touch.h"
 #include "house/world.h"
 #include "planned_time.h"
+#include "rooms.h"
 #include "route/pace.h"
 #include "route/search.h"
 #include "route/smooth.h"
@@ -207,23 +208,6 @@ TEST(a_chair_touches_nothing_where_its_plan_is_free) {
     }
 }
 
-/* Returns the least clearance along a route, m, also between its poses. */
-static double planned_clearance(const House *house, const Route *route) {
-    enum { PARTS = 8 };
-    Rectangle body = search_body(house->people[0].profile);
-    double least = HUGE_VAL;
-    for (size_t i = 1; i < route->count; i++) {
-        const Pose *from = &route->poses[i - 1], *to = &route->poses[i];
-        double turn = vec2_wrap_angle(to->heading - from->heading);
-        for (int k = 0; k <= PARTS; k++) {
-            double part = (double)k / PARTS;
-            Vec2 at = smooth_between(from, to, to->direction, part);
-            least = fmin(least, search_clearance(&house->space, &body, at, from->heading + part * turn, 0.5, NULL));
-        }
-    }
-    return least;
-}
-
 /* Where nothing disturbs a chair, the run is the plan: it takes the planned time, and no less clearance. */
 static void check_as_planned(json_t *plan, const char *profile, const char *what) {
     House house;
@@ -235,9 +219,11 @@ static void check_as_planned(json_t *plan, const char *profile, const char *what
     if (route->answer == ROUTE_FOUND) {
         Observation observation = case_run(&house, 1);
         const PersonObservation *driven = &observation.people[0];
-        double time = planned_time(&house, house.people[0].profile, route), least = planned_clearance(&house, route);
+        double time = planned_time(&house, house.people[0].profile, route),
+               least = rooms_clearance_along(&house.space, house.people[0].profile, route);
         printf("%s, %s: planned %.2f s, %.1f mm, driven %.2f s, %.1f mm\n", what, profile, time, 1000 * least,
                driven->time, 1000 * driven->narrowest);
+        CHECK_NEAR(route->narrowest, least, 2e-4);
         CHECK(driven->completed && driven->contacts == 0);
         CHECK(driven->narrowest > fmax(0, least - 0.01));
         CHECK_NEAR(driven->time, time, 0.03 * time);
