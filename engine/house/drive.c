@@ -105,28 +105,55 @@ typedef struct Pace {
     double speed, hurry;
 } Pace;
 
+/* Returns the braking, m/s2, that is planned with at a point of the track, as the track's own speeds are. */
+static double braking_at(const Profile *profile, const TrackPoint *point) {
+    double braking = pace_braking(profile, point->clearance);
+    return profile->driving == DRIVING_DRIVER ? real_min(braking, pace_in_bend(profile, point->curvature)) : braking;
+}
+
+/* Returns the highest speed, up to `most` m/s, at which the person can still stop at `end`, m along the track. */
+static Pace speed_to_stop(const Track *track, const Profile *profile, const Drive *drive, double end, double most) {
+    const TrackPoint *points = track->points;
+    Pace pace = {0, -braking_at(profile, &points[drive->index])};
+    if (end <= drive->s)
+        return pace;
+    size_t k = drive->index;
+    while (k + 1 < track->count && points[k + 1].s < end)
+        k++;
+    double square = 0;
+    for (;; k--) {
+        square += 2 * braking_at(profile, &points[k]) * (end - real_max(points[k].s, drive->s));
+        end = points[k].s;
+        if (k == drive->index || square > most * most)
+            break;
+    }
+    pace.speed = sqrt(square);
+    return pace;
+}
+
 /* Returns the highest speed at which the person can still stop before a shut door, and before an exit that is not open.
  */
-static Pace speed_to_barriers(const World *world, size_t i, Drive *drive) {
+static Pace speed_to_barriers(const World *world, size_t i, Drive *drive, double most) {
     const Journey *journey = &world->journeys[i];
+    const Track *track = &journey->track;
     const Exit *exit = &world->house->plan.exits[journey->route.exit];
     const Profile *profile = world->house->people[i].profile;
     double time = clock_time(&world->clock);
-    double braking = pace_braking(profile, journey->track.points[drive->index].clearance);
     int door = -1;
     double way = way_to_door(world, i, &door);
     if (!plan_geometry_is_open(exit, time))
-        way = real_min(way, journey->track.exit_s - STAND_OFF - drive->s);
+        way = real_min(way, track->exit_s - STAND_OFF - drive->s);
     if (time < exit->opens)
         drive->stalled = 0; /* the exit will open */
-    Pace pace = {sqrt(2 * braking * real_max(way, 0)), -braking};
-    if (!steers(world, i))
+    Pace pace = {HUGE_VAL, 0};
+    if (way < HUGE_VAL)
+        pace = speed_to_stop(track, profile, drive, drive->s + way, most);
+    if (!steers(world, i) || !(drive->free_way < HUGE_VAL))
         return pace;
-    double before_obstacle = sqrt(2 * braking * real_max(drive->free_way - drive->s, 0));
-    if (!drive->barred && before_obstacle < pace_creep(profile))
-        return pace.speed < pace_creep(profile) ? pace : (Pace){pace_creep(profile), 0};
-    pace.speed = real_min(pace.speed, before_obstacle);
-    return pace;
+    Pace before_obstacle = speed_to_stop(track, profile, drive, drive->free_way, most);
+    if (!drive->barred && before_obstacle.speed < pace_creep(profile))
+        before_obstacle = (Pace){pace_creep(profile), 0};
+    return pace.speed < before_obstacle.speed ? pace : before_obstacle;
 }
 
 /* Returns the track's speed, limited by doors and exits; 0 at the end of the track. */
@@ -134,7 +161,7 @@ static Pace wanted_speed(const World *world, size_t i, Drive *drive, const Place
     if (place->next == place->here)
         return (Pace){0, 0};
     Pace planned = place->speed < PLACE_SLOWEST ? (Pace){PLACE_SLOWEST, 0} : (Pace){place->speed, place->hurry};
-    Pace pace = speed_to_barriers(world, i, drive);
+    Pace pace = speed_to_barriers(world, i, drive, planned.speed);
     return pace.speed < planned.speed ? pace : planned;
 }
 
@@ -438,7 +465,7 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
     /* Offsets and turns in the body's own frame: its left, its heading, also when it goes backwards. */
     double speed = vec2_dot(world->velocity[i], axis);
     double offset = direction * (drive->offset - drive->aside - drive->axle);
-    double pace = real_max(fabs(speed), PLACE_SLOWEST) * (target > 0);
+    double pace = target > 0 ? real_max(fabs(speed), real_min(target, PLACE_SLOWEST)) : 0;
     double swerve = drive->swerve; /* 1: the slope of the swerve itself */
     if (direction > 0)
         swerve += (drive->aim - drive->axle) / aim_ahead(profile);

@@ -10,7 +10,12 @@
  * so that the turn rate that is fed forward, k v, brings the chair to the heading of every point. The slope at a point
  * is that of the parabola through it and both its neighbours, at most STEEPEST times that of either step, so that no
  * heading is beyond those of both ends (Fritsch and Carlson 1980); a part of the path ends with the slope of its last
- * step. The speed changes evenly by time, v^2 = v0^2 + u (v1^2 - v0^2), and a change of direction ends at rest. */
+ * step. Between the points the path is the cubic that the plan has been tried with (smooth_between): of its line it is
+ *
+ *     y(u) = l ((u - 2 u^2 + u^3) a0 + (u^3 - u^2) a1)
+ *
+ * to the left, with the angles a of the direction of travel at both ends from that line, taken as small. The speed
+ * changes evenly by time, v^2 = v0^2 + u (v1^2 - v0^2), and a change of direction ends at rest. */
 
 /* 1: with at most this slope at its ends a cubic rises or falls all the way. */
 static const double STEEPEST = 3;
@@ -55,6 +60,14 @@ static void find_heading(const Track *track, size_t i, double part, Place *place
     place->curvature = 6 * u * v * step.slope + v * (1 - 3 * u) * begin + u * (3 * u - 2) * end;
     place->bending = (6 * (1 - 2 * u) * step.slope + (6 * u - 4) * begin + (6 * u - 2) * end);
     place->bending = step.length > 0 ? place->bending / step.length : 0;
+}
+
+/* Returns how far the path is to the left of the line between the two points, m. */
+static double bulge(const Place *place, int direction, double length, double part) {
+    Vec2 out = vec2_scale(vec2_heading(place->here->heading), direction);
+    Vec2 in = vec2_scale(vec2_heading(place->next->heading), direction);
+    double a = vec2_cross(place->along, out), b = vec2_cross(place->along, in), u = part, v = 1 - part;
+    return length * u * v * (v * a - u * b);
 }
 
 static void find_averages(double part, Place *place) {
@@ -120,7 +133,7 @@ Place place_find(const Track *track, const Profile *profile, Vec2 at, double spe
         find_speed(track, drive->index, part, &place);
         double behind = drive->retreats && drive->index == 0 ? PLACE_RETREAT : 0;
         drive->s = place.here->s + real_max(done, -behind);
-        drive->offset = vec2_cross(place.along, vec2_sub(at, place.here->at));
+        drive->offset = vec2_cross(place.along, vec2_sub(at, place.here->at)) - bulge(&place, direction, length, part);
         return place;
     }
 }
