@@ -36,6 +36,7 @@ typedef struct Hasten {
     Way *way;
     Course course; /* of that way; while it centres, the time has a bound */
     Speeds now, tried;
+    bool even;     /* True if the way began with even steps, which are kept */
     Station *kept; /* (count) */
     double sum;    /* s, of the costs */
     double spare;  /* s, by which the way may still become slower, while centring */
@@ -64,8 +65,9 @@ static bool judge(Hasten *hasten, size_t low, size_t high, size_t joint, Joint j
         good = way_spot_clearance(way, joint, hasten->course.space, hasten->course.body, hasten->course.margin) >=
                hasten->course.margin;
     }
+    size_t from = begin > 0 ? begin - 1 : 0, to = end < farthest ? end + 1 : end;
     good =
-        good && way_reaches_goals(way) && way_is_smooth(way, begin > 0 ? begin - 1 : 0, end < farthest ? end + 1 : end);
+        good && way_reaches_goals(way) && way_is_smooth(way, from, to) && (!hasten->even || way_is_even(way, from, to));
     double gain = 0;
     if (good) {
         speeds_run(&hasten->course, &hasten->now, &hasten->tried, wide, far, &first, &last);
@@ -313,6 +315,7 @@ static void hasten_begin(Hasten *hasten, Way *way, const FreeSpace *space, const
                          const Profile *profile, bool centring) {
     size_t count = way->count, first, last;
     *hasten = (Hasten){.way = way,
+                       .even = way_is_even(way, 0, count - 1),
                        .course = {.way = way,
                                   .space = space,
                                   .body = body,

@@ -6,6 +6,8 @@
 /* 1, assumed: the share of the turn rate with which a driver plans; the rest is a reserve for coming back to the path.
  */
 static const double PLANNED_TURN = 0.9;
+/* 1, assumed: the share of the push that the swing of the mass centre may take; the rest is for braking. */
+static const double PLANNED_SWING = 0.5;
 
 /* m/s, assumed: the slowest that a driver turns with on the way; less could as well be a turn on the spot. */
 static const double TURNING_CREEP = 0.03;
@@ -33,13 +35,21 @@ static double agility(const Profile *profile) {
     return inertia > 0 ? PACE_MOMENT * profile->turning_moment / inertia : HUGE_VAL;
 }
 
+/* Returns the turn rate that is planned with, rad/s: with the push the driver holds the mass centre, which swings
+ * outwards by m c w^2. */
+static double planned_turn(const Profile *profile) {
+    double swung = profile->mass * profile->mass_centre;
+    double held = swung > 0 ? sqrt(PLANNED_SWING * profile->push / swung) : HUGE_VAL;
+    return PLANNED_TURN * fmin(profile->turn_rate, held);
+}
+
 double pace_at(const Profile *profile, double free, double clearance, double curvature, double bending, int direction) {
     double speed = speed_in_gap(profile, free, clearance);
     if (direction < 0)
         speed = fmin(speed, profile->reversing_speed);
     double bend = fabs(curvature), change = fabs(bending);
     if (bend > 0)
-        speed = fmin(speed, fmin(sqrt(profile->lateral_acceleration / bend), PLANNED_TURN * profile->turn_rate / bend));
+        speed = fmin(speed, fmin(sqrt(profile->lateral_acceleration / bend), planned_turn(profile) / bend));
     if (change > 0)
         speed = fmin(speed, sqrt(agility(profile) / change));
     return fmax(speed, fmin(TURNING_CREEP, free));
@@ -70,7 +80,7 @@ double pace_braking(const Profile *profile, double clearance) {
 }
 
 double pace_sharpest(const Profile *profile) {
-    return PLANNED_TURN * profile->turn_rate / TURNING_CREEP;
+    return planned_turn(profile) / TURNING_CREEP;
 }
 
 double pace_in_bend(const Profile *profile, double curvature) {

@@ -476,8 +476,8 @@ static void relax_release(Relax *relax) {
 
 double relax_way(Way *way, const FreeSpace *space, const Rectangle *body, const RelaxOptions *options) {
     double enough = options->margin * ALMOST, clearance = 0;
-    Way good = {0}; /* the latest drivable one */
-    bool done = false;
+    Way good = {0}; /* the latest drivable one, with even steps if there is such a one */
+    bool done = false, good_is_even = false;
     for (int s = 0; s < STAGES && !done; s++) {
         const Stage *stage = &stages[s];
         Relax relax = {.way = way,
@@ -497,11 +497,13 @@ double relax_way(Way *way, const FreeSpace *space, const Rectangle *body, const 
         }
         clearance = way_clearance(way, space, body, options->margin);
         bool free = clearance >= enough && is_drivable(way, space, body, enough);
-        if (free) {
+        bool even = way_is_even(way, 0, way->count - 1);
+        if (free && (even || !good_is_even)) {
             way_free(&good);
             good = way_copy(way);
+            good_is_even = even;
         }
-        done = (free && (options->soon || s + 1 >= NEEDED)) || clearance < options->margin - stage->hopeless;
+        done = (free && (options->soon || (even && s + 1 >= NEEDED))) || clearance < options->margin - stage->hopeless;
     }
     if (good.count) {
         way_free(way);

@@ -13,6 +13,8 @@
 #define SHORTEST_MOTION 1e-6 /* m: a motion that is not worth a piece */
 #define LITTLE_TURN 0.012    /* rad, which moves a corner of the body by a centimetre */
 #define MOST_TURN 0.25       /* rad, of a step */
+#define LEAST_STEP 0.4       /* 1, of a piece's own step */
+#define MOST_STEP 2.0        /* 1 */
 #define MOST_SLIP 0.05       /* 1, of a step to the side of the body */
 #define FINEST 1e-4          /* m: motions are not halved further than this */
 
@@ -382,4 +384,14 @@ void way_write(const Way *way, SearchTrack *track) {
         track->direction = piece->direction;
     }
     track->reversals = way_reversals(way);
+}
+
+bool way_is_even(const Way *way, size_t low, size_t high) {
+    for (size_t s = low; s < high; s++) {
+        const Station *a = &way->stations[s], *b = a + 1;
+        double step = way->pieces[a->piece].step, length = vec2_distance(a->at, b->at);
+        if (a->piece == b->piece && (length < LEAST_STEP * step || length > MOST_STEP * step))
+            return false;
+    }
+    return true;
 }

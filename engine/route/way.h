@@ -85,6 +85,10 @@ int way_reversals(const Way *way);
  * axes to 0.05: the stations are near enough to each other for the curve. */
 bool way_is_smooth(const Way *way, size_t low, size_t high);
 
+/* True if between the stations low and high no step is much longer or shorter than the step of its piece: the averages
+ * over some stations are those over as much of the way. */
+bool way_is_even(const Way *way, size_t low, size_t high);
+
 /* True if the way passes its pins, and crosses its exit. */
 bool way_reaches_goals(const Way *way);
 
