@@ -4,7 +4,7 @@
  *     v_max(W) = min(v_free, (W - w) / b)
  * with W the width of the passage, measured by rays to both sides, w the body's width and b in s. Then
  *     corners     at v_min (miura), or as fast as the lateral acceleration, the turn rate and the driver's moment M
- *                 allow (driver): v^2 k <= a_lat, v k <= turn rate, I v^2 dk/ds <= M / 2 with k the curvature;
+ *                 allow (driver): v^2 k <= a_lat, v k <= turn rate, I v^2 dk/ds <= M / 2 with k the curvature (pace.h);
  *     before      the deceleration length L from v^2 - v_c^2 = 2 a_d L;
  *     after       the initial acceleration a_0.
  *

@@ -22,7 +22,8 @@
  * the path leads close by an obstacle, the same law holds with twice the clearance, with the floor of the paper for
  * corners, or drive.creep where the profile has it. With less than body.hands beside the rims the arms are tucked in:
  * PACE_TUCKED_SPEED. Curvature k: v^2 k <= the lateral acceleration, v k <= nine tenths of the turn rate, since a
- * driver who turns as quickly as possible cannot come back to the path. Bending: I v^2 dk/ds <= half of the turning
+ * driver who turns as quickly as possible cannot come back to the path, and of the rate w at which half of the push
+ * holds the mass centre, c ahead of the axle: m c w^2 <= push / 2. Bending: I v^2 dk/ds <= half of the turning
  * moment. A bend is taken at 0.03 m/s, however narrow it is and however weak the driver. */
 double pace_at(const Profile *profile, double free, double clearance, double curvature, double bending, int direction);
 

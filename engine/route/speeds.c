@@ -13,9 +13,12 @@
  *
  *     T = sum of 2 h / (v_i + v_(i+1)) + |turns on the spot| / turn rate + changes of direction * their time
  *
+ * The pace takes the curvature averaged over four steps, and the greater of its change and, at PACE_OWN_MOMENT, that
+ * from step to step, as on the way (track.c).
+ *
  * What a step costs has two prices beside its time: near obstacles time counts more, half as much as in the search
- * (field_discomfort), and the change of the turn from step to step, which a curvature averaged over four steps does not
- * see, costs ROUGHNESS. While the way is centred, the pressed personal space has its price (pace_price), too. */
+ * (field_discomfort), and the change of the turn from step to step, of which the averages see little, costs
+ * ROUGHNESS. While the way is centred, the pressed personal space has its price (pace_price), too. */
 
 #define PRICE 0.5     /* 1, share of the search's price of discomfort: more costs more than 3 % of the time */
 #define ROUGHNESS 5.0 /* s/rad2 */

@@ -13,7 +13,7 @@
 #define SHORTEST_MOTION 1e-6 /* m: a motion that is not worth a piece */
 #define LITTLE_TURN 0.012    /* rad, which moves a corner of the body by a centimetre */
 #define MOST_TURN 0.25       /* rad, of a step */
-#define LEAST_STEP 0.4       /* 1, of a piece's own step */
+#define LEAST_STEP 0.4       /* 1, of the piece's step */
 #define MOST_STEP 2.0        /* 1 */
 #define MOST_SLIP 0.05       /* 1, of a step to the side of the body */
 #define FINEST 1e-4          /* m: motions are not halved further than this */

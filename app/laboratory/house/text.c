@@ -49,7 +49,8 @@ static void add_moment(HouseSession *session, size_t person, double time) {
         return;
     double reach = session->runs[RUN_SHOWN]->house.people[person].profile->space_reach;
     bool free = row[TRACE_CLEARANCE] >= reach;
-    add_pair(session, "speed now", scene_text(scene, "%.2f m/s", row[TRACE_SPEED]));
+    double speed = round(100 * row[TRACE_SPEED]) / 100 + 0.0; /* no negative zero */
+    add_pair(session, "speed now", scene_text(scene, "%.2f m/s", speed));
     add_pair(session, "room to spare now",
              free ? scene_text(scene, "over %.2f m", reach) : headline_clearance(row[TRACE_CLEARANCE], &scene->arena));
     add_pair(session, "force now", scene_text(scene, "%.0f N", row[TRACE_BODY_FORCE]));
