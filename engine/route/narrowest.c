@@ -14,13 +14,8 @@ static const double TURNED = 0.002; /* rad */
 /* 1: of a part, so that rounding does not decide how many there are. */
 static const double SAME = 1e-6;
 
-static double farthest_corner(const Rectangle *body) {
-    double ahead = fabs(body->ahead) + body->half_length;
-    return sqrt(ahead * ahead + body->half_width * body->half_width);
-}
-
 double narrowest_on(const FreeSpace *space, const Rectangle *body, const Pose *poses, size_t count, Vec2 *at) {
-    double least = ROUTE_CLEARANCE_REACH, radius = farthest_corner(body);
+    double least = ROUTE_CLEARANCE_REACH, radius = search_farthest(body);
     *at = poses[0].at;
     for (size_t i = 0; i < count; i++) {
         if (poses[i].clearance < least) {

@@ -108,6 +108,11 @@ Rectangle search_body(const Profile *profile) {
     return (Rectangle){profile->length / 2, profile->width / 2, profile->length / 2 - profile->axle};
 }
 
+double search_farthest(const Rectangle *body) {
+    double ahead = fabs(body->ahead) + body->half_length;
+    return sqrt(ahead * ahead + body->half_width * body->half_width);
+}
+
 double search_clearance(const FreeSpace *space, const Rectangle *body, Vec2 at, double heading, double reach,
                         int *face) {
     Vec2 axis = vec2_heading(heading);

@@ -47,6 +47,9 @@ typedef enum SearchAnswer {
 
 Rectangle search_body(const Profile *profile);
 
+/* Returns the distance from the axle to the farthest corner of the body, m. */
+double search_farthest(const Rectangle *body);
+
 /* Returns the clearance of the body at a pose, m, up to `reach`. */
 double search_clearance(const FreeSpace *space, const Rectangle *body, Vec2 at, double heading, double reach,
                         int *face);

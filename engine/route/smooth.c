@@ -245,9 +245,8 @@ static size_t band_write(const Band *band, const Pose *start, Pose *poses) {
 
 /* True if the motion from one pose to the next is free. Their clearances are known. */
 static bool swept(const Band *band, const Pose *a, const Pose *b) {
-    double turn = fabs(b->heading - a->heading), ahead = fabs(band->body->ahead) + band->body->half_length;
-    double reach = 1.05 * vec2_distance(a->at, b->at) +
-                   turn * sqrt(ahead * ahead + band->body->half_width * band->body->half_width);
+    double turn = fabs(b->heading - a->heading);
+    double reach = 1.05 * vec2_distance(a->at, b->at) + turn * search_farthest(band->body);
     if (a->clearance + b->clearance >= reach)
         return true;
     if (a->clearance < SEARCH_CLEARANCE / 2 || b->clearance < SEARCH_CLEARANCE / 2)

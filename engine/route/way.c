@@ -272,12 +272,6 @@ static double clearance_at(const FreeSpace *space, const Rectangle *body, Vec2 a
                                reach, NULL);
 }
 
-/* Returns the distance from the axle to the farthest corner, m. */
-static double farthest(const Rectangle *body) {
-    double ahead = fabs(body->ahead) + body->half_length;
-    return sqrt(ahead * ahead + body->half_width * body->half_width);
-}
-
 double way_clearance(const Way *way, const FreeSpace *space, const Rectangle *body, double reach) {
     double least = reach;
     for (size_t s = 0; s < way->count; s++) {
@@ -296,7 +290,7 @@ double way_clearance(const Way *way, const FreeSpace *space, const Rectangle *bo
 
 double way_spot_clearance(const Way *way, size_t piece, const FreeSpace *space, const Rectangle *body, double reach) {
     const Joint *joint = &way->joints[piece];
-    double turn = joint->turns ? joint->out - joint->in : 0, radius = farthest(body), least = reach;
+    double turn = joint->turns ? joint->out - joint->in : 0, radius = search_farthest(body), least = reach;
     for (double turned = 0; turned < fabs(turn);) {
         Vec2 axis = vec2_heading(joint->in + copysign(turned, turn));
         double clearance =
@@ -321,7 +315,7 @@ static bool motion_swept(const Motion *motion, const Station *a, double at_a, co
     if (vec2_dot(a->axis, b->axis) <= 0)
         return false;
     double turn = fabs(vec2_angle_between(a->axis, b->axis));
-    double reach = 1.05 * vec2_distance(a->at, b->at) + turn * farthest(body);
+    double reach = 1.05 * vec2_distance(a->at, b->at) + turn * search_farthest(body);
     if (at_a + at_b - 2 * motion->margin >= reach)
         return true;
     if (fmin(at_a, at_b) < motion->margin || !(reach >= FINEST))
