@@ -29,9 +29,10 @@
 
 #define PRESENT_TEXT 1.45 /* times the size of the text, in presentation mode */
 #define PRESENT_LEAST 0.7
-#define NOTE_STAY 6.0   /* s, that a note stays visible; the log (F7) keeps it */
-#define IDLE_WAIT 0.05  /* s, for an event, while nothing moves */
-#define SOUND_MOST 4096 /* samples a frame */
+#define NOTE_STAY 6.0    /* s, that a note stays visible; the log (F7) keeps it */
+#define IDLE_WAIT 0.05   /* s, for an event, while nothing moves */
+#define ANSWER_WAIT 4e-3 /* s, if an answer is expected, too */
+#define SOUND_MOST 4096  /* samples a frame */
 
 /* Keys ------------------------------------------------------------------------------------------------------------- */
 
@@ -336,9 +337,15 @@ static void draw(Window *window, double seconds) {
 static bool is_lively(Window *window) {
     const Tab *tab = window_tab(window);
     bool draws = window->dialog == DIALOG_GALLERY && !gallery_complete(window->gallery);
-    return window->dirty || ui_is_busy(window->ui) || window->frame_timer.counting ||
-           window->options->benchmark_edit > 0 || window->export || draws || (tab->session && tab->player.playing) ||
-           plan_input_animation(tab);
+    bool measures = window->frame_timer.counting && window->options->benchmark > 0;
+    return window->dirty || ui_is_busy(window->ui) || measures || window->export || draws ||
+           (tab->session && tab->player.playing) || plan_input_animation(tab);
+}
+
+/* True if an answer is expected, which is shown as soon as it is there, though nothing moves until then. */
+static bool awaits_answer(Window *window) {
+    const Tab *tab = window_tab(window);
+    return tab->session && tab->laboratory->answer(tab->session).due;
 }
 
 /* Between frames --------------------------------------------------------------------------------------------------- */
@@ -436,9 +443,10 @@ static void turn(Window *window, Scripted *scripted) {
     bool busy = scripted_is_busy(scripted), lively = is_lively(window);
     bool framed = busy && !scripted->until && !sdl_window_is_seen(window->sdl_window);
     bool hurried = (window->frame_timer.counting && window->options->benchmark > 0) || framed;
-    double seconds = frame_timer_wait(&window->frame_timer, hurried), begun = stopwatch_now();
+    bool rests = !lively && !busy, awaits = rests && awaits_answer(window);
+    double seconds = frame_timer_wait(&window->frame_timer, hurried || awaits), begun = stopwatch_now();
     plan_input_animate(window, seconds);
-    handle_events(window, lively || busy ? 0 : IDLE_WAIT);
+    handle_events(window, awaits ? ANSWER_WAIT : rests ? IDLE_WAIT : 0);
     double worked = window_tab(window)->worked, time = window_tab(window)->player.time;
     update(window, seconds);
     bool paints = is_lively(window) || framed;
@@ -451,7 +459,7 @@ static void turn(Window *window, Scripted *scripted) {
         return;
     sdl_window_swap(window->sdl_window);
     frame_timer_note(&window->frame_timer, stopwatch_now() - begun, window_tab(window)->worked - worked,
-                     window_tab(window)->player.time != time);
+                     window_tab(window)->player.time != time || window->options->benchmark_edit > 0);
 }
 
 /* Beginning and end ------------------------------------------------------------------------------------------------ */

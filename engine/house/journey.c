@@ -99,6 +99,7 @@ typedef struct Planning {
     size_t first_itinerary; /* index of the first itinerary without fields */
     const Journeys *known;  /* routes for drivers to follow; NULL: none */
     Recall *recall;         /* of the journeys; NULL: none */
+    Fields *fields;         /* of another, for the journeys to share; NULL: they have their own */
 } Planning;
 
 /* m: largest overlap of a moving chair with an obstacle. */
@@ -314,17 +315,18 @@ static void plan_all(Planning *planning, size_t count, int jobs) {
         explain_walkers(planning, count);
 }
 
-static Journeys plan_nothing(const House *house, bool brief) {
+static Journeys plan_nothing(const House *house, bool brief, Fields *fields) {
     return (Journeys){.of = memory_zeroed(house->person_count, sizeof(Journey)),
                       .count = house->person_count,
                       .brief = brief,
-                      .fields = fields_create()};
+                      .fields = fields ? fields : fields_create(),
+                      .borrowed = fields};
 }
 
 /* Plans for all people of `part`, from their start; `planning` holds the options. */
 static Journeys plan_from_start(Planning *planning, const bool *part, bool brief, int jobs) {
     const House *house = planning->house;
-    Journeys journeys = plan_nothing(house, brief);
+    Journeys journeys = plan_nothing(house, brief, planning->fields);
     journeys.recall = planning->recall;
     Whereabouts *places = memory_zeroed(house->person_count, sizeof *places);
     size_t count = 0;
@@ -359,9 +361,10 @@ Journeys journey_plan_briefly(const House *house, const bool *part, int jobs, co
     return plan_from_start(&(Planning){.house = house, .stop = stop}, part, true, jobs);
 }
 
-Journeys journey_plan_recalling(const House *house, const bool *part, bool brief, Recall *recall, int jobs,
-                                const Stop *stop) {
-    return plan_from_start(&(Planning){.house = house, .stop = stop, .recall = recall}, part, brief, jobs);
+Journeys journey_plan_recalling(const House *house, const bool *part, bool brief, Recall *recall, Fields *fields,
+                                int jobs, const Stop *stop) {
+    Planning planning = {.house = house, .stop = stop, .recall = recall, .fields = fields};
+    return plan_from_start(&planning, part, brief, jobs);
 }
 
 Journeys journey_plan_any(const House *house, const bool *part, const Stop *stop) {
@@ -404,7 +407,7 @@ JourneyAnswer journey_possible(const House *house, const bool *part, const Stop 
 
 Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t count, double time, bool brief,
                            int jobs, const Stop *stop) {
-    Journeys journeys = plan_nothing(house, brief);
+    Journeys journeys = plan_nothing(house, brief, NULL);
     journey_plan_again(&journeys, house, places, count, time, false, jobs, stop);
     return journeys;
 }
@@ -422,7 +425,7 @@ void journey_free_all(Journeys *journeys) {
         memory_free(itinerary);
     }
     memory_free(journeys->itineraries);
-    if (journeys->fields)
+    if (journeys->fields && !journeys->borrowed)
         fields_destroy(journeys->fields);
     *journeys = (Journeys){0};
 }

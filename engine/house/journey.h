@@ -42,6 +42,7 @@ typedef struct Journeys {
     Itinerary **itineraries; /* (itinerary_count) */
     size_t itinerary_count, itinerary_capacity;
     Fields *fields; /* shared by the searches of chairs */
+    bool borrowed;  /* the fields belong to another */
     bool brief;     /* as in a RouteQuery, for all plans */
     Recall *recall; /* as in a RouteQuery; not owned */
 } Journeys;
@@ -61,9 +62,10 @@ typedef struct Whereabouts {
 Journeys journey_plan_all(const House *house, const bool *part, int jobs, const Stop *stop);
 Journeys journey_plan_briefly(const House *house, const bool *part, int jobs, const Stop *stop);
 
-/* Plans with the answers kept for this and other houses (NULL: none), which must outlive the journeys. */
-Journeys journey_plan_recalling(const House *house, const bool *part, bool brief, Recall *recall, int jobs,
-                                const Stop *stop);
+/* Plans with the answers kept for this and other houses (NULL: none), and with fields that other journeys use as well
+ * (NULL: with fields of their own); both must outlive the journeys, and the fields no house that is asked about. */
+Journeys journey_plan_recalling(const House *house, const bool *part, bool brief, Recall *recall, Fields *fields,
+                                int jobs, const Stop *stop);
 void journey_free_all(Journeys *journeys);
 
 /* Plans on one thread, with fewer searches, to decide whether there is any way: each chair's path is the first free

@@ -1,5 +1,6 @@
 #include "house/run.h"
 
+#include <pthread.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -32,13 +33,19 @@ typedef struct Roster {
     const char *asked; /* only the people of this route take part; NULL: all */
 } Roster;
 
+typedef enum GroupStage { GROUP_WAITS, GROUP_PLANNED, GROUP_DRIVES } GroupStage;
+
 /* People who have the house to themselves, and their records. */
 typedef struct Group {
     const Roster *roster;
     const RunOptions *options;
-    const House *house;        /* the present house */
-    size_t changes;            /* number of changes applied */
-    int jobs;                  /* number of threads */
+    const House *house; /* the present house */
+    size_t changes;     /* number of changes applied */
+    int jobs;           /* number of threads */
+    Fields *fields;     /* shared by all groups */
+    GroupStage stage;
+    Journeys journeys;         /* from the plan on */
+    double length;             /* m, of the chairs' paths together */
     size_t key;                /* index in the roster */
     size_t index, count;       /* index and number of groups */
     bool *part;                /* (person_count of the present house) */
@@ -135,7 +142,7 @@ static bool has_anybody(const Roster *roster, size_t key) {
 
 /* Makes one group of all people, or one per route, then people without a route, then new routes of later houses.
  * Returns their number. */
-static size_t make_groups(Group *groups, const Roster *roster, const RunOptions *options) {
+static size_t make_groups(Group *groups, const Roster *roster, const RunOptions *options, Fields *fields) {
     size_t count = 0;
     for (size_t key = 0; key <= roster->route_count; key++)
         if (has_anybody(roster, key))
@@ -146,6 +153,7 @@ static size_t make_groups(Group *groups, const Roster *roster, const RunOptions 
                          .options = options,
                          .house = roster->houses[0],
                          .jobs = count > 1 ? 1 : options->jobs,
+                         .fields = fields,
                          .key = group->key,
                          .index = g,
                          .count = count,
@@ -256,17 +264,23 @@ static Reason run_world(World *world, Journeys *journeys, Observer *observer, Gr
     return REASON_NONE;
 }
 
-static void run_group(void *context, size_t index) {
-    Group *group = (Group *)context + index;
+static void plan_group(Group *group) {
     const RunOptions *options = group->options;
-    Journeys journeys = options->known
-                            ? journey_follow(options->known, group->house, group->part, group->jobs, options->stop)
-                            : journey_plan_recalling(group->house, group->part, options->brief, options->recall,
-                                                     group->jobs, options->stop);
-    World world = world_create(group->house, journeys.of, group->part);
+    group->journeys = options->known
+                          ? journey_follow(options->known, group->house, group->part, group->jobs, options->stop)
+                          : journey_plan_recalling(group->house, group->part, options->brief, options->recall,
+                                                   group->fields, group->jobs, options->stop);
+    for (size_t i = 0; i < group->journeys.count; i++)
+        group->length += group->journeys.of[i].track.length;
+}
+
+static void drive_group(Group *group) {
+    const RunOptions *options = group->options;
+    Journeys *journeys = &group->journeys;
+    World world = world_create(group->house, journeys->of, group->part);
     world.team = parallel_team_create(world.present_count > TEAM_WORTH ? group->jobs : 1);
     observer_init(&group->observer, &world, group->people);
-    Reason reason = run_world(&world, &journeys, &group->observer, group);
+    Reason reason = run_world(&world, journeys, &group->observer, group);
     group->interrupted = stop_requested(options->stop);
     observer_end(&group->observer, group->interrupted ? REASON_INTERRUPTED : reason);
     if (options->record)
@@ -277,7 +291,56 @@ static void run_group(void *context, size_t index) {
     group->observer.world = NULL;
     parallel_team_destroy(world.team);
     world_destroy(&world);
-    journey_free_all(&journeys);
+    journey_free_all(journeys);
+}
+
+/* The tasks of all groups: their plans in order, then their drives as they are planned, the longest first, so that no
+ * thread has a long one left when the others have ended. */
+typedef struct Tasks {
+    Group *groups; /* (count) */
+    size_t count;
+    pthread_mutex_t mutex;
+    pthread_cond_t planned;
+} Tasks;
+
+/* Returns the planned group with the longest ways whose drive has not begun; NULL: none is planned. */
+static Group *find_longest(const Tasks *tasks) {
+    Group *longest = NULL;
+    for (size_t g = 0; g < tasks->count; g++) {
+        Group *group = &tasks->groups[g];
+        if (group->stage == GROUP_PLANNED && (!longest || group->length > longest->length))
+            longest = group;
+    }
+    return longest;
+}
+
+/* Does a task. When the first drive begins, the last plan has begun, so that a group to drive is there or comes. */
+static void do_task(void *context, size_t index) {
+    Tasks *tasks = context;
+    if (index < tasks->count)
+        plan_group(&tasks->groups[index]);
+    pthread_mutex_lock(&tasks->mutex);
+    Group *group = NULL;
+    if (index < tasks->count) {
+        tasks->groups[index].stage = GROUP_PLANNED;
+        pthread_cond_broadcast(&tasks->planned);
+    } else {
+        while (!(group = find_longest(tasks)))
+            pthread_cond_wait(&tasks->planned, &tasks->mutex);
+        group->stage = GROUP_DRIVES;
+    }
+    pthread_mutex_unlock(&tasks->mutex);
+    if (group)
+        drive_group(group);
+}
+
+static void run_groups(Group *groups, size_t count, int jobs) {
+    Tasks tasks = {.groups = groups, .count = count};
+    pthread_mutex_init(&tasks.mutex, NULL);
+    pthread_cond_init(&tasks.planned, NULL);
+    parallel_for(jobs, 2 * count, do_task, &tasks);
+    pthread_cond_destroy(&tasks.planned);
+    pthread_mutex_destroy(&tasks.mutex);
 }
 
 /* The whole -------------------------------------------------------------------------------------------------------- */
@@ -369,8 +432,10 @@ void run_house(Observation *observation, const House *house, const RunOptions *o
     Roster roster;
     roster_init(&roster, house, options);
     Group *groups = memory_zeroed(roster.route_count + 1, sizeof *groups);
-    size_t group_count = make_groups(groups, &roster, options);
-    parallel_for(options->jobs, group_count, run_group, groups);
+    Fields *fields = fields_create();
+    size_t group_count = make_groups(groups, &roster, options, fields);
+    run_groups(groups, group_count, options->jobs);
+    fields_destroy(fields);
     size_t changes = change_the_rest(groups, group_count, options);
     const House *last = roster.houses[options->change_count];
     *observation = blank(last);

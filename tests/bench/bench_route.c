@@ -54,7 +54,7 @@ static void print_moves(const char *name, const char *source, const char *piece,
         else
             houses_read_ube_moved(&house, source, piece, now);
         double begin = bench_now();
-        Journeys journeys = journey_plan_recalling(&house, NULL, true, recall, 1, NULL);
+        Journeys journeys = journey_plan_recalling(&house, NULL, true, recall, NULL, 1, NULL);
         double between = bench_now();
         Journeys other = journey_plan_briefly(&house, NULL, 1, NULL);
         if (move >= 0) {

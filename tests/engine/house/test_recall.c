@@ -35,7 +35,7 @@ static bool same_route(const Route *one, const Route *other) {
 
 /* Plans with kept answers on two threads and without on one, and returns the number of people with other routes. */
 static size_t differences(const House *house, bool brief, Recall *recall) {
-    Journeys kept = journey_plan_recalling(house, NULL, brief, recall, 2, NULL);
+    Journeys kept = journey_plan_recalling(house, NULL, brief, recall, NULL, 2, NULL);
     Journeys fresh = (brief ? journey_plan_briefly : journey_plan_all)(house, NULL, 1, NULL);
     size_t count = 0;
     for (size_t i = 0; i < kept.count; i++)
