@@ -8,6 +8,7 @@
 #include "command/studio.h"
 #include "plot/plate.h"
 #include "plot/plot_write.h"
+#include "result/source_line.h"
 #include "visual/beam/beam_film.h"
 #include "visual/beam/beam_plots.h"
 
@@ -154,10 +155,12 @@ bool beam_frames_plots_write(const BeamFrames *files, const Response *response, 
         return true;
     char path[PLOT_WRITE_PATH];
     int error = 0;
+    Arena arena = {0};
+    PlotSheet sheet = output_sheet(options, source_line_beam(beam, &arena));
     BeamPlots plots = beam_plots_make(response, beam, &files->measured, &files->plots);
     for (size_t i = 0; i < plots.choice.count && !error; i++)
-        error = plot_write_files(&plots.plots[i], beam_plots_name(plots.choice.indices[i]), options->out,
-                                 options->width, options->height, options->theme, path);
+        error = plot_write_files(&plots.plots[i], beam_plots_name(plots.choice.indices[i]), options->out, &sheet, path);
+    arena_clear(&arena);
     beam_plots_free(&plots);
     if (error)
         output_failed(path, error);

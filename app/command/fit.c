@@ -24,6 +24,7 @@
 #include "plot/plot_write.h"
 #include "result/fit.h"
 #include "result/json.h"
+#include "result/source_line.h"
 #include "result/text.h"
 #include "visual/study/fit_plots.h"
 
@@ -444,12 +445,14 @@ static bool write_files(Job *job, const json_t *answer) {
     char path[PLOT_WRITE_PATH];
     Arena arena = {0};
     Plot plot;
+    PlotSheet sheet = output_sheet(
+        options, job->is_beam ? source_line_beam(&job->beam, &arena)
+                              : source_line_house(&house_experiment_house(&job->experiments[0])->plan, &arena));
     snprintf(path, sizeof path, "%s/fit.json", options->out);
     int error = answer_write(answer, path);
     fit_plots_residuals(&plot, &job->fit, &arena);
     if (!error)
-        error =
-            plot_write_files(&plot, "residuals", options->out, options->width, options->height, options->theme, path);
+        error = plot_write_files(&plot, "residuals", options->out, &sheet, path);
     arena_clear(&arena);
     if (error) {
         output_failed(path, error);

@@ -15,6 +15,7 @@
 #include "experiment/beam_follow.h"
 #include "mechanics/trace.h"
 #include "plot/plot_write.h"
+#include "result/source_line.h"
 #include "study/study.h"
 #include "visual/beam/follow_plots.h"
 #include "visual/study/study_axes.h"
@@ -208,6 +209,7 @@ static int write_plot(const Follower *follower, char path[PLOT_WRITE_PATH]) {
         fault_clear(&fault);
         return 0;
     }
+    PlotSheet sheet = output_sheet(options, source_line_beam(&follower->beam, &arena));
     run_dots(follower, &study, &experiment);
     size_t count = 0;
     bool whole = !stop_requested(&progress_stop);
@@ -226,8 +228,7 @@ static int write_plot(const Follower *follower, char path[PLOT_WRITE_PATH]) {
     scale.axis.high = scale.factor * follower->to;
     FollowPlot plot =
         follow_plots_make(follower->follow.branches, follower->follow.count, scale.axis, scale.factor, &dots);
-    int error =
-        plot_write_files(&plot.plot, "follow", options->out, options->width, options->height, options->theme, path);
+    int error = plot_write_files(&plot.plot, "follow", options->out, &sheet, path);
     follow_plots_free(&plot);
     study_clear(&study);
     beam_experiment_close(&experiment);
@@ -254,10 +255,10 @@ static int write_curves(const Follower *follower, char path[PLOT_WRITE_PATH]) {
     x.axis.high = x.factor * follower->to;
     y.axis.low = y.factor * second->from;
     y.axis.high = y.factor * second->to;
+    PlotSheet sheet = output_sheet(options, source_line_beam(&follower->beam, &arena));
     FollowPlot plot = follow_plots_make_curves(follower->follow.curves, follower->follow.curve_count, x.axis, x.factor,
                                                y.axis, y.factor);
-    int error =
-        plot_write_files(&plot.plot, "curves", options->out, options->width, options->height, options->theme, path);
+    int error = plot_write_files(&plot.plot, "curves", options->out, &sheet, path);
     follow_plots_free(&plot);
     beam_experiment_close(&experiment);
     arena_clear(&arena);

@@ -5,6 +5,7 @@
 #include "command/output.h"
 #include "command/studio.h"
 #include "paint/png.h"
+#include "result/source_line.h"
 #include "visual/house/film.h"
 
 enum {
@@ -99,7 +100,9 @@ bool frames_write(const House *house, const Observation *observation, Before bef
     if (!studio_can_take(&times))
         return false;
     HousePlots plots = house_plots_make(house, observation, before.house, before.observation, &options->plots);
-    bool good = !options->out || plot_strip_write(&plots, options);
+    Arena arena = {0};
+    bool good = !options->out || plot_strip_write(&plots, source_line_house(&house->plan, &arena), options);
+    arena_clear(&arena);
     if (good && (options->frames > 0 || options->movie || options->camera.kind == VIEW_RAISED)) {
         Film *film = film_create(house, observation, &wish);
         good = write_pictures(film, &plots, &times, options);

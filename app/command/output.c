@@ -42,6 +42,10 @@ bool output_tell_interrupted(bool told) {
     return told || interrupted;
 }
 
+PlotSheet output_sheet(const Options *options, const char *source) {
+    return (PlotSheet){options->width, options->height, options->theme, source};
+}
+
 bool output_stills(const Scene *scene, const Options *options) {
     static const char *const endings[] = {[CAIRO_FILE_PNG] = "png", [CAIRO_FILE_SVG] = "svg", [CAIRO_FILE_PDF] = "pdf"};
     char path[OUTPUT_PATH];

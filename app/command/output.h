@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "options/options.h"
 #include "draw/scene.h"
+#include "plot/plot_write.h"
 
 enum {
     OUTPUT_PATH = 4096, /* bytes of a path in it, as many as the system allows */
@@ -23,6 +24,9 @@ bool output_directory(const char *path);
 
 /* Writes plan.png, plan.svg and plan.pdf to it. False: an error was printed. */
 bool output_stills(const Scene *scene, const Options *options);
+
+/* Returns what plots are written on, with the origin of their numbers (NULL: none). */
+PlotSheet output_sheet(const Options *options, const char *source);
 
 /* Prints on standard error that pictures are missing if Ctrl-C interrupted them, unless `told`, an earlier interruption
  * that has been reported. Returns whether there was an interruption. */

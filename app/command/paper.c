@@ -14,6 +14,7 @@
 #include "report/paper_report.h"
 #include "result/json.h"
 #include "result/paper.h"
+#include "result/source_line.h"
 #include "result/text.h"
 
 static const double LINES_APART = 10; /* s, at least, where progress is not shown in place */
@@ -84,16 +85,18 @@ static bool write_pages(Paper *paper, const json_t *answer, const Options *optio
     Document document = paper_report_make(paper, figures, &making);
     bool written = report_files_write(&document, "paper", options);
     int error = 0;
+    Arena arena = {0};
+    PlotSheet sheet = output_sheet(options, source_line_beam(&paper->beam, &arena));
     for (size_t i = 0; i < PAPER_FIGURES && !error; i++)
         if (figures->figures[i].plot)
-            error = plot_write_files(figures->figures[i].plot, figures->figures[i].name, options->out, options->width,
-                                     options->height, options->theme, path);
+            error = plot_write_files(figures->figures[i].plot, figures->figures[i].name, options->out, &sheet, path);
     if (!error) {
         snprintf(path, sizeof path, "%s/summary.json", options->out);
         error = answer_write(answer, path);
     }
     if (error)
         output_failed(path, error);
+    arena_clear(&arena);
     document_clear(&document);
     paper_figures_free(figures);
     memory_free(command);

@@ -84,12 +84,13 @@ void plot_strip_show(PlotStrip *strip, double time, PaintGl *paint, Layout *movi
     }
 }
 
-bool plot_strip_write(const HousePlots *plots, const Options *options) {
+bool plot_strip_write(const HousePlots *plots, const char *source, const Options *options) {
+    PlotSheet sheet = output_sheet(options, source);
     char path[PLOT_WRITE_PATH];
     int error = 0;
     for (size_t i = 0; i < plots->choice.count && !error; i++)
-        error = plot_write_files(&plots->plots[i], house_plots_name(plots->choice.indices[i]), options->out,
-                                 options->width, options->height, options->theme, path);
+        error =
+            plot_write_files(&plots->plots[i], house_plots_name(plots->choice.indices[i]), options->out, &sheet, path);
     if (error)
         output_failed(path, error);
     return !error;

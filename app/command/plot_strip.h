@@ -34,5 +34,5 @@ void plot_strip_close(PlotStrip *strip);
  * on the present value of each line. */
 void plot_strip_show(PlotStrip *strip, double time, PaintGl *paint, Layout *moving);
 
-/* Writes plot-NAME.png, .svg, .pdf and .csv to --out. False: an error was printed. */
-bool plot_strip_write(const HousePlots *plots, const Options *options);
+/* Writes plot-NAME.png, .svg, .pdf and .csv to --out, with the origin of the numbers. False: an error was printed. */
+bool plot_strip_write(const HousePlots *plots, const char *source, const Options *options);

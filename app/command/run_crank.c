@@ -16,6 +16,7 @@
 #include "report/crank_report.h"
 #include "result/crank.h"
 #include "result/json.h"
+#include "result/source_line.h"
 #include "result/verdict.h"
 #include "result/text.h"
 #include "visual/crank/crank_film.h"
@@ -77,10 +78,13 @@ static json_t *make_answer(const CrankRun *run) {
 static bool write_plots(const CrankRun *run, const Options *options) {
     char path[PLOT_WRITE_PATH];
     int error = 0;
+    Arena arena = {0};
+    PlotSheet sheet = output_sheet(options, source_line_crank(&run->crank, &arena));
     CrankPlots plots = crank_plots_make(&run->response, &run->crank, &run->plots);
     for (size_t i = 0; i < plots.choice.count && !error; i++)
-        error = plot_write_files(&plots.plots[i], crank_plots_name(plots.choice.indices[i]), options->out,
-                                 options->width, options->height, options->theme, path);
+        error =
+            plot_write_files(&plots.plots[i], crank_plots_name(plots.choice.indices[i]), options->out, &sheet, path);
+    arena_clear(&arena);
     crank_plots_free(&plots);
     if (error)
         output_failed(path, error);

@@ -6,6 +6,7 @@
 #include "command/output.h"
 #include "command/report_files.h"
 #include "plot/plot_write.h"
+#include "result/source_line.h"
 #include "visual/house/shake_plots.h"
 #include "visual/house/shake_scene.h"
 #include "report/shake_report.h"
@@ -58,8 +59,9 @@ static bool write_times(const ShakeFindings *findings, const Options *options) {
     Plot plot;
     char path[PLOT_WRITE_PATH];
     int error = 0;
+    PlotSheet sheet = output_sheet(options, source_line_house(&findings->house->plan, &arena));
     if (shake_plots_times(&plot, findings, &arena))
-        error = plot_write_files(&plot, "times", options->out, options->width, options->height, options->theme, path);
+        error = plot_write_files(&plot, "times", options->out, &sheet, path);
     if (error)
         output_failed(path, error);
     arena_clear(&arena);

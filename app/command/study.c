@@ -313,8 +313,10 @@ static bool write_plots(const StudyJob *job) {
     if (job->findings)
         return shake_answer_write(job->findings, options);
     char path[PLOT_WRITE_PATH];
-    int error = study_plots_write(&job->study, options->measured ? &job->measured : NULL, options->out, options->theme,
-                                  options->width, options->height, path);
+    Arena arena = {0};
+    PlotSheet sheet = output_sheet(options, job->laboratory->source(options, &job->experiment, &arena));
+    int error = study_plots_write(&job->study, options->measured ? &job->measured : NULL, options->out, &sheet, path);
+    arena_clear(&arena);
     if (error)
         output_failed(path, error);
     return !error;

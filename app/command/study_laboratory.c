@@ -9,6 +9,7 @@
 #include "experiment/house_experiment.h"
 #include "laboratory/shipped.h"
 #include "report/report_lines.h"
+#include "result/source_line.h"
 
 /* Adds an error when the command line has an option for houses only. */
 static bool refuse_foreign(const Options *options, const char *what, Fault *fault) {
@@ -94,10 +95,41 @@ static void add_crank_numbers(Document *document, const void *given) {
     fault_clear(&fault);
 }
 
+static const char *beam_source(const Options *options, const Experiment *experiment, Arena *arena) {
+    (void)experiment;
+    Fault fault = {0};
+    Beam beam;
+    const char *line = NULL;
+    if (beam_read(&beam, options->files[0], options->settings, options->setting_count, &fault)) {
+        line = source_line_beam(&beam, arena);
+        beam_free(&beam);
+    }
+    fault_clear(&fault);
+    return line;
+}
+
+static const char *crank_source(const Options *options, const Experiment *experiment, Arena *arena) {
+    (void)experiment;
+    Fault fault = {0};
+    Crank crank;
+    const char *line = NULL;
+    if (crank_read(&crank, options->files[0], options->settings, options->setting_count, &fault)) {
+        line = source_line_crank(&crank, arena);
+        crank_free(&crank);
+    }
+    fault_clear(&fault);
+    return line;
+}
+
+static const char *house_source(const Options *options, const Experiment *experiment, Arena *arena) {
+    (void)options;
+    return source_line_house(&house_experiment_house(experiment)->plan, arena);
+}
+
 static const StudyLaboratory laboratories[] = {
-    {beam_is_file, open_beam, beam_experiment_close, add_beam_numbers, type_beam},
-    {crank_is_file, open_crank, crank_experiment_close, add_crank_numbers, type_crank},
-    {NULL, open_house, house_experiment_close, NULL, NULL},
+    {beam_is_file, open_beam, beam_experiment_close, add_beam_numbers, beam_source, type_beam},
+    {crank_is_file, open_crank, crank_experiment_close, add_crank_numbers, crank_source, type_crank},
+    {NULL, open_house, house_experiment_close, NULL, house_source, NULL},
 };
 
 const StudyLaboratory *study_laboratory_open(Experiment *experiment, const Options *options, Fault *fault) {

@@ -10,6 +10,8 @@ typedef struct StudyLaboratory {
     bool (*open)(Experiment *experiment, const Options *options, Fault *fault);
     void (*close)(Experiment *experiment);
     void (*add_numbers)(Document *document, const void *options); /* of the file, with their sources; NULL: none */
+    /* Returns the origin of the numbers, in the arena, as a foot of plots. */
+    const char *(*source)(const Options *options, const Experiment *experiment, Arena *arena);
     void (*type_thoroughly)(Experiment *experiment); /* makes later trials thorough enough for a type; NULL: all are */
 } StudyLaboratory;
 

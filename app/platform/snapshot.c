@@ -10,7 +10,6 @@
 #include "base/text.h"
 #include "draw/layout.h"
 #include "paint/paint_cairo.h"
-#include "plot/plot_write.h"
 #include "paint/png.h"
 #include "platform/export.h"
 
@@ -103,23 +102,22 @@ char *snapshot_view(const SnapshotView *view, int kinds, const char *folder, con
     return write_kinds(write_view, view, kinds & ~SNAPSHOT_CSV, folder, name, note, fault);
 }
 
-/* A plot and the size of its picture. */
+/* A plot and what it is written on. */
 typedef struct PlotFile {
     const Plot *plot;
-    int width, height;
-    Theme theme;
+    const PlotSheet *sheet;
 } PlotFile;
 
 static int write_plot(const void *what, int kind, const char *path) {
     const PlotFile *file = what;
     if (kind > CAIRO_FILE_PDF)
         return plot_write_csv(file->plot, path);
-    return plot_write_picture((CairoFileKind)kind, file->plot, path, file->width, file->height, file->theme);
+    return plot_write_picture((CairoFileKind)kind, file->plot, path, file->sheet);
 }
 
-char *snapshot_plot(const Plot *plot, int width, int height, Theme theme, int kinds, const char *folder,
-                    const char *name, const SnapshotNote *note, Fault *fault) {
-    PlotFile file = {plot, width, height, theme};
+char *snapshot_plot(const Plot *plot, const PlotSheet *sheet, int kinds, const char *folder, const char *name,
+                    const SnapshotNote *note, Fault *fault) {
+    PlotFile file = {plot, sheet};
     return write_kinds(write_plot, &file, kinds, folder, name, note, fault);
 }
 

@@ -6,7 +6,7 @@
 
 #include "base/fault.h"
 #include "draw/palette.h"
-#include "plot/plot.h"
+#include "plot/plot_write.h"
 #include "draw/scene.h"
 
 enum { SNAPSHOT_PNG = 1, SNAPSHOT_SVG = 2, SNAPSHOT_PDF = 4, SNAPSHOT_CSV = 8 };
@@ -33,8 +33,8 @@ typedef struct SnapshotView {
  * released by memory_free; NULL: a fault says why not. A plot may also be written as CSV. */
 char *snapshot_view(const SnapshotView *view, int kinds, const char *folder, const char *name, const SnapshotNote *note,
                     Fault *fault);
-char *snapshot_plot(const Plot *plot, int width, int height, Theme theme, int kinds, const char *folder,
-                    const char *name, const SnapshotNote *note, Fault *fault);
+char *snapshot_plot(const Plot *plot, const PlotSheet *sheet, int kinds, const char *folder, const char *name,
+                    const SnapshotNote *note, Fault *fault);
 
 /* Writes pixels as a picture to exactly this path. Returns 0 or errno. */
 int snapshot_pixels(const char *path, const unsigned char *pixels, int width, int height);

@@ -88,8 +88,9 @@ typedef struct PlotRaster {
 } PlotRaster;
 
 typedef struct Plot {
-    const char *title; /* or NULL: the title of the y axis replaces it */
-    const char *note;  /* a caveat next to the title, or NULL */
+    const char *title;  /* or NULL: the title of the y axis replaces it */
+    const char *note;   /* a caveat next to the title, or NULL */
+    const char *source; /* the origin of the numbers, a line at the foot, or NULL */
     PlotAxis x, y;
     PlotSeries *series; /* (series_count) in painting order */
     PlotGuide *guides;  /* (guide_count), below the series */

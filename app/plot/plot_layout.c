@@ -13,6 +13,8 @@
 #define TITLE_TEXT 18.0
 #define AXIS_TEXT 16.0
 #define NAME_TEXT 16.0
+#define SOURCE_TEXT 11.0
+#define SOURCE_HEIGHT 16.0
 #define MARGIN 6.0
 #define ROW_HEIGHT 23.0 /* of titles and names */
 #define ROW_GAP 7.0     /* below the titles: half of the topmost label */
@@ -334,7 +336,8 @@ static void add_right_labels(PlotLayout *layout, const Plot *plot) {
 static void place_frame(PlotLayout *layout, const Plot *plot, Box reach, Above above) {
     Layout *sheet = &layout->sheet;
     bool low = sheet->page.y < LOW;
-    double foot = LABEL_GAP + LABEL_HEIGHT * (low || above.across || !plot->x.title ? 1 : 2) + MARGIN / 2;
+    double foot = LABEL_GAP + LABEL_HEIGHT * (low || above.across || !plot->x.title ? 1 : 2) + MARGIN / 2 +
+                  (plot->source ? SOURCE_HEIGHT : 0);
     sheet->frame = (Box){{0, 0}, {sheet->page.x - MARGIN, sheet->page.y - foot}};
     PlotAxis across = shown_axis(plot, false), upright = shown_axis(plot, true);
     layout->y = axis_ticks(&upright, reach.low.y, reach.high.y, 2);
@@ -363,6 +366,16 @@ static bool has_lines_only(const Plot *plot) {
     return lines;
 }
 
+/* Adds the origin of the numbers at the foot of the page. */
+static void add_source(PlotLayout *layout, const Plot *plot) {
+    Layout *sheet = &layout->sheet;
+    const char *line = caption_shortened(sheet, plot->source, SOURCE_TEXT, false, sheet->page.x - 2 * MARGIN);
+    Caption *caption =
+        add_text(layout, line, SOURCE_TEXT, false, vec2(MARGIN, sheet->page.y - MARGIN / 2 - SOURCE_HEIGHT / 2));
+    caption->centre.x += caption->extent.x / 2;
+    caption->role = ROLE_DIM_TEXT;
+}
+
 static void lay_out(PlotLayout *layout, const Plot *plot, Vec2 page, Above above) {
     plot_layout_clear(layout);
     layout->sheet.page = page;
@@ -379,6 +392,8 @@ static void lay_out(PlotLayout *layout, const Plot *plot, Vec2 page, Above above
     plot_key_add(layout, plot);
     plot_names_classes(layout, plot);
     plot_names_guides(layout, plot);
+    if (plot->source)
+        add_source(layout, plot);
 }
 
 void plot_layout_make(PlotLayout *layout, const Plot *plot, Vec2 page, PlotNames names) {

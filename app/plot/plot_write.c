@@ -17,18 +17,20 @@ static double picture_unit(int width, int height) {
 
 /* A plot and its theme, for cairo_file_write. */
 typedef struct Picture {
-    const Plot *plot;
+    Plot plot;
     Theme theme;
 } Picture;
 
 static void paint_picture(struct _cairo *cairo, Vec2 page, const void *what) {
     const Picture *picture = what;
-    plot_paint(picture->plot, cairo, page, picture->theme);
+    plot_paint(&picture->plot, cairo, page, picture->theme);
 }
 
-int plot_write_picture(CairoFileKind kind, const Plot *plot, const char *path, int width, int height, Theme theme) {
-    return cairo_file_write(kind, path, width, height, picture_unit(width, height), paint_picture,
-                            &(Picture){plot, theme});
+int plot_write_picture(CairoFileKind kind, const Plot *plot, const char *path, const PlotSheet *sheet) {
+    Picture picture = {*plot, sheet->theme};
+    picture.plot.source = sheet->source;
+    return cairo_file_write(kind, path, sheet->width, sheet->height, picture_unit(sheet->width, sheet->height),
+                            paint_picture, &picture);
 }
 
 /* Adds the parts of a field, quoted, with quotes doubled, if a character in them would end the field. */
@@ -165,7 +167,7 @@ int plot_write_csv(const Plot *plot, const char *path) {
     return error;
 }
 
-int plot_write_files(const Plot *plot, const char *name, const char *out, int width, int height, Theme theme,
+int plot_write_files(const Plot *plot, const char *name, const char *out, const PlotSheet *sheet,
                      char path[PLOT_WRITE_PATH]) {
     static const char *const endings[] = {
         [CAIRO_FILE_PNG] = "png", [CAIRO_FILE_SVG] = "svg", [CAIRO_FILE_PDF] = "pdf", "csv"};
@@ -176,7 +178,7 @@ int plot_write_files(const Plot *plot, const char *name, const char *out, int wi
         else if (e > CAIRO_FILE_PDF)
             error = plot_write_csv(plot, path);
         else
-            error = plot_write_picture((CairoFileKind)e, plot, path, width, height, theme);
+            error = plot_write_picture((CairoFileKind)e, plot, path, sheet);
     }
     return error;
 }

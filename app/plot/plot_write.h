@@ -5,9 +5,16 @@
 #include "paint/cairo_file.h"
 #include "plot/plot.h"
 
-/* Writes a picture of width x height pixels; in a PDF, of 1/72 inch. A design point is at least 1 of them, and twice
- * as large as in a house picture of this size: legible from as far away as a title. */
-int plot_write_picture(CairoFileKind kind, const Plot *plot, const char *path, int width, int height, Theme theme);
+/* What a plot is written on. */
+typedef struct PlotSheet {
+    int width, height; /* pixels; in a PDF, 1/72 inch */
+    Theme theme;
+    const char *source; /* the origin of the numbers, a line at the foot of the picture; NULL: none */
+} PlotSheet;
+
+/* Writes a picture. A design point is at least 1 pixel, and twice as large as in a house picture of this size: legible
+ * from as far away as a title. */
+int plot_write_picture(CairoFileKind kind, const Plot *plot, const char *path, const PlotSheet *sheet);
 
 /* Writes CSV (RFC 4180): for a raster, one row per cell with its middle and its value or the name of its class; for an
  * area three columns; for a series two, with a header `axis [unit]`, which includes the name of the series if there
@@ -17,5 +24,5 @@ int plot_write_csv(const Plot *plot, const char *path);
 enum { PLOT_WRITE_PATH = 4096 /* room for a path: the longest that the system allows */ };
 
 /* Writes OUT/plot-NAME.png, .svg, .pdf and .csv. On an error, `path` is the file that could not be written. */
-int plot_write_files(const Plot *plot, const char *name, const char *out, int width, int height, Theme theme,
+int plot_write_files(const Plot *plot, const char *name, const char *out, const PlotSheet *sheet,
                      char path[PLOT_WRITE_PATH]);

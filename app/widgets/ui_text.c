@@ -45,10 +45,24 @@ void ui_text_start(Ui *ui, UiTextStyle style, UiInk ink, Box box, const char *te
     ui_painter_text(ui->painter, style, ink, vec2(box.low.x, (box.low.y + box.high.y) / 2), text, bytes);
 }
 
+/* Returns the end of a line that does not part a number from its unit: "0.75 m" goes to the next line whole. */
+static size_t end_with_unit(const char *text, size_t bytes) {
+    static const char *const units[] = {"m", "cm", "mm", "s", "min", "m/s", "N", "kg", "Hz", "rpm", "%"};
+    if (bytes == 0 || text[bytes] != ' ' || text[bytes - 1] < '0' || text[bytes - 1] > '9')
+        return bytes;
+    size_t length = strcspn(text + bytes + 1, " ,.;:)\n"), number = bytes;
+    while (number > 0 && text[number - 1] != ' ')
+        number--;
+    for (size_t u = 0; number > 0 && u < sizeof units / sizeof *units; u++)
+        if (strlen(units[u]) == length && strncmp(text + bytes + 1, units[u], length) == 0)
+            return number - 1;
+    return bytes;
+}
+
 double ui_text_wrapped(Ui *ui, UiTextStyle style, UiInk ink, Box box, const char *text) {
     double spacing = UI_SPACING * ui_painter_size(style), top = box.low.y;
     while (*text) {
-        size_t bytes = ui_painter_wrap(ui->painter, style, text, box_width(box));
+        size_t bytes = end_with_unit(text, ui_painter_wrap(ui->painter, style, text, box_width(box)));
         if (ink >> 24)
             ui_painter_text(ui->painter, style, ink, vec2(box.low.x, top + spacing / 2), text, bytes);
         text += bytes;

@@ -142,17 +142,20 @@ static char *write_view(Tab *tab, const char *folder, const char *name, Fault *f
 static void write_picture(Window *window) {
     Tab *tab = window_tab(window);
     Fault fault = {0};
-    char *folder = tab->view_layers.painted ? notice_folder(window) : NULL, name[WINDOW_PATH], *path = NULL;
+    char *folder = tab->view_layers.painted ? notice_folder(window) : NULL, name[WINDOW_PATH], source[2 * WINDOW_TITLE],
+         *path = NULL;
     if (!folder)
         return;
     const PlotPane *pane = plot_panes_focused(&window_tab(window)->panes, window->ui);
     SnapshotNote note = note_of(tab);
     snprintf(name, sizeof name, "%s%s%s", tab->laboratory->title(tab->session), pane ? " " : "",
              pane ? pane->source.name : "");
-    if (pane)
-        path = snapshot_plot(&pane->shown, PLOT_WIDTH, PLOT_HEIGHT, window->theme,
+    if (pane) {
+        const char *remark = tab->laboratory->note(tab->session);
+        snprintf(source, sizeof source, "%s%s%s", tab->laboratory->title(tab->session), *remark ? ": " : "", remark);
+        path = snapshot_plot(&pane->shown, &(PlotSheet){PLOT_WIDTH, PLOT_HEIGHT, window->theme, source},
                              SNAPSHOT_PNG | SNAPSHOT_SVG | SNAPSHOT_CSV, folder, name, &note, &fault);
-    else
+    } else
         path = write_view(tab, folder, name, &fault);
     if (path)
         notice_post(window, "Written: %s.png%s%s and .json", path,

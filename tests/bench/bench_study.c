@@ -62,7 +62,7 @@ static bool run_map(const Experiment *experiment, const char *folder, size_t cel
         return false;
     study_run(&study, &(StudyOptions){.jobs = 2});
     tell("a map", &since);
-    int error = study_plots_write(&study, NULL, plots, THEME_PAPER, 1280, 720, path);
+    int error = study_plots_write(&study, NULL, plots, &(PlotSheet){1280, 720, THEME_PAPER, NULL}, path);
     tell("its plots", &since);
     remove_folder(plots);
     study_clear(&study);

@@ -83,8 +83,9 @@ char *sample_written(const Plot *plot, int kind, size_t *size) {
     int file = mkstemp(path);
     CHECK(file >= 0);
     close(file);
-    CHECK((kind == SAMPLE_CSV ? plot_write_csv(plot, path)
-                              : plot_write_picture((CairoFileKind)kind, plot, path, 800, 500, THEME_PAPER)) == 0);
+    CHECK((kind == SAMPLE_CSV
+               ? plot_write_csv(plot, path)
+               : plot_write_picture((CairoFileKind)kind, plot, path, &(PlotSheet){800, 500, THEME_PAPER, NULL})) == 0);
     char *bytes = text_read_file(path, 1 << 26, size);
     unlink(path);
     return bytes;

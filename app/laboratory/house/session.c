@@ -10,6 +10,7 @@
 #include "laboratory/house/picture.h"
 #include "laboratory/house/text.h"
 #include "laboratory/save_file.h"
+#include "result/source_line.h"
 #include "visual/house/people_scene.h"
 
 #define STEP (1.0 / 30) /* s, duration of one displayed frame */
@@ -309,7 +310,7 @@ static const char *note(void *context) {
                  wish->epochs[wish->epoch_count - 1].time);
         add_note(session, mixed);
     }
-    if (house_scene_is_assumed(draft_plan(session->draft)))
+    if (source_line_is_assumed(draft_plan(session->draft)))
         add_note(session, "assumed plan: not measured");
     if (picture)
         add_note(session, picture);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "result/census.h"
+#include "result/source_line.h"
 #include "visual/house/crowd_scene.h"
 #include "visual/house/people_scene.h"
 #include "visual/house/plan_scene.h"
@@ -20,22 +21,9 @@
 #define LOST_LEAST 0.05 /* s: less lost time is not told */
 
 /* The word in the note of a plan that was not measured: such a note must be shown wherever the plan is. */
-static const char ASSUMED[] = "assumed";
 
 static bool is_crowd(const Census *census) {
     return census->people > PEOPLE_SCENE_INDIVIDUALS;
-}
-
-static bool holds_word(const char *text, const char *word) {
-    size_t length = strlen(word);
-    for (; *text; text++)
-        if (strncasecmp(text, word, length) == 0)
-            return true;
-    return false;
-}
-
-bool house_scene_is_assumed(const Plan *plan) {
-    return holds_word(plan->note, ASSUMED);
 }
 
 /* Returns a clearance as people read it: "4.4 cm to spare". */
@@ -109,7 +97,7 @@ static void format_crowd(Scene *scene, const House *house, const Observation *ob
 
 static void format_answer(Scene *scene, const House *house, const Observation *observation, const Census *census) {
     scene->name = arena_text(&scene->arena, *house->plan.name ? house->plan.name : "house");
-    scene->note = house_scene_is_assumed(&house->plan) ? arena_text(&scene->arena, house->plan.note) : "";
+    scene->note = source_line_is_assumed(&house->plan) ? arena_text(&scene->arena, house->plan.note) : "";
     scene->clock = observation->time > 0 ? scene_text(scene, "0 to %.1f s", observation->time) : "";
     Headline headline = headline_make(house, observation, census, &scene->arena);
     bool few = census->people && census->stuck == SIZE_MAX && census->people <= PEOPLE_SCENE_INDIVIDUALS;

@@ -13,9 +13,6 @@
  */
 void house_scene_make(Scene *scene, const House *house, const Observation *observation);
 
-/* True if the note of the plan says that it was assumed, not measured. */
-bool house_scene_is_assumed(const Plan *plan);
-
 /* The comparison, of this house or of another one; none if `observation` is NULL. */
 typedef struct Before {
     const House *house;

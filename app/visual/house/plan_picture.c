@@ -1,5 +1,6 @@
 #include "visual/house/plan_picture.h"
 
+#include "result/source_line.h"
 #include "visual/house/house_scene.h"
 #include "visual/house/plan_scene.h"
 
@@ -31,7 +32,7 @@ void plan_picture_make(Scene *scene, const House *house, bool all_names) {
     scene->grid = HOUSE_SCENE_GRID;
     scene->title_role = ROLE_TEXT;
     scene->title = scene_text(scene, "%s", house->plan.name);
-    scene->note = house_scene_is_assumed(&house->plan) ? scene_text(scene, "%s", house->plan.note) : "";
+    scene->note = source_line_is_assumed(&house->plan) ? scene_text(scene, "%s", house->plan.note) : "";
     for (size_t i = 0; i < house->plan.person_count && i < PICTURE_PEOPLE; i++)
         scene_add_label(scene, ROLE_CHAIR, TEXT_SIZE, house->plan.people[i].at, house->plan.people[i].id)->bold = true;
     plan_scene_tags(scene, house, NULL);

@@ -3,6 +3,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "result/source_line.h"
 #include "visual/house/house_scene.h"
 #include "visual/house/plan_picture.h"
 #include "visual/house/plan_scene.h"
@@ -143,7 +144,7 @@ void rules_scene_make(Scene *scene, const House *house, const Inspection *inspec
     scene->title_role =
         inspection->counts[RULE_FAILS] || inspection_legal_impassable(inspection) ? ROLE_ERROR : ROLE_TEXT;
     scene->name = scene_text(scene, "%s", house->plan.name);
-    scene->note = house_scene_is_assumed(&house->plan) ? scene_text(scene, "%s", house->plan.note) : "";
+    scene->note = source_line_is_assumed(&house->plan) ? scene_text(scene, "%s", house->plan.note) : "";
     for (size_t p = 0; p < inspection->place_count; p++)
         if (inspection->places[p].stopped)
             add_stop(scene, &inspection->places[p]);

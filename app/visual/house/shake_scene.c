@@ -3,6 +3,7 @@
 #include "plan/plan_geometry.h"
 #include "result/census.h"
 #include "result/shake.h"
+#include "result/source_line.h"
 #include "visual/house/house_scene.h"
 #include "visual/house/people_scene.h"
 #include "visual/house/plan_scene.h"
@@ -147,7 +148,7 @@ static void format_answer(Scene *scene, const ShakeFindings *findings) {
     const Plan *plan = &findings->house->plan;
     const Share *share = &findings->all_out;
     scene->name = scene_text(scene, "%s, %zu shakes", *plan->name ? plan->name : "house", findings->shakes);
-    scene->note = house_scene_is_assumed(plan) ? arena_text(&scene->arena, plan->note) : "";
+    scene->note = source_line_is_assumed(plan) ? arena_text(&scene->arena, plan->note) : "";
     scene->title = shake_findings_headline(findings, &scene->arena);
     scene->title_role = share->good == share->all ? ROLE_TEXT : ROLE_ERROR;
     const char *times = shake_findings_times(findings, &scene->arena);

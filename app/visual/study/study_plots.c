@@ -389,28 +389,27 @@ void study_plots_free(StudyPlots *plots) {
     *plots = (StudyPlots){.count = 0};
 }
 
-static int write_all(StudyPlots *plots, const char *out, Theme theme, int width, int height,
-                     char path[PLOT_WRITE_PATH]) {
+static int write_all(StudyPlots *plots, const char *out, const PlotSheet *sheet, char path[PLOT_WRITE_PATH]) {
     int error = 0;
     for (size_t i = 0; i < plots->count && !error; i++)
-        error = plot_write_files(&plots->plots[i].plot, plots->plots[i].name, out, width, height, theme, path);
+        error = plot_write_files(&plots->plots[i].plot, plots->plots[i].name, out, sheet, path);
     study_plots_free(plots);
     return error;
 }
 
-int study_plots_write(const Study *study, const Measured *measured, const char *out, Theme theme, int width, int height,
+int study_plots_write(const Study *study, const Measured *measured, const char *out, const PlotSheet *sheet,
                       char path[PLOT_WRITE_PATH]) {
     size_t maps = study_maps_most(study);
     int error = 0;
     if (!maps) {
         StudyPlots plots = study_plots_make(study, measured);
-        return write_all(&plots, out, theme, width, height, path);
+        return write_all(&plots, out, sheet, path);
     }
     for (size_t map = 0; map < maps && !error; map++) { /* all of a large study at once need much memory */
         StudyPlots plots = {.count = 0};
         plots.plots = arena_allocate(&plots.arena, sizeof *plots.plots);
         study_maps_add(&plots, study, measured, map);
-        error = write_all(&plots, out, theme, width, height, path);
+        error = write_all(&plots, out, sheet, path);
     }
     return error;
 }

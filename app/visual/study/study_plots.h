@@ -31,7 +31,7 @@ void study_plots_free(StudyPlots *plots);
 
 /* Writes them as files OUT/plot-NAME.png, .svg, .pdf and .csv. Returns 0, or errno, and `path` is the file that
  * failed. */
-int study_plots_write(const Study *study, const Measured *measured, const char *out, Theme theme, int width, int height,
+int study_plots_write(const Study *study, const Measured *measured, const char *out, const PlotSheet *sheet,
                       char path[PLOT_WRITE_PATH]);
 
 /* Lists the measurable quantities of a study: its parameters, its observables, the values that runs list. (count) in

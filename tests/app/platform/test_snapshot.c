@@ -127,7 +127,8 @@ TEST(a_plot_is_written_also_as_columns) {
                  .series = &series,
                  .series_count = 1};
     Fault fault = {0};
-    char *path = snapshot_plot(&plot, 400, 300, THEME_BOARD, SNAPSHOT_PNG | SNAPSHOT_CSV, ".", "speed", &note, &fault);
+    char *path = snapshot_plot(&plot, &(PlotSheet){400, 300, THEME_BOARD, NULL}, SNAPSHOT_PNG | SNAPSHOT_CSV, ".",
+                               "speed", &note, &fault);
     CHECK_TEXT(path, "./speed");
     CHECK(begins("speed.png", "\x89PNG") && begins("speed.csv", "time [s],speed [m/s]\r\n0,0\r\n1,1\r\n"));
     memory_free(path);

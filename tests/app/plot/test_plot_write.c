@@ -32,10 +32,11 @@ TEST(the_same_plot_gives_the_same_bytes) {
 
 TEST(a_plot_that_cannot_be_written_says_why) {
     Plot plot = sample_plot(NULL, 0);
-    CHECK(plot_write_picture(CAIRO_FILE_PNG, &plot, "/tmp/clearance-never.png", 0, 100, THEME_PAPER) == EINVAL);
-    CHECK(plot_write_picture(CAIRO_FILE_PDF, &plot, "/tmp/clearance-never.pdf", 100, CAIRO_FILE_LARGEST + 1,
-                             THEME_PAPER) == EINVAL);
-    CHECK(plot_write_picture(CAIRO_FILE_SVG, &plot, "/tmp/no-such-directory/a.svg", 100, 100, THEME_PAPER) == ENOENT);
+    CHECK(plot_write_picture(CAIRO_FILE_PNG, &plot, "/tmp/clearance-never.png", &(PlotSheet){.height = 100}) == EINVAL);
+    CHECK(plot_write_picture(CAIRO_FILE_PDF, &plot, "/tmp/clearance-never.pdf",
+                             &(PlotSheet){100, CAIRO_FILE_LARGEST + 1, THEME_PAPER, NULL}) == EINVAL);
+    CHECK(plot_write_picture(CAIRO_FILE_SVG, &plot, "/tmp/no-such-directory/a.svg",
+                             &(PlotSheet){100, 100, THEME_PAPER, NULL}) == ENOENT);
     CHECK(plot_write_csv(&plot, "/tmp/no-such-directory/a.csv") == ENOENT);
     CHECK(access("/tmp/clearance-never.png", F_OK) != 0);
 }
