@@ -248,12 +248,24 @@ const char *names_text(const House *house, const char *text, Arena *arena) {
     return kept;
 }
 
-/* Returns the side of a room, as the plan is drawn, at which a place lies. */
-static const char *side_of(const Plan *plan, const char *room, Vec2 at) {
+static Box room_box(const Plan *plan, const char *room) {
     Box box = box_empty();
     for (size_t i = 0; i < plan->room_count; i++)
         for (size_t p = 0; strcmp(plan->rooms[i].name, room) == 0 && p < plan->rooms[i].outline.count; p++)
             box = box_include(box, plan->rooms[i].outline.at[p]);
+    return box;
+}
+
+static Box walls_box(const Plan *plan) {
+    Box box = box_empty();
+    for (size_t w = 0; w < plan->wall_count; w++)
+        for (size_t p = 0; p < plan->walls[w].points.count; p++)
+            box = box_include(box, plan->walls[w].points.at[p]);
+    return box;
+}
+
+/* Returns the side of a box, as the plan is drawn, at which a place lies. */
+static const char *side_of(Box box, Vec2 at) {
     double left = fabs(at.x - box.low.x), right = fabs(at.x - box.high.x);
     double lower = fabs(at.y - box.low.y), upper = fabs(at.y - box.high.y);
     if (fmin(left, right) < fmin(lower, upper))
@@ -266,9 +278,13 @@ const char *names_thing(const House *house, const char *thing, Vec2 at, Arena *a
     const char *name = names_text(house, thing, arena), *room = names_room(&house->plan, at);
     for (int way = 0; way < WAYS && !room; way++)
         room = names_room(&house->plan, vec2_along(at, BESIDE_WALL, vec2_heading(2 * M_PI * way / WAYS)));
-    if (strcmp(name, "wall") != 0 || !room)
+    if (strcmp(name, "wall") != 0)
         return name;
-    return text_in_arena(arena, "%s wall of %s", side_of(&house->plan, room, at), room);
+    if (room)
+        return text_in_arena(arena, "%s wall of %s", side_of(room_box(&house->plan, room), at), room);
+    Box walls = walls_box(&house->plan);
+    bool inner = box_holds(box_expand(walls, -BESIDE_WALL), at);
+    return inner ? name : text_in_arena(arena, "%s wall", side_of(walls, at));
 }
 
 /* Returns "wall between bedroom and corridor", "left wall of bedroom", or "wall" without a named room. */
@@ -282,7 +298,7 @@ static const char *segment_name(const Plan *plan, Vec2 from, Vec2 to, double thi
     if (a && b)
         return text_in_arena(arena, "wall in %s", a);
     const char *room = a ? a : b;
-    return room ? text_in_arena(arena, "%s wall of %s", side_of(plan, room, foot), room) : "wall";
+    return room ? text_in_arena(arena, "%s wall of %s", side_of(room_box(plan, room), foot), room) : "wall";
 }
 
 const char *names_wall_at(const Plan *plan, size_t wall, Vec2 at, Arena *arena) {

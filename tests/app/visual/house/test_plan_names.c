@@ -1,6 +1,9 @@
-/* Tests that names on a plan leave the people on it free. */
+/* Tests that names on a plan leave the people on it free, and how walls are called. */
 #include "check.h"
+#include <string.h>
+
 #include "draw/layout.h"
+#include "result/names.h"
 #include "visual/house/plan_picture.h"
 #include "visual/house/plan_scene.h"
 
@@ -33,4 +36,25 @@ TEST(names_leave_people_free) {
     }
     house_free(&house);
     fault_clear(&fault);
+}
+
+static void check_wall(const char *source, Vec2 at, const char *called) {
+    House house = {.seed = 0};
+    Fault fault = {0};
+    Arena arena = {0};
+    CHECK(plan_read_text(&house.plan, "hall", source, NULL, 0, &fault));
+    CHECK_TEXT(names_thing(&house, "wall w1", at, &arena), called);
+    arena_clear(&arena);
+    house_free(&house);
+    fault_clear(&fault);
+}
+
+TEST(a_wall_is_called_by_its_room_or_else_by_the_side_of_the_plan) {
+    char bare[sizeof room];
+    const char *rooms = strstr(room, " \"rooms\""), *people = strstr(room, " \"people\"");
+    snprintf(bare, sizeof bare, "%.*s%s", (int)(rooms - room), room, people);
+    check_wall(room, vec2(3, 0.05), "lower wall of living room");
+    check_wall(bare, vec2(3, 0.05), "lower wall");
+    check_wall(bare, vec2(5.95, 2), "right wall");
+    check_wall(bare, vec2(3, 2), "wall");
 }
