@@ -352,10 +352,22 @@ static bool is_taken(const Layout *layout, const Scene *scene, Box box) {
     return false;
 }
 
+/* Returns the length of the scale bar, m: shorter than usual if a key takes its place. */
+static double bar_length(const Layout *layout, const Scene *scene) {
+    double length = round_step(layout->metre, BAR_SHORTEST);
+    if (!scene->keyed)
+        return length;
+    double room = layout->plan.high.x - layout_point(layout, vec2(scene->key_end, scene->box.low.y)).x - CELL_GAP;
+    for (size_t i = sizeof steps / sizeof *steps; i-- > 0 && length * layout->metre > room;)
+        if (steps[i] < length)
+            length = steps[i];
+    return length;
+}
+
 /* Adds the scale bar at the lower right; a raised view has no single scale and shows the size of the grid's squares
  * instead, there or at the lower left. */
 static void place_scale_bar(Layout *layout, const Scene *scene, double foot) {
-    double right = layout->plan.high.x, length = round_step(layout->metre, BAR_SHORTEST);
+    double right = layout->plan.high.x, length = bar_length(layout, scene);
     double left = right - length * layout->metre;
     char text[32];
     if (layout->view.raised) {

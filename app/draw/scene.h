@@ -147,6 +147,8 @@ typedef struct Scene {
     Camera camera;       /* the viewpoint; zero: the plan */
     bool bare;           /* only the scale around it: a detail of another picture */
     bool unscaled;       /* without a scale bar: the picture states its own size */
+    bool keyed;          /* with a key at the foot, which the scale bar keeps off: */
+    double key_end;      /* m, its right end */
     int panels;          /* pictures next to it, for instance plots, instead of the rows; at most SCENE_PANELS */
     double panel_height; /* design points, the least height of panels below the plan; 0: the place that leaves the plan
                             larger */

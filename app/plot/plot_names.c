@@ -173,6 +173,18 @@ static Vec2 best_within_band(const Mask *mask, Box band, bool upright, Vec2 exte
     return best;
 }
 
+/* True if the last caption overlaps another one. */
+static bool hits_a_caption(const Layout *sheet) {
+    Box last = caption_box(&sheet->captions[sheet->caption_count - 1]);
+    for (size_t i = 0; i + 1 < sheet->caption_count; i++) {
+        Box other = caption_box(&sheet->captions[i]);
+        if (last.low.x < other.high.x && other.low.x < last.high.x && last.low.y < other.high.y &&
+            other.low.y < last.high.y)
+            return true;
+    }
+    return false;
+}
+
 void plot_names_guides(PlotLayout *layout, const Plot *plot) {
     Mask mask;
     if (!plot->guide_count)
@@ -191,6 +203,10 @@ void plot_names_guides(PlotLayout *layout, const Plot *plot) {
         caption->role = guide->band ? ROLE_TEXT : text_role(guide->role);
         caption->halo = true;
         caption->fill = ROLE_PAPER;
+        if (hits_a_caption(&layout->sheet)) {
+            layout->sheet.caption_count--; /* a name on a name tells neither */
+            continue;
+        }
         mask_mark_box(&mask, caption_box(caption), TEXT_WEIGHT);
     }
     mask_clear(&mask);

@@ -185,11 +185,22 @@ static void handle_modal(Ui *ui) {
     }
 }
 
-/* Moves the focus from a removed stop to the first one of its pane. */
+/* Returns the first pane that is a stop itself, where no key presses a button; NULL: none. */
+static const UiStop *first_pane(const Ui *ui) {
+    for (size_t i = 0; i < ui->old_stop_count; i++)
+        if (ui->old_stops[i].id == ui->old_stops[i].pane)
+            return &ui->old_stops[i];
+    return NULL;
+}
+
+/* Moves the focus from a removed stop to the first one of its pane; from a removed pane to the first pane that is a
+ * stop, since the first stop of all opens a menu. */
 static void handle_gone_stop(Ui *ui) {
     if (!ui->focus_pane || ui_stop_find(ui, ui->focus))
         return;
     const UiStop *stop = first_of(ui, ui->old_stops, ui->old_stop_count, ui->focus_pane);
+    if (!stop && !ui->modal)
+        stop = first_pane(ui);
     if (!stop && !ui->modal)
         stop = first_of(ui, ui->old_stops, ui->old_stop_count, 0);
     ui->focus = 0;

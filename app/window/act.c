@@ -209,7 +209,9 @@ static void escape(Window *window, Tab *tab) {
     else if (!notice_dismiss(window) && tab->session) {
         bool chosen = tab->laboratory->selected(tab->session).kind, taught = lesson_is_shown(window);
         tab_select(tab, (Item){0});
-        if (!chosen && taught)
+        if (!chosen && window->present)
+            window->present = false;
+        else if (!chosen && taught)
             lesson_leave(window);
         else if (!chosen)
             ui_focus(window->ui, "view"); /* where the letters of the tools are keys */

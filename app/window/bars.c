@@ -93,7 +93,7 @@ static const char *whole_title(Window *window, const char *title, double width) 
 
 void bars_show_menu(Window *window) {
     Box bar = window->frame.menu;
-    window->noted_in_title = false;
+    window->noted_in_bar = false;
     if (box_height(bar) <= 0)
         return;
     ui_pane_begin(window->ui, &(UiPane){.name = "menu", .box = bar, .ground = ROLE_SHADE});
@@ -103,11 +103,11 @@ void bars_show_menu(Window *window) {
         const char *title = whole_title(window, lesson_title(window), right - left - 2 * GAP);
         const char *note = tab->laboratory->note(tab->session);
         double width = ui_extent(window->ui, UI_BOLD, title).x + 2, more = ui_extent(window->ui, UI_BODY, note).x + 2;
-        window->noted_in_title = left + width + more + 4 * GAP < right;
-        double all = window->noted_in_title && *note ? width + GAP + more : width;
+        window->noted_in_bar = left + width + more + 4 * GAP < right;
+        double all = window->noted_in_bar && *note ? width + GAP + more : width;
         double begin = fmin(fmax(left + GAP, middle_of(bar).x - all / 2), fmax(left + GAP, right - GAP - all));
         show_text(window, UI_BOLD, ROLE_TEXT, begin, right - GAP, middle_of(bar).y, title);
-        if (window->noted_in_title && *note)
+        if (window->noted_in_bar && *note)
             show_text(window, UI_BODY, ROLE_DIM_TEXT, begin + width + GAP, right, middle_of(bar).y, note);
     }
     ui_pane_end(window->ui);
@@ -282,6 +282,16 @@ static void show_wrapped(Window *window, UiTextStyle size, double left, double r
     ui_text(window->ui, size, ROLE_TEXT, text);
 }
 
+/* Shows the remark of a presentation at the upper right of the answer, where it covers nothing of the plan. */
+static void show_remark(Window *window, const Tab *tab, Box bar) {
+    const char *note = tab->laboratory->note(tab->session);
+    double y = bar.low.y + ui_extent(window->ui, UI_SMALL, note).y / 2 + 2;
+    if (!window->present || window->answer_tall || !*note)
+        return;
+    ui_draw_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, vec2(bar.high.x - MARGIN, y), 1, note);
+    window->noted_in_bar = true;
+}
+
 void bars_show_answer(Window *window) {
     Box bar = window->frame.answer;
     Tab *tab = window_tab(window);
@@ -315,6 +325,8 @@ void bars_show_answer(Window *window) {
             else
                 show_detail(window, &answer, left, right, below);
         }
+        if (!answer.doing && !lesson_hides_words(window))
+            show_remark(window, tab, bar);
         show_progress(window, bar, &answer);
     }
     ui_pane_end(window->ui);

@@ -217,7 +217,7 @@ static bool has_label(const Window *window, const Tab *tab, Box box) {
 
 static void show_view_text(Window *window, Tab *tab) {
     Box view = window->frame.view;
-    if (!window->noted_in_title)
+    if (!window->noted_in_bar)
         show_note(window, tab, tab->laboratory->note(tab->session));
     show_animation(window, plan_input_animation(tab));
     bool crowded =

@@ -46,7 +46,14 @@ static const char *why_no_edit(const Tab *tab, Editor *editor, Action action) {
     }
 }
 
+/* True for actions that show another time, or go there by themselves. */
+static bool moves_time(Action action) {
+    return (action >= ACTION_PLAY && action <= ACTION_SECOND_BACK) || action == ACTION_AGAIN || action == ACTION_NOW;
+}
+
 const char *menu_reason_to_guess(Window *window, Action action) {
+    if (lesson_hides(window) && moves_time(action))
+        return "The class guesses first: nothing moves until you go on with PgDn";
     bool edits = action > ACTION_TOOL_SELECT && action <= ACTION_UNDO_ALL && action != ACTION_COPY;
     bool nudges =
         action >= ACTION_NUDGE_LEFT && action <= ACTION_NUDGE_DOWN; /* which pan the view without a selection */

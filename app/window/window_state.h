@@ -148,7 +148,7 @@ typedef struct Window {
     size_t folds_open;    /* untouched ones that are open, so far in this frame; */
     size_t folds_opening; /* touched ones, so far, */
     size_t folds_opened;  /* and in the frame before */
-    bool noted_in_title;  /* the note of the laboratory stands in the title bar */
+    bool noted_in_bar;    /* the note of the laboratory stands in the title bar or beside the answer */
     bool drawer;          /* the panel is open as a drawer over the view, or in place of a lesson's card */
     bool lessons_only;    /* the gallery shows lessons alone */
     bool reduced;         /* nothing moves but what is simulated */

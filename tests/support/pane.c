@@ -177,7 +177,8 @@ void pane_frame(Pane *pane) {
     make_menu(pane);
     make_plan(pane, 92, pane->page.x - 344, bottom);
     make_rail(pane, bottom);
-    make_panel(pane, bottom);
+    if (!pane->no_panel)
+        make_panel(pane, bottom);
     make_timeline(pane, bottom);
     if (pane->modal)
         make_dialog(pane);

@@ -18,7 +18,7 @@ typedef struct Pane {
 
     UiSlider width, damping;
     UiChange width_change;
-    bool flag, modal, short_panel, entered;
+    bool flag, modal, short_panel, no_panel, entered;
     size_t choice;
     char name[32];
     int pauses, keeps, saves, rows;

@@ -153,4 +153,6 @@ void density_scene_key(Scene *scene) {
     }
     add_words(scene, begin, y - height / 2);
     scene->box.low.y = y - height;
+    scene->keyed = true;
+    scene->key_end = begin + LEVELS * each;
 }

@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "result/census.h"
+#include "result/names.h"
 #include "visual/house/crowd_plots.h"
 #include "visual/house/people_scene.h"
 #include "visual/house/trail.h"
@@ -18,8 +19,8 @@ enum { LOOKS = 4 /* that people_scene_nth_look distinguishes */, FEW = 2 /* peop
 
 /* A displayed person, and the rows. */
 typedef struct Subject {
-    size_t person; /* index into House.people */
-    const char *name;
+    size_t person;         /* index into House.people */
+    const char *name, *id; /* in the legend, and in the table */
     LocusLook look;
     const double *rows; /* (count x TRACE_COLUMNS) */
     size_t count;
@@ -126,7 +127,7 @@ static void add_subject(Subjects *subjects, const Trail *trail, size_t person, A
 }
 
 /* Returns the look: by route where each person is on another one, as in the plan; otherwise by person. */
-static void name_subjects(Subjects *subjects) {
+static void name_subjects(Subjects *subjects, Arena *arena) {
     const House *house = subjects->house;
     bool by_route = true;
     for (size_t i = 0; i < subjects->count; i++) {
@@ -138,7 +139,8 @@ static void name_subjects(Subjects *subjects) {
     for (size_t i = 0; i < subjects->count; i++) {
         Subject *subject = &subjects->list[i];
         const Inhabitant *person = &house->people[subject->person];
-        subject->name = by_route ? person->route->id : person->id;
+        subject->id = by_route ? person->route->id : person->id;
+        subject->name = by_route ? subject->id : names_person(house, subject->person, arena);
         subject->look = by_route ? people_scene_look(house, subject->person) : people_scene_nth_look(i);
         subject->look.width = i < LOOKS ? LINE_WIDTH : THIN_WIDTH;
     }
@@ -155,13 +157,14 @@ static Subjects make_subjects(const House *house, const Observation *observation
             if ((person == SIZE_MAX || person == i) && trails[i].count &&
                 census_walks(house->people[i].profile) == walks && subjects.count < PEOPLE_SCENE_INDIVIDUALS)
                 add_subject(&subjects, &trails[i], i, arena);
-    name_subjects(&subjects);
+    name_subjects(&subjects, arena);
     return subjects;
 }
 
 static PlotSeries *add_series(Plot *plot, const HousePlot *definition, const Subject *subject) {
     PlotSeries *series = &plot->series[plot->series_count++];
     *series = (PlotSeries){.name = subject->name,
+                           .heading = subject->id,
                            .x = subject->rows + definition->x,
                            .y = subject->rows + definition->y,
                            .count = subject->count,

@@ -1,5 +1,6 @@
 #include "visual/house/plan_scene.h"
 
+#include <stdint.h>
 #include <string.h>
 
 #include "plan/plan_geometry.h"
@@ -313,7 +314,19 @@ void plan_scene_tags(Scene *scene, const House *house, const size_t *left) {
     add_toppled_tags(scene, plan);
 }
 
-/* Places the sign outside the middle of the exit, otherwise next to one of its ends, otherwise inside. */
+/* True if chairs may leave by an exit: they come to rest just outside its middle. */
+static bool chairs_leave_by(const House *house, const Exit *exit) {
+    for (size_t i = 0; i < house->person_count; i++) {
+        const Inhabitant *person = &house->people[i];
+        size_t wanted = person->route ? person->route->exit_index : SIZE_MAX;
+        if (person->profile->driving != DRIVING_WALKER && (wanted == SIZE_MAX || exit == &house->plan.exits[wanted]))
+            return true;
+    }
+    return false;
+}
+
+/* Places the sign outside the middle of the exit unless chairs come there, otherwise next to one of its ends, otherwise
+ * inside. */
 void plan_scene_sign(Scene *scene, const House *house, const Exit *exit, const char *text) {
     Vec2 middle = vec2_scale(vec2_add(house->outline.box.low, house->outline.box.high), 0.5);
     Vec2 at = vec2_scale(vec2_add(exit->from, exit->to), 0.5), along = vec2_sub(exit->to, exit->from);
@@ -324,9 +337,11 @@ void plan_scene_sign(Scene *scene, const House *house, const Exit *exit, const c
     Vec2 places[] = {at,   vec2_add(at, out),
                      low,  vec2_add(low, vec2_add(out, vec2_sub(low, high))),
                      high, vec2_add(high, vec2_add(out, vec2_sub(high, low))),
+                     at,   vec2_add(at, out),
                      at,   vec2_sub(at, out)};
+    size_t skipped = chairs_leave_by(house, exit) ? 2 : 0;
     Primitive *sign = add_tag(scene, ROLE_EXIT_TAG, at, text);
-    scene_bind_label(scene, sign, places, sizeof places / sizeof *places);
+    scene_bind_label(scene, sign, places + skipped, sizeof places / sizeof *places - skipped);
     sign->brief = "EXIT";
     sign->fixed = true;
 }

@@ -106,6 +106,19 @@ TEST(a_stop_that_is_gone_leaves_the_focus_to_the_first_of_its_pane) {
     pane_end(&pane);
 }
 
+TEST(a_pane_that_is_gone_leaves_the_focus_where_no_key_presses_a_button) {
+    Pane pane = pane_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
+    pane.modal = false;
+    pane_frame(&pane);
+    pane_go(&pane, "panel", SLIDER);
+    pane.no_panel = true;
+    pane_frame(&pane);
+    pane_frame(&pane);
+    CHECK_TEXT(ui_focus_pane(pane.ui), "plan");
+    CHECK(ui_focus_is_pane(pane.ui));
+    pane_end(&pane);
+}
+
 /* The mouse -------------------------------------------------------------------------------------------------------- */
 
 TEST(a_click_presses_once_and_leaves_the_focus) {

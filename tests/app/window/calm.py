@@ -273,6 +273,12 @@ discs = [t["string"] for t in found[2]["text_in_view"] if t["kind"] == "disc" an
 check(len(discs) <= 1 and found[2]["echo"].startswith("V "), "presenting: one danger, and the key is named",
       (discs, found[2]["echo"]))
 
+# Escape leaves a presentation, and nothing moves; what is chosen goes first
+kept = act("leave", "until answered", "pause", "seek 3", "key F5", "wait 5", 'select "door d7"', "wait 3", "key Escape", "wait 3",
+           "state STATE", "key Escape", "wait 3", "state STATE", arguments=["--size", "1280x720"])
+check([state["present"] for state in kept] == [True, False] and kept[0]["time"] == kept[1]["time"], "Escape leaves a presentation",
+      [(state["present"], state["time"]) for state in kept])
+
 # presenting, nothing lies over the plan: a note is kept by F7
 texts = act("quiet", "until answered", "pause", "key F5", "wait 5", "key 7", "wait 5", "texts STATE", arguments=["--size", "1280x720"])[0]
 said = [t["string"] for t in texts if "names: " in t["string"]]

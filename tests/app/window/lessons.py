@@ -285,6 +285,20 @@ act("person", "until answered", "key 1", "key 2", "key PageDown", "until answere
     "expect lesson.goal yes", "key PageUp", "key 1", "key PageDown", "until answered", 'select "person p1"', "wait 2",
     "until answered", "expect lesson.goal no", arguments=[short, "--size", "800x450"])
 
+# before the class has guessed, no key and no button goes to another time
+told["steps"] = [{"kind": "predict", "ask": "Who?", "options": ["door", "person"], "truth": 2}, {"kind": "compare", "text": "So."}]
+short.write_text(json.dumps(told))
+for name, file, machine in (("house", stage.house("corner-1.80-1.80"), "house"), ("beam", stage.beam("ibs"), "beam")):
+    told |= {"laboratory": machine, "file": str(file), "lock": []}
+    short.write_text(json.dumps(told))
+    before, *after = act(f"guess-{name}", "until answered", "wait 5", "state STATE",
+                         *(word for key in ("End", ".", "Shift+.", "Shift+Right", "R", "Space") for word in (f"key {key}", "wait 3", "state STATE")),
+                         arguments=[short, "--size", "800x450"])
+    check(all(state["time"] == before["time"] and not state["playing"] for state in after),
+          f"{name}: nothing moves before the guess", [(state["time"], state["playing"]) for state in after])
+    check("guesses first" in after[0]["message"], f"{name}: and it says why", after[0]["message"])
+told |= {"laboratory": "house", "file": stage.house("corner-1.80-1.80"), "lock": ["people"]}
+
 # what the window shows in a step, and after the lesson
 told["view"] = {"layers": [1, 3], "plots": "none", "speed": 2}
 told["steps"] = [{"kind": "predict", "ask": "Who?", "options": ["door", "person"], "truth": 2},

@@ -124,9 +124,10 @@ TEST(of_many_people_chairs_are_shown_first_and_it_is_said_of_how_many) {
     const Plot *plot = &plots.plots[0];
     CHECK(plot->series_count == PEOPLE_SCENE_INDIVIDUALS);
     CHECK_TEXT(plot->note, "6 of 9 people");
-    CHECK_TEXT(plot->series[0].name, "p8");
-    CHECK_TEXT(plot->series[1].name, "p9");
-    CHECK_TEXT(plot->series[2].name, "p1");
+    CHECK_TEXT(plot->series[0].name, "H");
+    CHECK_TEXT(plot->series[1].name, "I");
+    CHECK_TEXT(plot->series[2].name, "A");
+    CHECK_TEXT(plot->series[0].heading, "p8"); /* the files keep the ids */
     for (size_t a = 0; a < plot->series_count; a++)
         for (size_t b = 0; b < a; b++)
             CHECK(plot->series[a].role != plot->series[b].role || plot->series[a].width != plot->series[b].width);
