@@ -73,51 +73,56 @@ static void type_crank(Experiment *experiment) {
     crank_experiment_be_thorough(experiment, CRANK_LANES, CRANK_LANE_CYCLES);
 }
 
-static void add_beam_numbers(Document *document, const void *given) {
-    const Options *options = given;
+/* Reads the file once more, for the sources of its numbers. */
+static bool read_beam(Beam *beam, const Options *options) {
     Fault fault = {0};
-    Beam beam;
-    if (beam_read(&beam, options->files[0], options->settings, options->setting_count, &fault)) {
-        report_lines_add_numbers(document, beam_table(), &beam, beam.provenance);
-        beam_free(&beam);
-    }
+    *beam = (Beam){.name = NULL};
+    bool good = beam_read(beam, options->files[0], options->settings, options->setting_count, &fault);
     fault_clear(&fault);
+    return good;
 }
 
-static void add_crank_numbers(Document *document, const void *given) {
-    const Options *options = given;
+static bool read_crank(Crank *crank, const Options *options) {
     Fault fault = {0};
-    Crank crank;
-    if (crank_read(&crank, options->files[0], options->settings, options->setting_count, &fault)) {
-        report_lines_add_numbers(document, crank_table(), &crank, crank.provenance);
-        crank_free(&crank);
-    }
+    *crank = (Crank){.name = NULL};
+    bool good = crank_read(crank, options->files[0], options->settings, options->setting_count, &fault);
     fault_clear(&fault);
+    return good;
+}
+
+static void add_beam_numbers(Document *document, const void *options) {
+    Beam beam;
+    if (!read_beam(&beam, options))
+        return;
+    report_lines_add_numbers(document, beam_table(), &beam, beam.provenance);
+    beam_free(&beam);
+}
+
+static void add_crank_numbers(Document *document, const void *options) {
+    Crank crank;
+    if (!read_crank(&crank, options))
+        return;
+    report_lines_add_numbers(document, crank_table(), &crank, crank.provenance);
+    crank_free(&crank);
 }
 
 static const char *beam_source(const Options *options, const Experiment *experiment, Arena *arena) {
     (void)experiment;
-    Fault fault = {0};
     Beam beam;
-    const char *line = NULL;
-    if (beam_read(&beam, options->files[0], options->settings, options->setting_count, &fault)) {
-        line = source_line_beam(&beam, arena);
-        beam_free(&beam);
-    }
-    fault_clear(&fault);
+    if (!read_beam(&beam, options))
+        return NULL;
+    const char *line = source_line_beam(&beam, arena);
+    beam_free(&beam);
     return line;
 }
 
 static const char *crank_source(const Options *options, const Experiment *experiment, Arena *arena) {
     (void)experiment;
-    Fault fault = {0};
     Crank crank;
-    const char *line = NULL;
-    if (crank_read(&crank, options->files[0], options->settings, options->setting_count, &fault)) {
-        line = source_line_crank(&crank, arena);
-        crank_free(&crank);
-    }
-    fault_clear(&fault);
+    if (!read_crank(&crank, options))
+        return NULL;
+    const char *line = source_line_crank(&crank, arena);
+    crank_free(&crank);
     return line;
 }
 

@@ -127,6 +127,10 @@ static Vec2 middle_of(Box box) {
     return vec2_scale(vec2_add(box.low, box.high), 0.5);
 }
 
+bool tab_awaits_answer(const Tab *tab) {
+    return tab->session && tab->laboratory->answer(tab->session).due;
+}
+
 Editor *tab_editor(const Tab *tab) {
     return tab->session && tab->laboratory->editor ? tab->laboratory->editor(tab->session) : NULL;
 }

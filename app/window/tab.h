@@ -110,6 +110,9 @@ size_t tab_edit_count(const Tab *tab);
 /* Returns the editor of what is open; NULL: nothing is open, or it cannot be edited. */
 Editor *tab_editor(const Tab *tab);
 
+/* True if an answer is expected, which is to be shown as soon as it is there, though nothing moves until then. */
+bool tab_awaits_answer(const Tab *tab);
+
 /* Returns its title with its mark in the arena: "L corridor (edited)", "L corridor [Recovered]". */
 const char *tab_title(const Tab *tab, Arena *arena);
 

@@ -342,12 +342,6 @@ static bool is_lively(Window *window) {
            (tab->session && tab->player.playing) || plan_input_animation(tab);
 }
 
-/* True if an answer is expected, which is shown as soon as it is there, though nothing moves until then. */
-static bool awaits_answer(Window *window) {
-    const Tab *tab = window_tab(window);
-    return tab->session && tab->laboratory->answer(tab->session).due;
-}
-
 /* Between frames --------------------------------------------------------------------------------------------------- */
 
 static void report_trouble(Window *window, Tab *tab) {
@@ -443,7 +437,7 @@ static void turn(Window *window, Scripted *scripted) {
     bool busy = scripted_is_busy(scripted), lively = is_lively(window);
     bool framed = busy && !scripted->until && !sdl_window_is_seen(window->sdl_window);
     bool hurried = (window->frame_timer.counting && window->options->benchmark > 0) || framed;
-    bool rests = !lively && !busy, awaits = rests && awaits_answer(window);
+    bool rests = !lively && !busy, awaits = rests && tab_awaits_answer(window_tab(window));
     double seconds = frame_timer_wait(&window->frame_timer, hurried || awaits), begun = stopwatch_now();
     plan_input_animate(window, seconds);
     handle_events(window, awaits ? ANSWER_WAIT : rests ? IDLE_WAIT : 0);

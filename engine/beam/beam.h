@@ -67,8 +67,8 @@ const ParameterTable *beam_table(void);
 /* True if the "format" of the file is that of a beam; false also for an unreadable file. */
 bool beam_is_file(const char *path);
 
-/* Reads a beam file and applies `count` settings, NAME=VALUE as on the command line. On false, the errors give
- * places and reasons, and the beam is unchanged. */
+/* Reads a beam file and applies `count` settings, NAME=VALUE as on the command line. The beam is zeroed, or one
+ * that was read before, whose memory is released. On false, the errors give places and reasons, and it is unchanged. */
 bool beam_read(Beam *beam, const char *path, const char *const *settings, size_t setting_count, Fault *fault);
 
 /* Checks conditions between values: the parts fit together, the beam is supported, and there are enough degrees of

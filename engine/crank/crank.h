@@ -78,8 +78,10 @@ const ParameterTable *crank_table(void);
 /* True if the "format" of the file is that of a crank; false also for an unreadable file. */
 bool crank_is_file(const char *path);
 
-/* Reads a crank file and applies `count` settings, NAME=VALUE as on the command line. On false, the errors give places
- * and reasons, and the crank is unchanged. */
+/* Reads a crank file and applies `count` settings, NAME=VALUE as on the command line. The crank is zeroed, or
+ * one that was read before, whose memory is released. On false, the errors give places and reasons, and it is
+ * unchanged.
+ */
 bool crank_read(Crank *crank, const char *path, const char *const *settings, size_t setting_count, Fault *fault);
 
 /* Checks conditions between values: the mechanism closes at every angle, the rod is slender, the ball starts inside its
