@@ -25,7 +25,7 @@ bool output_directory(const char *path);
 /* Writes plan.png, plan.svg and plan.pdf to it. False: an error was printed. */
 bool output_stills(const Scene *scene, const Options *options);
 
-/* Returns what plots are written on, with the origin of their numbers (NULL: none). */
+/* Returns the sheet of a plot, with the origin of its numbers (NULL: none). */
 PlotSheet output_sheet(const Options *options, const char *source);
 
 /* Prints on standard error that pictures are missing if Ctrl-C interrupted them, unless `told`, an earlier interruption

@@ -102,7 +102,7 @@ char *snapshot_view(const SnapshotView *view, int kinds, const char *folder, con
     return write_kinds(write_view, view, kinds & ~SNAPSHOT_CSV, folder, name, note, fault);
 }
 
-/* A plot and what it is written on. */
+/* A plot and its sheet. */
 typedef struct PlotFile {
     const Plot *plot;
     const PlotSheet *sheet;

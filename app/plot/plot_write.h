@@ -5,7 +5,7 @@
 #include "paint/cairo_file.h"
 #include "plot/plot.h"
 
-/* What a plot is written on. */
+/* Size, theme and foot of a written plot. */
 typedef struct PlotSheet {
     int width, height; /* pixels; in a PDF, 1/72 inch */
     Theme theme;

@@ -23,7 +23,7 @@ const char *source_line_house(const Plan *plan, Arena *arena) {
     return text_in_arena(arena, "%s: %snot measured", name, holds_word(name, "assumed") ? "" : "assumed plan, ");
 }
 
-/* What a file says of a number begins with one of these; the first that fits counts. */
+/* Beginnings of a number's provenance, and their words; the first match counts. */
 static const struct {
     const char *begin, *words;
 } kinds[] = {{"paper", "from the paper"},  {"reconstructed", "reconstructed"},

@@ -314,7 +314,7 @@ static Group *find_longest(const Tasks *tasks) {
     return longest;
 }
 
-/* Does a task. When the first drive begins, the last plan has begun, so that a group to drive is there or comes. */
+/* Plans or drives one group. All plans are begun before the first drive, so that a drive can wait for one. */
 static void do_task(void *context, size_t index) {
     Tasks *tasks = context;
     if (index < tasks->count)
