@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 
 case ${1:-} in
 '') suites='--suite quick' ;;
---all) suites='--no-suite cluster --no-suite thorough' ;; # which need programs that few machines have, and minutes more
+--all) suites='--no-suite cluster --no-suite thorough' ;; # which need programs that few machines have, and an hour more
 *)
     echo "usage: sh tests/run.sh [--all]" >&2
     exit 2
@@ -32,7 +32,7 @@ echo "testing"
 . tests/checks/tidy.sh
 tidy_begin
 status=0
-# one more than there are processors, since tests of the window wait for the display
-meson test -C build-test --no-rebuild --print-errorlogs --num-processes $(($(nproc) + 1)) $suites || status=$?
+# twice as many as there are processors, since tests of the window wait for the display
+meson test -C build-test --no-rebuild --print-errorlogs --num-processes $(($(nproc) * 2)) $suites || status=$?
 tidy_end build-test || status=1
 exit $status

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Prints the digest of a run of every house, of a run of every beam and two of a crank with their largest forces, and of
 # three studies. Every build, every processor and every number of jobs has to print the same, and tests/golden/digests
-# keeps it. Fails if a run gives no digest. For a crowd of thousands two seconds are enough.
+# keeps it. Fails if a run gives no digest. For a crowd of thousands two seconds are enough. WITHOUT, in the
+# environment, is a regular expression of the names that are left out.
 # digests.sh CLEARANCE [OPTION ...]
 set -u
 program=$1
@@ -14,6 +15,7 @@ crank=$(dirname "$0")/../../assets/cranks/ssc.json
 answer() {
     name=$1
     shift
+    ! echo "$name" | grep -qxE "${WITHOUT:-}" || return 0
     "$program" "$@" --json | awk -v name="$name" '
         /"digest": "/ { split($0, part, "\""); digest = part[4] }
         /"peaks": \{/ { inside = 1 }

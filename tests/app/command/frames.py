@@ -193,8 +193,8 @@ def check_wrong_use(out):
     expect(2, "run", rig, "--movie", str(out / "film.gif"), says="must end in .mp4")
     expect(2, "run", rig, "--view", "raised", "--out", str(out), says="--view raised is for houses")
     expect(2, "run", rig, "--show", "circles", "--out", str(out), says="--show is for houses")
-    expect(2, "run", rig, "--frames", "1000", "--slow", "1e6", "--out", str(out), says="at most 1000000")
-    expect(2, "run", rig, "--frames", "2", "--out", str(out), says="osmesa or egl", CLEARANCE_GL="nonsense")
+    expect(2, "run", rig, *BRIEF, "--frames", "1000", "--slow", "1e6", "--out", str(out), says="at most 1000000")
+    expect(2, "run", rig, *BRIEF, "--frames", "2", "--out", str(out), says="osmesa or egl", CLEARANCE_GL="nonsense")
     expect(2, "run", house("straight-corridor"), "--slow", "10", "--frames", "2", "--out", str(out), says="--slow is for beams")
     corridor = house("straight-corridor")
     expect(2, "run", corridor, "--frames", "10", says="--frames needs --out")
@@ -227,12 +227,12 @@ def check_drivers(out):
 
 
 def check_interrupt(out):
-    for name in (house("straight-corridor"), beam("ibs")):
-        interrupt(name, out / pathlib.Path(name).stem)
+    interrupt(out / "house", house("straight-corridor"))
+    interrupt(out / "beam", beam("ibs"), *BRIEF)
 
 
-def interrupt(name, out):
-    process = subprocess.Popen([program, "run", name, "--frames", "1000", "--out", str(out)], stdout=subprocess.PIPE,
+def interrupt(out, *words):
+    process = subprocess.Popen([program, "run", *words, "--frames", "1000", "--out", str(out)], stdout=subprocess.PIPE,
                                stderr=subprocess.PIPE, text=True)
     while process.poll() is None and len(frames_of(out)) < 5:
         time.sleep(0.05)

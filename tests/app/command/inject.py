@@ -424,11 +424,11 @@ KINDS = {
 def budget(kind, name):
     """The points at either end, and between."""
     if kind == "write":
-        return (3, 4) if name in pictures else (10, 10)
+        return (2, 3) if name in pictures else (6, 6)
     few = name in pictures or name in slow
     if kind == "allocation":
-        return (1, 3) if few else (2, 4)
-    return (2, 4) if few else (4, 8)
+        return (1, 2) if few else (2, 3)
+    return (2, 2) if few else (3, 5)
 
 
 def main():

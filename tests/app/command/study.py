@@ -248,7 +248,7 @@ def check_wrong_stores(folder):
     expect(2, "study", flat, *DOOR, "--out", out, says="is damaged")
     full = run("study", flat, *DOOR, "--out", os.path.join(folder, "full"), limit=3000)
     check(full.returncode == 2 and "cannot be written" in full.stderr, "a full disk", full.stderr)
-    late = run("study", flat, "--vary", "person.p1.delay=0:4:2000", "--until", "0.01", "--out",
+    late = run("study", flat, "--vary", "person.p1.delay=0:4:800", "--until", "0.01", "--out",
                os.path.join(folder, "late"), limit=40000)
     check(late.returncode == 2 and "earlier results are kept" in late.stderr and "not out throughout" in
           late.stdout, "a disk that fills up leaves the answer", late.stderr)

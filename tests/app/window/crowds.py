@@ -20,12 +20,14 @@ with open(out / "plot-out.csv", newline="") as file:
 curve = [(float(row[0]), float(row[1])) for row in rows if row[0] and row[1]]
 times = sorted(person["time"] for person in run["people"] if person.get("completed", True) and person.get("time"))
 
-for width, height in ((1280, 720), (1920, 1080)):
+screen = stage.Screen("centre", CENTRE, width=1920, height=1080, minutes=30)
+state = screen.until(lambda s: s["complete"] and not s["answer"]["stale"], patience=4 * stage.PATIENCE)
+if state["playing"]:
+    screen.keys("space")
+for width, height in ((1920, 1080), (1280, 720)):
     size = f"{width} x {height}"
-    screen = stage.Screen(f"centre-{height}", CENTRE, width=width, height=height, minutes=30)
-    state = screen.until(lambda s: s["complete"] and not s["answer"]["stale"], patience=4 * stage.PATIENCE)
-    if state["playing"]:
-        screen.keys("space")
+    screen.tool("windowsize", screen.window, width, height)
+    screen.until(lambda s: (s["width"], s["height"]) == (width, height))
     x, y, right, foot = screen.state()["frame"]["timeline"]
     places, times_there = [x + part * (right - x) for part in (0.6, 0.7)], []
     for place in places:  # the line of time goes by even steps: two clicks on it tell where a third one must be
@@ -34,7 +36,7 @@ for width, height in ((1280, 720), (1920, 1080)):
     pace = (times_there[1] - times_there[0]) / (places[1] - places[0])
     screen.click(places[0] + (AT - times_there[0]) / pace, (y + foot) / 2)
     screen.point_to(width - 2, height - 2)
-    state, shot = screen.state(), screen.shot("shot")
+    state, shot = screen.state(), screen.shot(f"shot-{height}")
     by_curve = max(count for time, count in curve if time <= state["time"] + 1e-9)
     now = {row[0]: [int(word) for word in row[1].split(" of ")] for row in state["rows"] if " of " in row[1]}
     everybody = now.pop("out")
@@ -57,5 +59,5 @@ for width, height in ((1280, 720), (1920, 1080)):
     view = state["frame"]["view"]
     blue = sum(count for count, colour in stage.colours(shot, view) if colour == (0x00, 0x68, 0xA8))
     check(blue > 200, f"27: {size}: chairs lie on top of the crowd, in their full colour", blue)
-    screen.end()
+screen.end()
 stage.end()

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Tests that texts fit (check 22, and 28 of the calm window): at two small sizes and two text sizes, in each laboratory
-and on the sheets, no text is cut, none ends in an ellipsis, and none of a pane lies over another. Also what moves: the
+"""Tests that texts fit (check 22, and 28 of the calm window): at two small sizes, with large letters in the smaller one, in
+each laboratory and on the sheets, no text is cut, none ends in an ellipsis, and none of a pane lies over another. Also what moves: the
 plan stands still while the tools open, and folds are remembered by task."""
 
 import itertools
@@ -39,7 +39,7 @@ def overlapping(texts):
 
 
 for name, path in FILES.items():
-    for size, text in itertools.product(("1024x600", "1280x720"), ("1", "2")):
+    for size, text in (("1024x600", "2"), ("1280x720", "1")):
         steps = {"at rest": [], "selected": ["key Tab", "key Return"], "gallery": ["key Escape", "key Escape", "key F4"],
                  "open": ["key Escape", "key Ctrl+O"], "export": ["key Escape", "key Ctrl+E"]}
         if name == "house":

@@ -39,16 +39,15 @@ table = (stage.source / "app" / "window" / "keys.c").read_text()
 keys = re.findall(r'\{ACTION_\w+,\s*KEY_\w+,\s*"((?:[^"\\]|\\.)+)"', table)
 check(len(keys) > 90, "the table has keys", len(keys))
 keys = [key.replace("\\\\", "\\") for key in keys if key not in ("Ctrl+Q", "Shift+F9")]
-for laboratory in ("house", "beam"):
-    for focus in ("view", "plot", "timeline"):
-        steps = {"view": 0, "plot": 1, "timeline": 3}[focus]
-        opened = ["key Shift+P", "wait 2"] if laboratory == "house" else []  # a beam's plots are open at first
-        lines = [f"laboratory {laboratory}", "until answered", "wait 5", *opened, *(["key F6", "wait 1"] * steps)]
-        for key in keys:
-            quoted = '"' + key.replace("\\", "\\\\") + '"'
-            lines += [f"key {quoted}", "wait 1", "key Escape", "wait 1"]
-        found = act(f"all-keys-{laboratory}-{focus}", *lines, "state STATE")
-        check(found and found[0]["sheet"] == "none", f"{laboratory}, {focus}: every key of the card was pressed")
+for laboratory, focus in (("house", "view"), ("house", "plot"), ("beam", "timeline")):
+    steps = {"view": 0, "plot": 1, "timeline": 3}[focus]
+    opened = ["key Shift+P", "wait 2"] if laboratory == "house" else []  # a beam's plots are open at first
+    lines = [f"laboratory {laboratory}", "until answered", "wait 5", *opened, *(["key F6", "wait 1"] * steps)]
+    for key in keys:
+        quoted = '"' + key.replace("\\", "\\\\") + '"'
+        lines += [f"key {quoted}", "wait 1", "key Escape", "wait 1"]
+    found = act(f"all-keys-{laboratory}-{focus}", *lines, "state STATE")
+    check(found and found[0]["sheet"] == "none", f"{laboratory}, {focus}: every key of the card was pressed")
 
 # 6. Alt+K while a field is open starts or pauses playback and keeps the typed text
 found = act("field", "until complete", "pause", "key Ctrl+O", "wait 3", "type abc", "wait 2",

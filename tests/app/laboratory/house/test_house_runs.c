@@ -69,7 +69,7 @@ TEST(routes_and_ways_of_driving_can_be_chosen) {
 /* A long run is visible from its beginning. */
 TEST(what_is_recorded_can_be_seen_while_more_is_computed) {
     void *session =
-        running_house_open("hall-10000", (const char *[]){"crowd.people.count=2000", "run.sample=0.1"}, 2, NULL);
+        running_house_open("hall-10000", (const char *[]){"crowd.people.count=500", "run.sample=0.1"}, 2, NULL);
     double begun = running_house_clock(), end = 0;
     bool grew = false;
     while (running_house_clock() - begun < 200 && end < 3) {
