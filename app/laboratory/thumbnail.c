@@ -26,15 +26,21 @@ static size_t sentence_of(const char *note) {
     return strlen(note);
 }
 
-/* Returns the bytes of the part of a text that fits: at most THUMBNAIL_LINE characters, up to the end of a word. */
-static size_t shortened(const char *sentence, size_t length) {
-    size_t characters = 0, word = 0;
+/* Returns the bytes of the part of a text that fits: at most THUMBNAIL_LINE characters, up to the end of a clause, or
+ * else of a word. */
+static size_t shortened(const char *sentence, size_t length, bool *whole) {
+    size_t characters = 0, word = 0, clause = 0;
+    *whole = true;
     for (size_t i = 0; i < length; i++) {
         characters += ((unsigned char)sentence[i] & 0xc0) != 0x80;
-        if (sentence[i] == ' ')
+        if (sentence[i] == ' ' && i > 0) {
             word = i;
-        if (characters > THUMBNAIL_LINE)
-            return word ? word : i;
+            clause = strchr(",;:", sentence[i - 1]) ? i - 1 : clause;
+        }
+        if (characters > THUMBNAIL_LINE) {
+            *whole = clause > 0;
+            return clause ? clause : word ? word : i;
+        }
     }
     return length;
 }
@@ -44,13 +50,12 @@ static const char *line_of(Thumbnail *thumbnail, const char *note) {
     static const char assumed[] = "assumed plan: ";
     bool is_assumed = strncmp(note, assumed, strlen(assumed)) == 0;
     const char *sentence = is_assumed ? note + strlen(assumed) : note;
-    size_t length = sentence_of(sentence), shown = shortened(sentence, length);
+    bool whole;
+    size_t shown = shortened(sentence, sentence_of(sentence), &whole);
     if (!shown)
         return "";
-    while (shown < length && shown > 1 && strchr(",;:", sentence[shown - 1]))
-        shown--;
     return text_in_arena(&thumbnail->arena, "%c%.*s%s%s", toupper((unsigned char)sentence[0]), (int)shown - 1,
-                         sentence + 1, shown < length ? " \u2026" : "", is_assumed ? " (assumed plan)" : "");
+                         sentence + 1, whole ? "" : " \u2026", is_assumed ? " (assumed plan)" : "");
 }
 
 static void set_texts(Thumbnail *thumbnail, const char *path, const char *name, const char *note) {

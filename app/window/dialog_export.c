@@ -7,6 +7,7 @@
 #include "window/autosave.h"
 #include "window/dialog_pane.h"
 #include "window/files.h"
+#include "window/lesson.h"
 #include "window/notice.h"
 #include "window/plan_input.h"
 
@@ -114,8 +115,12 @@ void dialog_export_show(Window *window) {
     ui_heading(window->ui, "Present view");
     show_now(window);
     ui_heading(window->ui, "Whole run, in the background");
+    bool guesses = lesson_hides(window);
+    if (guesses)
+        ui_text(window->ui, UI_BODY, ROLE_TEXT,
+                "The class guesses first: what the run tells can be written once you go on with PgDn.");
     for (size_t i = 0; i < MAKINGS && window->dialog == DIALOG_EXPORT; i++) {
-        if (makings[i].ending && !tab_editor(tab))
+        if (makings[i].ending ? !tab_editor(tab) : guesses)
             continue;
         const char *label = text_in_arena(&window->arena, "%s: %s", makings[i].label, makings[i].meaning);
         if (ui_list_row(window->ui,

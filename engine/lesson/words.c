@@ -52,7 +52,7 @@ const char *words_fill(const Lesson *lesson, const char *text, Arena *arena) {
         if (number && number->condition.verdict != VERDICT_NOT_RUN)
             text_add(&all, words_value(number->condition.value, number->digits, number->condition.unit, arena));
         else
-            text_add(&all, "(\u2026)");
+            text_add(&all, "(being worked out)");
     }
     text_add(&all, text);
     const char *filled = text_in_arena(arena, "%s", all.text ? all.text : "");

@@ -4,8 +4,7 @@
 
 #include "lesson/lesson.h"
 
-/* Returns the text with its numbers in the arena; a number that is not known yet is shown as an ellipsis in brackets.
- */
+/* Returns the text with its numbers in the arena; in the place of one that is not known yet it says so. */
 const char *words_fill(const Lesson *lesson, const char *text, Arena *arena);
 
 /* Returns the name of the first number in the text that the lesson does not have, in the arena; NULL: it has all. */

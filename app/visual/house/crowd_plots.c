@@ -156,7 +156,7 @@ static void add_capacities(Plot *plot, const Plan *plan, Arena *arena) {
     for (size_t i = 0; i < count && i < 2; i++)
         plot->guides[plot->guide_count++] =
             (PlotGuide){.at = FLOW_OF_EXIT * widths[i],
-                        .name = text_in_arena(arena, "%.1f per m and s, %.2f m", FLOW_OF_EXIT, widths[i]),
+                        .name = text_in_arena(arena, "capacity of %.2f m, %.1f / (m s)", widths[i], FLOW_OF_EXIT),
                         .role = ROLE_DIM_TEXT,
                         .style = LINE_DASHED};
 }

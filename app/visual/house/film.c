@@ -150,7 +150,7 @@ static void make_still(Film *film) {
     if (!film->crowd)
         mark_routes(film);
     if (!film->crowd)
-        plan_scene_signs(scene, &rest);
+        plan_scene_tags(scene, &rest, NULL);
     bool tells = (hidden & (FILM_DANGER | FILM_LOCI)) != (FILM_DANGER | FILM_LOCI); /* something of the result */
     if (!film->options.rests && tells)
         add_blockages(film);

@@ -222,10 +222,7 @@ static void add_exits(Film *film) {
         if (out && person->exit < plan->exit_count) /* otherwise by an exit that no longer exists */
             left[person->exit]++;
     }
-    for (size_t e = 0; e < plan->exit_count; e++) {
-        const char *text = scene_text(&film->moving, "EXIT %s: %zu", plan->exits[e].id, left[e]);
-        plan_scene_sign(&film->moving, film->house, &plan->exits[e], text);
-    }
+    plan_scene_tags(&film->moving, film->house, left);
     memory_free(left);
 }
 

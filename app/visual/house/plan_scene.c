@@ -302,18 +302,6 @@ static void add_toppled_tags(Scene *scene, const Plan *plan) {
     }
 }
 
-void plan_scene_tags(Scene *scene, const House *house, const size_t *left) {
-    const Plan *plan = &house->plan;
-    for (size_t i = 0; i < plan->exit_count; i++) {
-        const Exit *exit = &plan->exits[i];
-        const char *text = exit_name(scene, plan, exit);
-        if (left)
-            text = scene_text(scene, "%s: %zu", text, left[i]);
-        plan_scene_sign(scene, house, exit, text);
-    }
-    add_toppled_tags(scene, plan);
-}
-
 /* True if chairs may leave by an exit: they come to rest just outside its middle. */
 static bool chairs_leave_by(const House *house, const Exit *exit) {
     for (size_t i = 0; i < house->person_count; i++) {
@@ -325,9 +313,10 @@ static bool chairs_leave_by(const House *house, const Exit *exit) {
     return false;
 }
 
-/* Places the sign outside the middle of the exit unless chairs come there, otherwise next to one of its ends, otherwise
- * inside. */
-void plan_scene_sign(Scene *scene, const House *house, const Exit *exit, const char *text) {
+/* Adds the sign of an exit, and on it how many have left by it, if `left` is given: outside the middle of the exit
+ * unless chairs come there, otherwise next to one of its ends, otherwise inside. */
+static void add_sign(Scene *scene, const House *house, const Exit *exit, const size_t *left) {
+    const char *name = exit_name(scene, &house->plan, exit);
     Vec2 middle = vec2_scale(vec2_add(house->outline.box.low, house->outline.box.high), 0.5);
     Vec2 at = vec2_scale(vec2_add(exit->from, exit->to), 0.5), along = vec2_sub(exit->to, exit->from);
     Vec2 out = vec2_left(along);
@@ -340,15 +329,15 @@ void plan_scene_sign(Scene *scene, const House *house, const Exit *exit, const c
                      at,   vec2_add(at, out),
                      at,   vec2_sub(at, out)};
     size_t skipped = chairs_leave_by(house, exit) ? 2 : 0;
-    Primitive *sign = add_tag(scene, ROLE_EXIT_TAG, at, text);
+    Primitive *sign = add_tag(scene, ROLE_EXIT_TAG, at, left ? scene_text(scene, "%s: %zu", name, *left) : name);
     scene_bind_label(scene, sign, places + skipped, sizeof places / sizeof *places - skipped);
-    sign->brief = "EXIT";
+    sign->brief = left ? scene_text(scene, "%s: %zu", house->plan.exit_count > 1 ? exit->id : "out", *left) : "EXIT";
     sign->fixed = true;
 }
 
-void plan_scene_signs(Scene *scene, const House *house) {
+void plan_scene_tags(Scene *scene, const House *house, const size_t *left) {
     for (size_t i = 0; i < house->plan.exit_count; i++)
-        plan_scene_sign(scene, house, &house->plan.exits[i], exit_name(scene, &house->plan, &house->plan.exits[i]));
+        add_sign(scene, house, &house->plan.exits[i], left ? &left[i] : NULL);
     add_toppled_tags(scene, &house->plan);
 }
 

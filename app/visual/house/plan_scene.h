@@ -28,10 +28,6 @@ void plan_scene_place(Scene *scene, const Furniture *piece);
  * left by each exit, or is NULL. */
 void plan_scene_tags(Scene *scene, const House *house, const size_t *left);
 
-/* Adds the signs of all exits and the tags; adds one sign with its own text, outside the middle of the exit or where
- * there is room next to it. */
-void plan_scene_signs(Scene *scene, const House *house);
-void plan_scene_sign(Scene *scene, const House *house, const Exit *exit, const char *text);
 void plan_scene_names(Scene *scene, const House *house);
 
 /* Adds the same names, and shows each: one too long for its piece stands next to it, with a line to it. */

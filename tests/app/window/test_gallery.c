@@ -142,8 +142,16 @@ TEST(a_line_is_the_first_sentence_shortened) {
     check_line(
         "assumed plan: the fundamental passage, a leg of 4 m and W1 = 0.78 m, a right-angle corner to the left, a "
         "leg of 4 m",
-        "The fundamental passage, a leg of 4 m and W1 = 0.78 m, a right-angle corner to the left, a leg of 4 \u2026 "
-        "(assumed plan)");
+        "The fundamental passage, a leg of 4 m and W1 = 0.78 m, a right-angle corner to the left (assumed plan)");
+    check_line("a sentence whose first clause is longer than what a card of the gallery has room for, so that a word "
+               "ends it, and not a clause",
+               "A sentence whose first clause is longer than what a card of the gallery has room for");
+    check_line(
+        "a sentence of one clause only that is longer than what a card of the gallery has room for, a hundred of them",
+        "A sentence of one clause only that is longer than what a card of the gallery has room for");
+    check_line(
+        "a sentence of one clause only that is a good deal longer than what a card of the gallery has room for",
+        "A sentence of one clause only that is a good deal longer than what a card of the gallery has room \u2026");
 }
 
 static bool has_plot(const Laboratory *laboratory, void *session, const char *name) {

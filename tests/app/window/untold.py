@@ -34,6 +34,12 @@ for name in LESSONS:
         for key in ["Tab"] * 8 + ["F6"] * 5:
             screen.keys(key)
             told |= seen(screen)
+        screen.keys("ctrl+e")
+        told |= seen(screen)
+        rows = {text.split(":")[0] for text in seen(screen)}
+        check(screen.state()["sheet"] == "export" and not rows & {"Data", "Plots", "Report", "Film"},
+              f"{what}: nor can it be written to a file", rows)
+        screen.keys("Escape")
         while screen.state()["focus"] != "view":
             screen.keys("F6")
         screen.keys(*(("0", "period", "9", "Return") if name == "smallest-corner" else ("1", "1", "2")))

@@ -81,7 +81,7 @@ TEST(numbers_stand_in_texts_once_they_are_known) {
     LessonNumber numbers[] = {{.name = "wide", .digits = 1, .condition = {.unit = "s"}}};
     Lesson lesson = {.numbers = numbers, .number_count = 1};
     Arena arena = {0};
-    CHECK_TEXT(words_fill(&lesson, "out in {wide}.", &arena), "out in (\u2026).");
+    CHECK_TEXT(words_fill(&lesson, "out in {wide}.", &arena), "out in (being worked out).");
     condition_judge(&numbers[0].condition, 18.66);
     CHECK_TEXT(words_fill(&lesson, "out in {wide}.", &arena), "out in 18.7 s.");
     CHECK_TEXT(words_unknown(&lesson, "{wide} {narrow}", &arena), "narrow");

@@ -227,7 +227,7 @@ TEST(a_crowd_is_counted_out) {
             text = primitive->kind == PRIMITIVE_LABEL ? primitive->text : text;
         }
         char expected[32];
-        snprintf(expected, sizeof expected, "EXIT e1: %zu", house.person_count - inside);
+        snprintf(expected, sizeof expected, "EXIT: %zu", house.person_count - inside);
         CHECK(shown == inside);
         CHECK_TEXT(text, expected);
     }
