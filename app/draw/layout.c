@@ -135,18 +135,19 @@ static double place_mark(Layout *layout, const SceneRow *row, double left, doubl
     return end;
 }
 
-/* Places the mark of a row, widths[0] wide, and its cells; all cells but the first are aligned right in their columns.
- */
+/* Places the mark of a row, widths[0] wide, and its cells; all cells but the first are aligned right in their columns,
+ * and the first one has the room before the row's own next one. */
 static void place_row(Layout *layout, const SceneRow *row, Box column, const double *widths, double y) {
-    double left = place_mark(layout, row, column.low.x, widths[0], y), right = column.high.x;
+    double left = place_mark(layout, row, column.low.x, widths[0], y), right = column.high.x, room = right;
     for (size_t c = ROW_CELLS; c-- > 1;) {
         if (row->cells[c]) {
             double width = text_extent(row->cells[c], ROW_TEXT, false).x;
             add_text(layout, ROLE_TEXT, row->cells[c], ROW_TEXT, false, right - width, right, y);
+            room = right - width - CELL_GAP;
         }
         right -= widths[c] > 0 ? widths[c] + CELL_GAP : 0;
     }
-    add_text(layout, ROLE_TEXT, row->cells[0], ROW_TEXT, false, left, right, y);
+    add_text(layout, ROLE_TEXT, row->cells[0], ROW_TEXT, false, left, room, y);
 }
 
 /* Places the rows of one section in a column of the page; `pitch` scales the row heights. */
