@@ -31,7 +31,6 @@ enum { RING_POINTS = 36 };
 #define CHANGE_TICK 6.0
 
 #define WHEEL_ZOOM 1.15
-#define READ_OUT_FOOT 56.0 /* from the foot of a plot to its read-out, above axis and title */
 
 static Vec2 middle_of(Box box) {
     return vec2_scale(vec2_add(box.low, box.high), 0.5);
@@ -394,8 +393,9 @@ static void show_read_out(Window *window, Tab *tab, PlotPane *pane, size_t plot,
         return;
     Vec2 extent = ui_extent(window->ui, UI_BODY, text);
     double left = fmin(fmax(nearest.x + 10, pane->place.low.x), pane->place.high.x - extent.x - 8);
-    bool upper = nearest.y < (pane->place.low.y + pane->place.high.y) / 2; /* in the half without the point */
-    double top = upper ? pane->place.high.y - extent.y - READ_OUT_FOOT : pane->place.low.y;
+    Box frame = plot_panes_frame(pane);
+    bool upper = nearest.y < (frame.low.y + frame.high.y) / 2; /* in the half without the point, not over the title */
+    double top = upper ? frame.high.y - extent.y - 6 : frame.low.y + 2;
     ui_draw_disc(window->ui, nearest, 4, ROLE_TEXT);
     ui_draw_box(window->ui, (Box){{left - 4, top}, {left + extent.x + 4, top + extent.y + 4}}, ROLE_PANEL, 1);
     ui_draw_text(window->ui, UI_BODY, ROLE_TEXT, vec2(left, top + extent.y / 2 + 2), 0, text);

@@ -141,8 +141,7 @@ static Vec2 place_of(const PlotPane *pane, Vec2 value) {
     return vec2_along(pane->place.low, 1 / pane->unit, plot_canvas_place(pane->canvas, value));
 }
 
-/* Returns the box within the axes, design points of the window. */
-static Box frame_of(const PlotPane *pane) {
+Box plot_panes_frame(const PlotPane *pane) {
     Box frame = plot_canvas_frame(pane->canvas);
     return (Box){vec2_along(pane->place.low, 1 / pane->unit, frame.low),
                  vec2_along(pane->place.low, 1 / pane->unit, frame.high)};
@@ -164,7 +163,7 @@ static void mark_tail(const PlotPane *pane, const PlotSeries *series, size_t fir
 /* Marks the present end of each series. */
 static void mark_present(const PlotPane *pane, const Laboratory *laboratory, const void *session, size_t index,
                          double time, Ui *ui) {
-    Box frame = frame_of(pane);
+    Box frame = plot_panes_frame(pane);
     for (size_t s = 0; s < pane->shown.series_count && !pane->source.still; s++) {
         const PlotSeries *series = &pane->shown.series[s];
         size_t count = laboratory->points_until(session, index, s, time);
@@ -183,7 +182,7 @@ static void mark_present(const PlotPane *pane, const Laboratory *laboratory, con
 
 /* Draws the cursor, a vertical line with a label. */
 static void draw_cursor(const PlotPane *pane, double x, const char *text, Ui *ui) {
-    Box frame = frame_of(pane);
+    Box frame = plot_panes_frame(pane);
     double at = place_of(pane, vec2(x, plot_canvas_value(pane->canvas, vec2(0, 0)).y)).x;
     if (!(at >= frame.low.x && at <= frame.high.x))
         return;
@@ -199,7 +198,7 @@ static void draw_cursor(const PlotPane *pane, double x, const char *text, Ui *ui
 
 /* Draws the cursor of y, a level line. */
 static void draw_cursor_y(const PlotPane *pane, double y, Ui *ui) {
-    Box frame = frame_of(pane);
+    Box frame = plot_panes_frame(pane);
     double at = place_of(pane, vec2(plot_canvas_value(pane->canvas, vec2(0, 0)).x, y)).y;
     if (at >= frame.low.y && at <= frame.high.y)
         ui_draw_line(ui, vec2(frame.low.x, at), vec2(frame.high.x, at), ROLE_IMPACT, CURSOR_WIDTH);
@@ -212,7 +211,7 @@ Vec2 plot_panes_place(Box frame, Vec2 part) {
 static void draw_box(const PlotPane *pane, Ui *ui) {
     if (!pane->box.corner)
         return;
-    Box frame = frame_of(pane);
+    Box frame = plot_panes_frame(pane);
     Vec2 from = plot_panes_place(frame, pane->box.from), to = plot_panes_place(frame, pane->box.to);
     ui_draw_disc(ui, pane->box.corner == 1 ? from : to, NOW_RADIUS, ROLE_IMPACT);
     if (pane->box.corner == 2)
@@ -238,7 +237,7 @@ void plot_panes_show(PlotPane *pane, const Laboratory *laboratory, const void *s
 /* Reading and zooming ---------------------------------------------------------------------------------------------- */
 
 bool plot_panes_value(const PlotPane *pane, Vec2 at, Vec2 *value) {
-    if (!pane->canvas || !box_holds(frame_of(pane), at))
+    if (!pane->canvas || !box_holds(plot_panes_frame(pane), at))
         return false;
     *value = plot_canvas_value(pane->canvas, vec2_scale(vec2_sub(at, pane->place.low), pane->unit));
     return true;

@@ -66,6 +66,9 @@ void plot_panes_zoom(PlotPane *pane, Vec2 from, Vec2 to);
 void plot_panes_zoom_back(PlotPane *pane);
 void plot_panes_fit(PlotPane *pane);
 
+/* Returns the box within the axes, design points of the window. */
+Box plot_panes_frame(const PlotPane *pane);
+
 /* Returns the axes shown, whether chosen or the plot's own. */
 PlotPaneAxes plot_panes_axes(const PlotPane *pane);
 
