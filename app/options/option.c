@@ -325,9 +325,9 @@ const Option option_rows[] = {
 
     {"--size", OPTION_READ, NO_FIELD, NO_RANGE, "WxH",
      "size of the window in pixels, 320x200 to 16384x16384 (default: as last time)", GROUP_WINDOW,
-     FOR_OPEN | FOR_LESSON | FOR_LESSON, NULL, read_size},
+     FOR_OPEN | FOR_LESSON, NULL, read_size},
     {"--theme", OPTION_CHOICE, FIELD(theme), NO_RANGE, THEME_NAMES,
-     "light (paper) or dark (board) (default: as last time)", GROUP_WINDOW, FOR_OPEN, THEME_NAMES, NULL},
+     "light (paper) or dark (board) (default: as last time)", GROUP_WINDOW, FOR_OPEN | FOR_LESSON, THEME_NAMES, NULL},
     {"--text", OPTION_WHOLE, FIELD(text), 1, 3, "1|2|3", "size of the text (default: as last time)", GROUP_WINDOW,
      FOR_OPEN | FOR_LESSON, "1|2|3", NULL},
     {"--reduced-motion", OPTION_FLAG, FIELD(reduced_motion), NO_RANGE, NULL,
