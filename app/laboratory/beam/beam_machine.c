@@ -114,7 +114,6 @@ static void clear_carry(MachineCarry *carry) {
 const MachineKind beam_machine = {
     .word = "beam",
     .cycle = "cycle",
-    .start = "from rest",
     .from = "From rest",
     .provenances = offsetof(Beam, provenance),
     .table = beam_table,

@@ -113,7 +113,6 @@ static void clear_carry(MachineCarry *carry) {
 const MachineKind crank_machine = {
     .word = "crank",
     .cycle = "revolution",
-    .start = "from its start",
     .from = "From its start",
     .provenances = offsetof(Crank, provenance),
     .table = crank_table,

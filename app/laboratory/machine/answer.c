@@ -223,7 +223,7 @@ void machine_answer_note_doing(MachineAnswer *answer, const MachineKind *kind, c
     if (news->following) {
         snprintf(answer->doing, size, "following the orbit");
     } else if (news->deciding) {
-        snprintf(answer->doing, size, "verdict: running %s", kind->start);
+        snprintf(answer->doing, size, "finding the verdict");
     } else if (news->map.all && (done >= all || done >= kind->before_type)) {
         snprintf(answer->doing, size, "map of types: %zu of %zu cells", news->map.done, news->map.all);
         answer->result.part = (double)news->map.done / (double)news->map.all;

@@ -72,8 +72,7 @@ enum { MACHINE_MAP_AXES = 2, MACHINE_MAP_CELLS = 128 };
 typedef struct MachineKind {
     const char *word;   /* "beam" */
     const char *cycle;  /* "cycle", "revolution" */
-    const char *start;  /* "from rest" */
-    const char *from;   /* the same as a heading */
+    const char *from;   /* "From rest", a heading */
     size_t provenances; /* offset of the provenances, one per row of the table, in a machine */
     const ParameterTable *(*table)(void);
     const MachineLooks *looks; /* (look_count) at most MACHINE_VALUES */
