@@ -427,8 +427,8 @@ def budget(kind, name):
         return (2, 3) if name in pictures else (6, 6)
     few = name in pictures or name in slow
     if kind == "allocation":
-        return (1, 2) if few else (2, 3)
-    return (2, 2) if few else (3, 5)
+        return (1, 1) if few else (2, 3)
+    return (1, 2) if few else (3, 5)
 
 
 def main():
