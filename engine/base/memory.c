@@ -1,5 +1,7 @@
 #include "base/memory.h"
 
+#include <lapacke.h>
+#include <lapacke_utils.h>
 #include <malloc.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -18,6 +20,13 @@ void memory_end(void) {
     static const char message[] = "clearance: out of memory\n";
     (void)!write(STDERR_FILENO, message, sizeof message - 1);
     _exit(3);
+}
+
+/* Takes the place of LAPACKE's own, which prints to standard output that it lacks memory, and goes on. */
+void LAPACKE_xerbla(const char *name, lapack_int info) {
+    (void)name;
+    if (info == LAPACK_WORK_MEMORY_ERROR || info == LAPACK_TRANSPOSE_MEMORY_ERROR)
+        memory_end();
 }
 
 void memory_return_freed(void) {
