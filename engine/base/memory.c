@@ -1,7 +1,5 @@
 #include "base/memory.h"
 
-#include <lapacke.h>
-#include <lapacke_utils.h>
 #include <malloc.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -22,10 +20,16 @@ void memory_end(void) {
     _exit(3);
 }
 
-/* Takes the place of LAPACKE's own, which prints to standard output that it lacks memory, and goes on. */
-void LAPACKE_xerbla(const char *name, lapack_int info) {
+/* Takes the place of LAPACKE's own (lapacke_utils.h), which prints to standard output that it lacks memory, and goes
+ * on.
+ */
+enum { LAPACKE_WORK_MEMORY = -1010, LAPACKE_TRANSPOSE_MEMORY = -1011 };
+
+void LAPACKE_xerbla(const char *name, int info);
+
+void LAPACKE_xerbla(const char *name, int info) {
     (void)name;
-    if (info == LAPACK_WORK_MEMORY_ERROR || info == LAPACK_TRANSPOSE_MEMORY_ERROR)
+    if (info == LAPACKE_WORK_MEMORY || info == LAPACKE_TRANSPOSE_MEMORY)
         memory_end();
 }
 
