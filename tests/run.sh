@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 
 case ${1:-} in
 '') suites='--suite quick' ;;
---all) suites='--no-suite cluster --no-suite thorough' ;; # which need programs that few machines have, and an hour more
+--all) suites='--no-suite cluster --no-suite thorough' ;; # which need programs that few machines have, or take longest
 *)
     echo "usage: sh tests/run.sh [--all]" >&2
     exit 2

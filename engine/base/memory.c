@@ -20,11 +20,10 @@ void memory_end(void) {
     _exit(3);
 }
 
-/* Takes the place of LAPACKE's own (lapacke_utils.h), which prints to standard output that it lacks memory, and goes
- * on.
- */
+/* LAPACKE's numbers for a lack of memory; the layers keep lapacke.h out of here. */
 enum { LAPACKE_WORK_MEMORY = -1010, LAPACKE_TRANSPOSE_MEMORY = -1011 };
 
+/* Takes the place of LAPACKE's own, which prints to standard output that it lacks memory, and goes on. */
 void LAPACKE_xerbla(const char *name, int info);
 
 void LAPACKE_xerbla(const char *name, int info) {

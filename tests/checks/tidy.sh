@@ -1,9 +1,5 @@
 # Sourced by tests/run.sh and .ci/run: a run of tests has a temporary folder of its own, and leaves nothing in it.
 
-# Tests give way to other programs, but not their threads to one another: several windows that paint would leave nothing
-# to the threads that compute what they wait for, which are less urgent (app/laboratory/house/worker.c).
-chrt --idle --pid 0 $$ 2>/dev/null || true
-
 # tidy_begin: makes the folder, which is TMPDIR from then on. Tests that act as other users go through it.
 tidy_begin() {
     TMPDIR=$(env -u TMPDIR mktemp -d)

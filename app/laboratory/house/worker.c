@@ -1,12 +1,7 @@
 #include "laboratory/house/worker.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include "base/stop.h"
-
-/* Nice values: a frame waits for neither the answer nor for what comes after it. */
-enum { GIVES_WAY = 10, LOW = 15 };
+#include "laboratory/urgency.h"
 
 struct HouseWorker {
     pthread_t thread;
@@ -41,8 +36,7 @@ static HouseRun *wait_for_run(HouseWorker *worker) {
 
 static void *work(void *context) {
     HouseWorker *worker = context;
-    /* of this thread, and of those that it starts */
-    setpriority(PRIO_PROCESS, (id_t)gettid(), worker->low ? LOW : GIVES_WAY);
+    urgency_set(worker->low ? URGENCY_AFTERWARDS : URGENCY_ANSWER);
     pthread_mutex_lock(&worker->mutex);
     while ((worker->current = wait_for_run(worker))) {
         HouseRun *run = worker->current;

@@ -3,15 +3,11 @@
 #include <math.h>
 #include <pthread.h>
 #include <string.h>
-#include <sys/resource.h>
 #include <time.h>
 
 #include "base/stopwatch.h"
 #include "base/stop.h"
-
-enum {
-    GIVES_WAY = 10, /* nice value of the thread */
-};
+#include "laboratory/urgency.h"
 
 typedef struct Question {
     bool asked;
@@ -265,10 +261,10 @@ static bool wants_band(const MachineWorker *worker) {
     return worker->sweeps && worker->swept && !is_asked(worker) && worker->news.bands.count < worker->kind->bands;
 }
 
-/* Works until the worker is stopped. Threads started by this one inherit its low priority. */
+/* Works until the worker is stopped. */
 static void *work(void *context) {
     MachineWorker *worker = context;
-    setpriority(PRIO_PROCESS, 0, GIVES_WAY);
+    urgency_set(URGENCY_ANSWER);
     pthread_mutex_lock(&worker->lock);
     while (!worker->quit) {
         double now = stopwatch_now();

@@ -222,7 +222,7 @@ static void add_exits(Film *film) {
         if (out && person->exit < plan->exit_count) /* otherwise by an exit that no longer exists */
             left[person->exit]++;
     }
-    plan_scene_tags(&film->moving, film->house, left);
+    plan_scene_signs(&film->moving, film->house, left);
     memory_free(left);
 }
 

@@ -335,9 +335,13 @@ static void add_sign(Scene *scene, const House *house, const Exit *exit, const s
     sign->fixed = true;
 }
 
-void plan_scene_tags(Scene *scene, const House *house, const size_t *left) {
+void plan_scene_signs(Scene *scene, const House *house, const size_t *left) {
     for (size_t i = 0; i < house->plan.exit_count; i++)
         add_sign(scene, house, &house->plan.exits[i], left ? &left[i] : NULL);
+}
+
+void plan_scene_tags(Scene *scene, const House *house, const size_t *left) {
+    plan_scene_signs(scene, house, left);
     add_toppled_tags(scene, &house->plan);
 }
 

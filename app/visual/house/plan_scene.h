@@ -23,11 +23,11 @@ void plan_scene_moving(Scene *scene, const House *house, const double *door_open
 void plan_scene_falling(Scene *scene, const FurnitureFall *fall, bool raised);
 void plan_scene_place(Scene *scene, const Furniture *piece);
 
-/* Adds labels, which claim their places in this order: signs of exits and tags of toppled furniture early, names of
- * rooms and furniture late; a name without room in its outline is left out. `left` (exit_count) holds how many people
- * left by each exit, or is NULL. */
+/* Adds labels, which claim their places in this order: signs of exits, and after them tags of toppled furniture, early,
+ * names of rooms and furniture late; a name without room in its outline is left out. `left` (exit_count) holds how many
+ * people left by each exit, or is NULL. */
+void plan_scene_signs(Scene *scene, const House *house, const size_t *left);
 void plan_scene_tags(Scene *scene, const House *house, const size_t *left);
-
 void plan_scene_names(Scene *scene, const House *house);
 
 /* Adds the same names, and shows each: one too long for its piece stands next to it, with a line to it. */

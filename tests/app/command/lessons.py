@@ -1,10 +1,14 @@
 #!/usr/bin/env python3
-"""Tests lessons on the command line: every goal is reached and missed as its script says, and sheets have the same bytes."""
+"""Tests lessons on the command line: every goal is reached and missed as its script says, and sheets have the same bytes.
+
+lessons.py CLEARANCE [--all]: with the lesson that takes a minute of processor time, and its sheet, too
+"""
 
 import json
 import pathlib
 import shutil
 import subprocess
+import sys
 import tempfile
 
 from program import check, end, expect, source
@@ -13,9 +17,11 @@ listed = expect(0, "lesson", "list").stdout
 names = sorted(path.stem for path in (source / "assets/lessons").glob("*.json"))
 check(len(names) >= 8 and all(name in listed for name in names), f"list: {listed}")
 
-checked = expect(0, "lesson", "check", patience=1800).stdout  # 80 s of processor time
-check(checked.count("expectations of its script are met") == len(names), f"check: {checked}")
-check(checked.count("the goal of step") >= len(names), f"goals: {checked}")
+every = "--all" in sys.argv
+tried = [name for name in names if every or name != "one-per-cent-faster"]
+checked = expect(0, "lesson", "check", *tried, patience=1800).stdout
+check(checked.count("expectations of its script are met") == len(tried) >= len(names) - 1, f"check: {checked}")
+check(checked.count("the goal of step") >= len(tried), f"goals: {checked}")
 
 with tempfile.TemporaryDirectory() as folder:
     folder = pathlib.Path(folder)
@@ -27,11 +33,11 @@ with tempfile.TemporaryDirectory() as folder:
         sheets[turn] = {path.name: path.read_bytes() for path in (folder / turn).glob("*.pdf")}
     check(len(sheets["first"]) == 4 and sheets["first"] == sheets["second"], "the sheets differ")
 
-    # A pupil's sheet does not tell what the class guesses first.
-    sheet = folder / "first" / "one-per-cent-faster.pdf"
-    expect(0, "lesson", "sheet", "one-per-cent-faster", "--out", str(sheet.parent), patience=1800)
-    words = subprocess.run(["pdftotext", "-layout", str(sheet), "-"], capture_output=True, text=True).stdout
-    check("We guessed" in words and "51" not in words, f"the sheet for pupils tells the result: {words}")
+    if every:  # a pupil's sheet does not tell what the class guesses first
+        sheet = folder / "first" / "one-per-cent-faster.pdf"
+        expect(0, "lesson", "sheet", "one-per-cent-faster", "--out", str(sheet.parent), patience=1800)
+        words = subprocess.run(["pdftotext", "-layout", str(sheet), "-"], capture_output=True, text=True).stdout
+        check("We guessed" in words and "51" not in words, f"the sheet for pupils tells the result: {words}")
 
     # A script that expects what is not so is found out.
     copy = folder / "lessons"
