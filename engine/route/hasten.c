@@ -47,15 +47,13 @@ typedef struct Hasten {
 static bool judge(Hasten *hasten, size_t low, size_t high, size_t joint, Joint joint_before) {
     Way *way = hasten->way;
     size_t begin = low > 0 ? low - 1 : 0, end = high + 1 < way->count ? high + 1 : high;
-    size_t wide = begin > 2 * SPEEDS_SPAN ? begin - 2 * SPEEDS_SPAN : 0, farthest = way->count - 1;
-    size_t far = end + 2 * SPEEDS_SPAN < farthest ? end + 2 * SPEEDS_SPAN : farthest;
     size_t first = 0, last = 0;
     way_set_axes(way, begin, end);
-    speeds_copy(&hasten->course, &hasten->tried, &hasten->now, wide > 2 * SPEEDS_SPAN ? wide - 2 * SPEEDS_SPAN : 0,
-                far + 2 * SPEEDS_SPAN < farthest ? far + 2 * SPEEDS_SPAN : farthest);
-    size_t look = begin > 0 ? begin - 1 : 0;
+    size_t from = begin > 0 ? begin - 1 : 0, to = end + 1 < way->count ? end + 1 : end;
+    bool good = way_reaches_goals(way) && way_is_smooth(way, from, to) &&
+                (!hasten->even || way_is_even(way, from, to)) &&
+                speeds_look(&hasten->course, &hasten->now, &hasten->tried, begin, end);
     double spots_before = 0, spots = 0;
-    bool good = speeds_look(&hasten->course, &hasten->tried, look, end < way->count - 1 ? end + 1 : end);
     if (good && joint < way->piece_count) {
         spots = speeds_at_joint(&hasten->course, joint);
         Joint now = way->joints[joint];
@@ -65,12 +63,9 @@ static bool judge(Hasten *hasten, size_t low, size_t high, size_t joint, Joint j
         good = way_spot_clearance(way, joint, hasten->course.space, hasten->course.body, hasten->course.margin) >=
                hasten->course.margin;
     }
-    size_t from = begin > 0 ? begin - 1 : 0, to = end < farthest ? end + 1 : end;
-    good =
-        good && way_reaches_goals(way) && way_is_smooth(way, from, to) && (!hasten->even || way_is_even(way, from, to));
     double gain = 0;
     if (good) {
-        speeds_run(&hasten->course, &hasten->now, &hasten->tried, wide, far, &first, &last);
+        speeds_run(&hasten->course, &hasten->now, &hasten->tried, begin, end, &first, &last);
         gain = speeds_sum(hasten->now.cost, first, last) - speeds_sum(hasten->tried.cost, first, last) + spots_before -
                spots;
         good = gain > GAIN;
@@ -87,7 +82,7 @@ static bool judge(Hasten *hasten, size_t low, size_t high, size_t joint, Joint j
             way->joints[joint] = joint_before;
         return false;
     }
-    speeds_copy(&hasten->course, &hasten->now, &hasten->tried, first, last);
+    speeds_take(&hasten->course, &hasten->now, &hasten->tried, first, last);
     hasten->sum -= gain;
     hasten->spare -= longer;
     return true;
@@ -326,7 +321,7 @@ static void hasten_begin(Hasten *hasten, Way *way, const FreeSpace *space, const
                        .now = speeds_make(count),
                        .tried = speeds_make(count),
                        .kept = memory_zeroed(count, sizeof(Station))};
-    speeds_look(&hasten->course, &hasten->now, 0, count - 1);
+    speeds_look(&hasten->course, &hasten->now, &hasten->now, 0, count - 1);
     speeds_run(&hasten->course, &hasten->now, &hasten->now, 0, count - 1, &first, &last);
     hasten->sum = speeds_sum(hasten->now.cost, 0, count - 1);
 }

@@ -24,7 +24,10 @@
 #define ROUGHNESS 5.0 /* s/rad2 */
 #define BETWEEN 0.06  /* m: with more clearance than this at both ends the motion between is not looked at */
 
-enum { ROOMS = 11 };
+enum {
+    ROOMS = 13,
+    SPAN = 2 /* stations on either side of one over which its curvature is the mean */
+};
 
 Speeds speeds_make(size_t count) {
     double *room = memory_zeroed(ROOMS * count, sizeof(double));
@@ -38,11 +41,13 @@ Speeds speeds_make(size_t count) {
                     room + 7 * count,
                     room + 8 * count,
                     room + 9 * count,
-                    room + 10 * count};
+                    room + 10 * count,
+                    room + 11 * count,
+                    room + 12 * count};
 }
 
 void speeds_free(Speeds *speeds) {
-    memory_free(speeds->clearance); /* where the room of all of them begins */
+    memory_free(speeds->own); /* where the room of all of them begins */
     *speeds = (Speeds){0};
 }
 
@@ -56,18 +61,27 @@ static bool rests(const Way *way, size_t s) {
     return s == way->pieces[k].first || (s == way->pieces[k].last && k + 1 < way->piece_count);
 }
 
+/* Return the first and the last station over which the curvature at a station is the mean. */
+static size_t lower(const WayPiece *piece, size_t s) {
+    return s >= piece->first + SPAN ? s - SPAN : piece->first;
+}
+
+static size_t upper(const WayPiece *piece, size_t s) {
+    return s + SPAN <= piece->last ? s + SPAN : piece->last;
+}
+
 double speeds_turn(const Speeds *speeds, size_t a, size_t b) {
     return vec2_wrap_angle(speeds->heading[b] - speeds->heading[a]);
 }
 
-static double mean_curvature(const Course *course, const Speeds *speeds, size_t s, size_t *low, size_t *high) {
+/* Returns the curvature at a station, rad/m: the mean over the SPAN stations on either side of it. */
+static double mean_curvature(const Course *course, const Speeds *speeds, size_t s) {
     const WayPiece *piece = &course->way->pieces[course->way->stations[s].piece];
-    *low = s >= piece->first + SPEEDS_SPAN ? s - SPEEDS_SPAN : piece->first;
-    *high = s + SPEEDS_SPAN <= piece->last ? s + SPEEDS_SPAN : piece->last;
-    return speeds_turn(speeds, *low, *high) / ((double)(*high - *low) * piece->step);
+    size_t low = lower(piece, s), high = upper(piece, s);
+    return speeds_turn(speeds, low, high) / ((double)(high - low) * piece->step);
 }
 
-/* Fills in what limits the speed at a station and on its way from and to it. */
+/* Fills in what limits the speed at a station and on its way from and to it; the curvatures about it are known. */
 static void find_limit(const Course *course, Speeds *speeds, size_t s) {
     const Profile *profile = course->profile;
     double clearance = speeds->clearance[s];
@@ -77,11 +91,9 @@ static void find_limit(const Course *course, Speeds *speeds, size_t s) {
     if (rests(course->way, s))
         return;
     const WayPiece *piece = &course->way->pieces[course->way->stations[s].piece];
-    size_t low, high, none;
-    double bend = mean_curvature(course, speeds, s, &low, &high);
-    double first = mean_curvature(course, speeds, low, &none, &none);
-    double last = mean_curvature(course, speeds, high, &none, &none);
-    double bending = (last - first) / ((double)(high - low) * piece->step);
+    size_t low = lower(piece, s), high = upper(piece, s);
+    double bend = speeds->bend[s];
+    double bending = (speeds->bend[high] - speeds->bend[low]) / ((double)(high - low) * piece->step);
     if (s > piece->first && s < piece->last) {
         double own = (speeds_turn(speeds, s, s + 1) - speeds_turn(speeds, s - 1, s)) / (piece->step * piece->step);
         bending = real_max(fabs(bending), fabs(own) * (PACE_MOMENT / PACE_OWN_MOMENT));
@@ -115,6 +127,7 @@ static double reachable(double speed, double acceleration, double step) {
 
 /* Takes over what a trial has not changed. */
 static void take_over(Speeds *to, const Speeds *from, size_t s) {
+    to->own[s] = from->own[s];
     to->clearance[s] = from->clearance[s];
     to->left[s] = from->left[s];
     to->right[s] = from->right[s];
@@ -124,10 +137,21 @@ static void take_over(Speeds *to, const Speeds *from, size_t s) {
     to->limit[s] = from->limit[s];
 }
 
-void speeds_run(const Course *course, const Speeds *from, Speeds *to, size_t low, size_t high, size_t *first,
+/* Returns the station `steps` before one, or after it, or the first or last one. */
+static size_t before(size_t station, size_t steps) {
+    return station > steps ? station - steps : 0;
+}
+
+static size_t after(const Way *way, size_t station, size_t steps) {
+    return station + steps < way->count ? station + steps : way->count - 1;
+}
+
+void speeds_run(const Course *course, const Speeds *from, Speeds *to, size_t begin, size_t end, size_t *first,
                 size_t *last) {
     const Way *way = course->way;
-    size_t count = way->count, s;
+    size_t low = before(begin, 2 * SPAN), high = after(way, end, 2 * SPAN), count = way->count, s;
+    for (s = before(low, SPAN); s <= after(way, high, SPAN); s++)
+        to->bend[s] = mean_curvature(course, to, s);
     for (s = low; s <= high; s++)
         find_limit(course, to, s);
     for (s = high + 1; s-- > 0;) {
@@ -150,8 +174,8 @@ void speeds_run(const Course *course, const Speeds *from, Speeds *to, size_t low
         }
         double back = to->back[s];
         const WayPiece *piece = &way->pieces[way->stations[s].piece];
-        double before = s == *first ? s > 0 ? from->speed[s - 1] : 0 : to->speed[s - 1];
-        to->speed[s] = s > piece->first ? real_min(back, reachable(before, to->starting[s], piece->step)) : back;
+        double slower = s == *first ? s > 0 ? from->speed[s - 1] : 0 : to->speed[s - 1];
+        to->speed[s] = s > piece->first ? real_min(back, reachable(slower, to->starting[s], piece->step)) : back;
         if (s > high && to->speed[s] == from->speed[s])
             break;
     }
@@ -170,24 +194,44 @@ double speeds_at_joint(const Course *course, size_t k) {
     return time;
 }
 
-bool speeds_look(const Course *course, Speeds *to, size_t low, size_t high) {
+/* Copies what is known of the places of the stations low to high. */
+static void copy_places(const Course *course, Speeds *to, const Speeds *from, size_t low, size_t high) {
+    size_t size = (high - low + 1) * sizeof(double);
+    if (to == from)
+        return;
+    if (course->centring) {
+        memcpy(to->left + low, from->left + low, size);
+        memcpy(to->right + low, from->right + low, size);
+    }
+    memcpy(to->own + low, from->own + low, size);
+    memcpy(to->clearance + low, from->clearance + low, size);
+    memcpy(to->heading + low, from->heading + low, size);
+}
+
+bool speeds_look(const Course *course, const Speeds *from, Speeds *to, size_t begin, size_t end) {
     const Way *way = course->way;
-    for (size_t s = low; s <= high; s++) {
+    for (size_t s = begin; s <= end; s++) {
         const Station *station = &way->stations[s];
         Vec2 middle = vec2_along(station->at, course->body->ahead, station->axis);
-        to->clearance[s] = course->centring
-                               ? freespace_sides(course->space, middle, station->axis, course->body->half_length,
-                                                 course->body->half_width, course->sight, &to->left[s], &to->right[s])
-                               : body_clearance(course, station, course->sight);
-        if (to->clearance[s] < course->margin)
+        to->own[s] = course->centring
+                         ? freespace_sides(course->space, middle, station->axis, course->body->half_length,
+                                           course->body->half_width, course->sight, &to->left[s], &to->right[s])
+                         : body_clearance(course, station, course->sight);
+        if (to->own[s] < course->margin)
             return false;
-    }
-    for (size_t s = low; s <= high; s++) {
-        const Station *station = &way->stations[s];
         to->heading[s] = real_atan2(station->axis.y, station->axis.x);
-        if (s == way->pieces[station->piece].last || s == high)
+    }
+    /* the curvature at the farthest station whose limit changes takes headings from 2 SPAN beyond it */
+    size_t low = before(begin, 4 * SPAN), high = after(way, end, 4 * SPAN);
+    if (low < begin)
+        copy_places(course, to, from, low, begin - 1);
+    if (high > end)
+        copy_places(course, to, from, end + 1, high);
+    for (size_t s = before(begin, 1); s <= end; s++) {
+        to->clearance[s] = to->own[s];
+        if (s == way->pieces[way->stations[s].piece].last)
             continue;
-        double least = real_min(to->clearance[s], to->clearance[s + 1]);
+        double least = real_min(to->own[s], to->own[s + 1]);
         int places = least < BETWEEN ? way_places(way, s) : 0;
         for (int i = 1; i <= places; i++) {
             Station middle = way_between(way, s, (double)i / (places + 1));
@@ -195,26 +239,21 @@ bool speeds_look(const Course *course, Speeds *to, size_t low, size_t high) {
             if (least < course->margin)
                 return false;
         }
-        to->clearance[s] = real_min(to->clearance[s], least);
+        to->clearance[s] = least;
     }
     return true;
 }
 
-void speeds_copy(const Course *course, Speeds *to, const Speeds *from, size_t low, size_t high) {
-    size_t size = (high - low + 1) * sizeof(double);
-    if (course->centring) {
-        memcpy(to->left + low, from->left + low, size);
-        memcpy(to->right + low, from->right + low, size);
-    }
-    memcpy(to->clearance + low, from->clearance + low, size);
-    memcpy(to->heading + low, from->heading + low, size);
-    memcpy(to->braking + low, from->braking + low, size);
-    memcpy(to->starting + low, from->starting + low, size);
-    memcpy(to->limit + low, from->limit + low, size);
-    memcpy(to->back + low, from->back + low, size);
-    memcpy(to->speed + low, from->speed + low, size);
-    memcpy(to->time + low, from->time + low, size);
-    memcpy(to->cost + low, from->cost + low, size);
+void speeds_take(const Course *course, Speeds *to, const Speeds *from, size_t first, size_t last) {
+    size_t stations = (last - first + 1) * sizeof(double), steps = (last - first) * sizeof(double);
+    copy_places(course, to, from, first, last);
+    memcpy(to->braking + first, from->braking + first, stations);
+    memcpy(to->starting + first, from->starting + first, stations);
+    memcpy(to->limit + first, from->limit + first, stations);
+    memcpy(to->back + first, from->back + first, stations);
+    memcpy(to->speed + first, from->speed + first, stations);
+    memcpy(to->time + first, from->time + first, steps);
+    memcpy(to->cost + first, from->cost + first, steps);
 }
 
 double speeds_sum(const double *steps, size_t low, size_t high) {

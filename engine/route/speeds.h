@@ -18,34 +18,33 @@ typedef struct Course {
     bool centring; /* True if the personal space has its price */
 } Course;
 
-/* The numbers of each station; `cost` is that of the step to the next one. */
+/* The numbers of each station; `time` and `cost` are those of the step to the next one. */
 typedef struct Speeds {
+    double *own;                  /* m, the clearance of the station */
     double *clearance;            /* m, the least of the station and the step after it */
     double *left, *right;         /* m, of the station, while centring */
     double *heading;              /* rad */
+    double *bend;                 /* rad/m, only about what speeds_run was asked for */
     double *braking, *starting;   /* m/s2, that the driver plans with */
     double *limit, *back, *speed; /* m/s */
     double *time, *cost;          /* s */
 } Speeds;
 
-/* Stations on either side of one over which its curvature is the mean. */
-enum { SPEEDS_SPAN = 2 };
-
 /* Return zeros for `count` stations, which speeds_free frees. */
 Speeds speeds_make(size_t count);
 void speeds_free(Speeds *speeds);
 
-/* Fills in headings and clearances of the stations low to high. Returns false if one is below the margin. */
-bool speeds_look(const Course *course, Speeds *to, size_t low, size_t high);
-
-/* Computes the limits of the stations low to high, whose headings and clearances are known, and then the speeds, times
- * and costs as far as they change: in [*first, *last]. `from` holds the values elsewhere, and may be the same as `to`
- * where all stations are asked for. */
-void speeds_run(const Course *course, const Speeds *from, Speeds *to, size_t low, size_t high, size_t *first,
+/* What changes where the stations begin to end have moved or turned. `from` holds the numbers from before, `to` gets
+ * those that may be others now; the two may be the same where all stations are asked for.
+ *
+ * speeds_look fills in headings and clearances, and returns false if a clearance of these stations, or of a step from
+ * or to one, is below the margin. speeds_run then computes the limits, and the speeds, times and costs as far as they
+ * change: at the stations [*first, *last] and on the steps between them. speeds_take takes these over, if the change
+ * is to stay. */
+bool speeds_look(const Course *course, const Speeds *from, Speeds *to, size_t begin, size_t end);
+void speeds_run(const Course *course, const Speeds *from, Speeds *to, size_t begin, size_t end, size_t *first,
                 size_t *last);
-
-/* Copies the numbers of the stations low to high. */
-void speeds_copy(const Course *course, Speeds *to, const Speeds *from, size_t low, size_t high);
+void speeds_take(const Course *course, Speeds *to, const Speeds *from, size_t first, size_t last);
 
 /* Returns the turn from one station to a later one of the same piece, rad. */
 double speeds_turn(const Speeds *speeds, size_t a, size_t b);
