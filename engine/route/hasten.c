@@ -16,19 +16,24 @@
  * how long a way takes, and whether more room can make it longer, does not depend on the price.
  *
  * A trial moves the stations about one of them along their normals (a bump), or a joint, or the end, all faded over
- * some stations; each place has its own length of step, which grows with success and shrinks with failure. A trial is
- * kept when the sum falls and no clearance is below the margin, at the stations and between them. The speeds are
- * computed again only as far as they change. */
+ * some stations; each place has its own length of step. A trial is kept when the sum falls and no clearance is below
+ * the margin, at the stations and between them. The speeds are computed again only as far as they change.
+ *
+ * A step h that succeeds grows. Where the sum rises by u and d with h and -h, the parabola through the three sums is
+ * least at h (d - u) / (2 (u + d)), by (d - u)^2 / (8 (u + d)): that is the next step, or, if it gains next to nothing,
+ * the place is left alone. Where something is in the way the step shrinks. */
 
 #define CENTRED 2e-3  /* 1, share of the time that the middle may cost */
 #define FIRST 0.01    /* m, first length of a trial */
 #define SHORTEST 2e-4 /* m: shorter ones are not tried */
 #define LONGEST 0.08  /* m */
 #define GAIN 1e-6     /* s */
+#define NOTHING 1e-5  /* s: places where less is to be gained are left alone */
+#define SHRINK 0.4    /* 1, of a step before an obstacle */
 #define STRAIGHT 1e-3 /* 1/m */
 #define MIDDLE 1e-2   /* m */
 
-enum { LEVELS = 6, REACHES = 4, LONG_RUN = 32, LEAST_CENTRING = 3 };
+enum { LEVELS = 5, SHORTEST_BUMP = 2, REACHES = 4, LONG_RUN = 32, LEAST_CENTRING = 2 };
 
 static const int joint_reaches[REACHES] = {2, 4, 8, 16};
 
@@ -40,6 +45,7 @@ typedef struct Hasten {
     Station *kept; /* (count) */
     double sum;    /* s, of the costs */
     double spare;  /* s, by which the way may still become slower, while centring */
+    double gained; /* s, by the latest trial; minus infinity if it was not possible */
 } Hasten;
 
 /* Judges a trial that has moved the stations low to high (the kept ones hold low - 1 to high + 1) and, if
@@ -48,6 +54,7 @@ static bool judge(Hasten *hasten, size_t low, size_t high, size_t joint, Joint j
     Way *way = hasten->way;
     size_t begin = low > 0 ? low - 1 : 0, end = high + 1 < way->count ? high + 1 : high;
     size_t first = 0, last = 0;
+    hasten->gained = -HUGE_VAL;
     way_set_axes(way, begin, end);
     size_t from = begin > 0 ? begin - 1 : 0, to = end + 1 < way->count ? end + 1 : end;
     bool good = way_reaches_goals(way) && way_is_smooth(way, from, to) &&
@@ -68,6 +75,7 @@ static bool judge(Hasten *hasten, size_t low, size_t high, size_t joint, Joint j
         speeds_run(&hasten->course, &hasten->now, &hasten->tried, begin, end, &first, &last);
         gain = speeds_sum(hasten->now.cost, first, last) - speeds_sum(hasten->tried.cost, first, last) + spots_before -
                spots;
+        hasten->gained = gain;
         good = gain > GAIN;
     }
     double longer = 0; /* s, by which the trial makes the way slower */
@@ -225,15 +233,27 @@ static void sweep_shifts(Hasten *hasten) {
     }
 }
 
+/* Returns the next step after one that gained too little in either direction: `there`, and `back` s. */
+static double next_step(double step, double there, double back) {
+    double loss = -(there + back);
+    if (!(loss > 0) || loss == HUGE_VAL)
+        return SHRINK * step;
+    if ((there - back) * (there - back) < NOTHING * 8 * loss)
+        return 0;
+    double least = step * (there - back) / (2 * loss);
+    return copysign(real_max(fabs(least), SHORTEST), least);
+}
+
 /* Tries a step in its direction, then the opposite one; adapts it. */
 #define TRY(step, trial)                                                                                               \
     do {                                                                                                               \
+        double there;                                                                                                  \
         if (trial(step))                                                                                               \
             (step) = copysign(real_min(2 * fabs(step), LONGEST), step);                                                \
-        else if (trial(-(step)))                                                                                       \
+        else if (there = hasten->gained, trial(-(step)))                                                               \
             (step) = -(step);                                                                                          \
         else                                                                                                           \
-            (step) *= 0.4;                                                                                             \
+            (step) = next_step(step, there, hasten->gained);                                                           \
     } while (0)
 
 typedef struct Steps {
@@ -246,13 +266,13 @@ static void sweep_bumps(Hasten *hasten, Steps *steps, int round) {
     Way *way = hasten->way;
     int least = hasten->course.centring ? LEAST_CENTRING : 0; /* short bumps hardly move the body's sides */
     for (int level = LEVELS - 1; level >= least; level--) {
-        int half = 1 << level;
-        size_t stride = half > 1 ? (size_t)half / 2 : 1;
+        int half = SHORTEST_BUMP << level;
+        size_t stride = (size_t)half / 2;
         for (size_t k = 0; k < way->piece_count; k++) {
             const WayPiece *piece = &way->pieces[k];
-            if (level > 0 && piece->last - piece->first < (size_t)half)
+            if (piece->last - piece->first < (size_t)half)
                 continue;
-            for (size_t s = piece->first + 1 + (half > 1 ? (size_t)round % stride : 0); s < piece->last; s += stride) {
+            for (size_t s = piece->first + 1 + (size_t)round % stride; s < piece->last; s += stride) {
                 double *step = &steps->bumps[(size_t)level * way->count + s];
                 size_t low = s >= piece->first + (size_t)half ? s - (size_t)half : piece->first;
                 size_t high = s + (size_t)half <= piece->last ? s + (size_t)half : piece->last;

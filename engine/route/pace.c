@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "base/real.h"
+
 /* 1, assumed: the share of the turn rate with which a driver plans; the rest is a reserve for coming back to the path.
  */
 static const double PLANNED_TURN = 0.9;
@@ -23,8 +25,8 @@ double pace_creep(const Profile *profile) {
 static double speed_in_gap(const Profile *profile, double free, double clearance) {
     double speed = profile->steering_time > 0 ? 2 * clearance / profile->steering_time : HUGE_VAL;
     if (clearance < profile->hands)
-        speed = fmin(speed, PACE_TUCKED_SPEED);
-    return fmin(fmax(speed, profile->creep > 0 ? profile->creep : profile->minimum_speed), free);
+        speed = real_min(speed, PACE_TUCKED_SPEED);
+    return real_min(real_max(speed, profile->creep > 0 ? profile->creep : profile->minimum_speed), free);
 }
 
 /* Returns the angular acceleration that is planned with, rad/s2. */
@@ -40,24 +42,24 @@ static double agility(const Profile *profile) {
 static double planned_turn(const Profile *profile) {
     double swung = profile->mass * profile->mass_centre;
     double held = swung > 0 ? sqrt(PLANNED_SWING * profile->push / swung) : HUGE_VAL;
-    return PLANNED_TURN * fmin(profile->turn_rate, held);
+    return PLANNED_TURN * real_min(profile->turn_rate, held);
 }
 
 double pace_at(const Profile *profile, double free, double clearance, double curvature, double bending, int direction) {
     double speed = speed_in_gap(profile, free, clearance);
     if (direction < 0)
-        speed = fmin(speed, profile->reversing_speed);
+        speed = real_min(speed, profile->reversing_speed);
     double bend = fabs(curvature), change = fabs(bending);
     if (bend > 0)
-        speed = fmin(speed, fmin(sqrt(profile->lateral_acceleration / bend), planned_turn(profile) / bend));
+        speed = real_min(speed, real_min(sqrt(profile->lateral_acceleration / bend), planned_turn(profile) / bend));
     if (change > 0)
-        speed = fmin(speed, sqrt(agility(profile) / change));
-    return fmax(speed, fmin(TURNING_CREEP, free));
+        speed = real_min(speed, sqrt(agility(profile) / change));
+    return real_max(speed, real_min(TURNING_CREEP, free));
 }
 
 double pace_price(const Profile *profile, double left, double right) {
     double reach = profile->space_reach;
-    double on_left = fmax(reach - left, 0), on_right = fmax(reach - right, 0);
+    double on_left = real_max(reach - left, 0), on_right = real_max(reach - right, 0);
     return reach > 0 ? PACE_PRICE * (on_left * on_left + on_right * on_right) / (reach * reach) : 0;
 }
 
@@ -67,16 +69,17 @@ double pace_enough(const Profile *profile) {
 
 static double strength(const Profile *profile, double clearance) {
     double share = clearance < profile->hands ? PACE_TUCKED_PUSH : 1;
-    return fmax(share * profile->push / profile->mass, WEAKEST);
+    return real_max(share * profile->push / profile->mass, WEAKEST);
 }
 
 double pace_starting(const Profile *profile, double clearance) {
-    return fmin(profile->acceleration, strength(profile, clearance));
+    return real_min(profile->acceleration, strength(profile, clearance));
 }
 
 double pace_braking(const Profile *profile, double clearance) {
     bool paper = profile->driving != DRIVING_DRIVER;
-    return PACE_PLANNED * (paper ? profile->deceleration : fmin(profile->deceleration, strength(profile, clearance)));
+    return PACE_PLANNED *
+           (paper ? profile->deceleration : real_min(profile->deceleration, strength(profile, clearance)));
 }
 
 double pace_sharpest(const Profile *profile) {
@@ -85,7 +88,7 @@ double pace_sharpest(const Profile *profile) {
 
 double pace_in_bend(const Profile *profile, double curvature) {
     double bend = fabs(curvature);
-    return bend > 0 ? fmax(agility(profile) / bend, WEAKEST) : HUGE_VAL;
+    return bend > 0 ? real_max(agility(profile) / bend, WEAKEST) : HUGE_VAL;
 }
 
 double pace_error(const Profile *profile) {
