@@ -120,12 +120,14 @@ int command_compare(const Options *options) {
     House houses[2] = {{.seed = 0}};
     Observation observations[2];
     Fault fault = {0};
-    if (frames_check(options) || !report_files_possible(options) || (options->out && !output_directory(options->out)))
+    if (frames_check(options) || !report_files_possible(options))
         return EXIT_WRONG_INPUT;
     bool first = house_file_read(&houses[0], options, 0, &fault);
     bool second = house_file_read(&houses[1], options, 1, &fault);
     Population population = {0};
-    if (!first || !second || (options->drivers && !house_file_population(&population, options, &fault))) {
+    if (!first || !second || (options->drivers && !house_file_population(&population, options, &fault)) ||
+        (options->out && !output_directory(options->out))) {
+        population_free(&population);
         house_free(&houses[0]);
         house_free(&houses[1]);
         return house_file_report(&fault);

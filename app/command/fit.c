@@ -500,15 +500,13 @@ int command_fit(const Options *options) {
         fprintf(stderr, "clearance: fit is for houses and beams, %s is a crank\n", options->files[0]);
         return EXIT_WRONG_INPUT;
     }
-    if (options->out && !output_directory(options->out))
-        return EXIT_WRONG_INPUT;
     bool shown = progress_is_shown(options);
     job.fit = (Fit){.leave_out = options->leave_out,
                     .jobs = options->jobs,
                     .stop = &progress_stop,
                     .progress = shown ? show_progress : NULL};
     bool good = (job.is_beam ? open_beam(&job, &fault) : open_house(&job, &fault)) && choose(&job, &fault) &&
-                fit_run(&job.fit, &fault);
+                (!options->out || output_directory(options->out)) && fit_run(&job.fit, &fault);
     if (shown)
         terminal_clear_progress();
     if (!good) {

@@ -74,11 +74,10 @@ int command_rules(const Options *options) {
     House house = {0};
     RuleSets sets = {0};
     Fault fault = {0};
-    if (options->out && !output_directory(options->out))
-        return EXIT_WRONG_INPUT;
     bool good = rule_set_read_all(&sets, shipped_places()->rules, options->rules, &fault) &&
-                house_file_read(&house, options, 0, &fault);
+                house_file_read(&house, options, 0, &fault) && (!options->out || output_directory(options->out));
     if (!good) {
+        house_free(&house);
         rule_set_free_all(&sets);
         return house_file_report(&fault);
     }

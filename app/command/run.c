@@ -152,7 +152,7 @@ int command_run(const Options *options) {
             return machines[i].run(options);
     House house = {0};
     Fault fault = {0};
-    if (frames_check(options) || !report_files_possible(options) || (options->out && !output_directory(options->out)))
+    if (frames_check(options) || !report_files_possible(options))
         return EXIT_WRONG_INPUT;
     if (!house_file_read(&house, options, 0, &fault))
         return house_file_report(&fault);
@@ -166,12 +166,11 @@ int command_run(const Options *options) {
         return EXIT_WRONG_INPUT;
     }
     ObservedLoci observed = {0};
-    if (!report_files_read_observed(&observed, &house, options, &fault)) {
-        house_free(&house);
-        return house_file_report(&fault);
-    }
     Population population = {0};
-    if (options->drivers && !house_file_population(&population, options, &fault)) {
+    if (!report_files_read_observed(&observed, &house, options, &fault) ||
+        (options->drivers && !house_file_population(&population, options, &fault)) ||
+        (options->out && !output_directory(options->out))) {
+        population_free(&population);
         observed_free(&observed);
         house_free(&house);
         return house_file_report(&fault);

@@ -209,7 +209,7 @@ static bool check_options(CrankRun *run, const Options *options) {
         fprintf(stderr, "clearance: --plots %s: %s\n", words, message);
         return false;
     }
-    return !options->out || output_directory(options->out);
+    return true;
 }
 
 int run_crank_file(const Options *options) {
@@ -217,8 +217,11 @@ int run_crank_file(const Options *options) {
     Fault fault = {0};
     if (!check_options(&run, options))
         return EXIT_WRONG_INPUT;
-    if (!crank_read(&run.crank, options->files[0], options->settings, options->setting_count, &fault))
+    if (!crank_read(&run.crank, options->files[0], options->settings, options->setting_count, &fault) ||
+        (options->out && !output_directory(options->out))) {
+        crank_free(&run.crank);
         return house_file_report(&fault);
+    }
     run.tree = tree_of(&run.crank);
     run.ideal = crank_cycle_ideal_force(&run.crank, &progress_stop);
     response_run(&run.response, crank_cycle_of(&run.tree), run.crank.transient_cycles, run.crank.cycles, NULL,

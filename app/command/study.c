@@ -214,6 +214,11 @@ static void run_study(StudyJob *job, Store *store) {
                 done_of(job), study_room(&job->study));
 }
 
+/* Makes the directory of --out, if there is one. False: an error was printed. */
+static bool make_directory(const Options *options) {
+    return !options->out || output_directory(options->out);
+}
+
 /* Creates the trials. Those of a large study lie in a file, in the directory that TMPDIR names, or beside the results.
  */
 static bool begin_study(StudyJob *job, Fault *fault) {
@@ -452,20 +457,20 @@ int command_study(const Options *options) {
     Fault fault = {0};
     if (!study_shards_check(options, &fault) || !is_one_question(options, &fault) || !is_one_chance(options, &fault))
         return house_file_report(&fault);
-    if (options->out && !options->study.print_shards && !output_directory(options->out))
-        return EXIT_WRONG_INPUT;
-    if (options->types && !options->study.axis_count && options->study.runs < 2)
-        return study_types_answer(options);
-    if (options->follow)
-        return follow_beam_file(options);
-    if (options->paper)
-        return paper_answer(options);
+    bool types = options->types && !options->study.axis_count && options->study.runs < 2;
+    if (types || options->follow || options->paper) {
+        if (!make_directory(options))
+            return EXIT_WRONG_INPUT;
+        return types             ? study_types_answer(options)
+               : options->follow ? follow_beam_file(options)
+                                 : paper_answer(options);
+    }
     if (!open_study(&job, &fault))
         return house_file_report(&fault);
     int code = EXIT_WRONG_INPUT;
     if (options->study.print_shards) {
         code = study_shards_print(options, &job.study);
-    } else if (!begin_study(&job, &fault)) {
+    } else if (!make_directory(options) || !begin_study(&job, &fault)) {
         house_file_report(&fault);
     } else {
         code = run_kept(&job, &fault);

@@ -183,6 +183,16 @@ def check_wrong_use():
     expect(2, "run", "nowhere.json", says="nowhere.json:1:1: cannot be read")
     expect(2, "run", house("straight-corridor"), "--size", "1x1", says="--size takes WxH")
     expect(2, "run", house("straight-corridor"), "--out", "/proc/nowhere", says="cannot be written")
+    with tempfile.TemporaryDirectory() as place:
+        bad, out = pathlib.Path(place, "bad.json"), pathlib.Path(place, "new", "out")
+        for kind, verbs in (("house", ("run", "compare", "rules", "study", "fit")), ("beam", ("run", "study")),
+                            ("crank", ("run", "study"))):
+            bad.write_text(json.dumps({"format": f"clearance-{kind}", "version": 1}))
+            for verb in verbs:
+                more = {"compare": [bad], "fit": ["--measured", bad, "--fit", "person.p1.at"],
+                        "study": ["--vary", "run.dt=1:2:2"]}.get(verb, [])
+                expect(2, verb, str(bad), *map(str, more), "--out", str(out), says="bad.json")
+                check(not out.parent.exists(), f"{verb} of a bad {kind} leaves {out.parent} behind")
     expect(2, "schema", "clutch", says='names FILE, not "clutch"')
     check(expect(0, "schema", "man").stdout.startswith(".TH CLEARANCE 1 "), "schema man")
     for shell in ("bash", "zsh", "fish"):
