@@ -35,7 +35,7 @@
 #define HEADING_STEP 0.02  /* rad, between the headings at which a turn on the spot is measured */
 #define HEADING_ERROR 1e-3 /* rad, of its tightest headings */
 #define ALMOST 0.8         /* 1, share of the margin that is enough: the last of it is expensive */
-#define SETTLED 1e-5       /* 1: relative gain of an iteration that is the last one of its stage */
+#define SETTLED 1e-3       /* 1: relative gain of an iteration that is the last one of its stage; hasten.c goes on */
 /* 1: nearly undamped, since in a long straight corridor E changes little across, and damped steps do not converge. */
 #define FIRST_DAMPING 1e-10
 
