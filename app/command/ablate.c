@@ -93,7 +93,7 @@ int command_ablate(const Options *options) {
     Population population = {0};
     Fault fault = {0};
     Ablation ablation = {0};
-    if (options->out && !output_directory(options->out))
+    if (!output_directory(options->out))
         return EXIT_WRONG_INPUT;
     const HouseOptions house_options = {.profiles = shipped_places()->profiles,
                                         .settings = options->settings,

@@ -178,7 +178,7 @@ static int give_answer(const Verification *cases, size_t count, const Options *o
 int command_cases(const Options *options) {
     Fault fault = {0};
     Paths paths = {0};
-    if (options->out && !output_directory(options->out))
+    if (!output_directory(options->out))
         return EXIT_WRONG_INPUT;
     for (size_t f = 0; f < options->file_count; f++)
         find_files(&paths, options->files[f], &fault);

@@ -126,7 +126,7 @@ int command_compare(const Options *options) {
     bool second = house_file_read(&houses[1], options, 1, &fault);
     Population population = {0};
     if (!first || !second || (options->drivers && !house_file_population(&population, options, &fault)) ||
-        (options->out && !output_directory(options->out))) {
+        !output_directory(options->out)) {
         population_free(&population);
         house_free(&houses[0]);
         house_free(&houses[1]);

@@ -506,7 +506,7 @@ int command_fit(const Options *options) {
                     .stop = &progress_stop,
                     .progress = shown ? show_progress : NULL};
     bool good = (job.is_beam ? open_beam(&job, &fault) : open_house(&job, &fault)) && choose(&job, &fault) &&
-                (!options->out || output_directory(options->out)) && fit_run(&job.fit, &fault);
+                output_directory(options->out) && fit_run(&job.fit, &fault);
     if (shown)
         terminal_clear_progress();
     if (!good) {

@@ -22,6 +22,8 @@ void output_text(const Text *text) {
 }
 
 bool output_directory(const char *path) {
+    if (!path)
+        return true;
     int error = strlen(path) + OUTPUT_NAME < OUTPUT_PATH ? text_make_folder(path) : ENAMETOOLONG;
     if (error)
         output_failed(path, error);

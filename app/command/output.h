@@ -19,7 +19,8 @@ void output_warn_of_fonts(void);
 /* Prints a text, which may be empty, on standard output. */
 void output_text(const Text *text);
 
-/* Makes the directory and those above it, before the work begins. False: an error was printed. */
+/* Makes the directory and those above it, before the work begins; NULL: there is none to make. False: an error was
+ * printed. */
 bool output_directory(const char *path);
 
 /* Writes plan.png, plan.svg and plan.pdf to it. False: an error was printed. */

@@ -75,7 +75,7 @@ int command_rules(const Options *options) {
     RuleSets sets = {0};
     Fault fault = {0};
     bool good = rule_set_read_all(&sets, shipped_places()->rules, options->rules, &fault) &&
-                house_file_read(&house, options, 0, &fault) && (!options->out || output_directory(options->out));
+                house_file_read(&house, options, 0, &fault) && output_directory(options->out);
     if (!good) {
         house_free(&house);
         rule_set_free_all(&sets);

@@ -168,8 +168,7 @@ int command_run(const Options *options) {
     ObservedLoci observed = {0};
     Population population = {0};
     if (!report_files_read_observed(&observed, &house, options, &fault) ||
-        (options->drivers && !house_file_population(&population, options, &fault)) ||
-        (options->out && !output_directory(options->out))) {
+        (options->drivers && !house_file_population(&population, options, &fault)) || !output_directory(options->out)) {
         population_free(&population);
         observed_free(&observed);
         house_free(&house);

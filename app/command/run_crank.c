@@ -218,7 +218,7 @@ int run_crank_file(const Options *options) {
     if (!check_options(&run, options))
         return EXIT_WRONG_INPUT;
     if (!crank_read(&run.crank, options->files[0], options->settings, options->setting_count, &fault) ||
-        (options->out && !output_directory(options->out))) {
+        !output_directory(options->out)) {
         crank_free(&run.crank);
         return house_file_report(&fault);
     }

@@ -214,11 +214,6 @@ static void run_study(StudyJob *job, Store *store) {
                 done_of(job), study_room(&job->study));
 }
 
-/* Makes the directory of --out, if there is one. False: an error was printed. */
-static bool make_directory(const Options *options) {
-    return !options->out || output_directory(options->out);
-}
-
 /* Creates the trials. Those of a large study lie in a file, in the directory that TMPDIR names, or beside the results.
  */
 static bool begin_study(StudyJob *job, Fault *fault) {
@@ -459,7 +454,7 @@ int command_study(const Options *options) {
         return house_file_report(&fault);
     bool types = options->types && !options->study.axis_count && options->study.runs < 2;
     if (types || options->follow || options->paper) {
-        if (!make_directory(options))
+        if (!output_directory(options->out))
             return EXIT_WRONG_INPUT;
         return types             ? study_types_answer(options)
                : options->follow ? follow_beam_file(options)
@@ -470,7 +465,7 @@ int command_study(const Options *options) {
     int code = EXIT_WRONG_INPUT;
     if (options->study.print_shards) {
         code = study_shards_print(options, &job.study);
-    } else if (!make_directory(options) || !begin_study(&job, &fault)) {
+    } else if (!output_directory(options->out) || !begin_study(&job, &fault)) {
         house_file_report(&fault);
     } else {
         code = run_kept(&job, &fault);

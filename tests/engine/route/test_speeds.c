@@ -30,7 +30,7 @@ static void make_drive(Drive *drive, double width, bool centring) {
     rooms_make_corner(&drive->rooms, 0.85, 0.63, width, width, false);
     drive->rooms.profile.turning_moment = 20;
     drive->rooms.profile.radius_of_gyration = 0.3;
-    drive->rooms.profile.acceleration = 0.03; /* a change of the speed reaches far */
+    drive->rooms.profile.acceleration = 0.03; /* m/s2: a change of the speed reaches far */
     Route route = route_drive(&drive->rooms.query);
     CHECK(route.answer == ROUTE_FOUND);
     SearchTrack track = {0};
