@@ -454,7 +454,7 @@ int command_study(const Options *options) {
         return house_file_report(&fault);
     bool types = options->types && !options->study.axis_count && options->study.runs < 2;
     if (types || options->follow || options->paper) {
-        if (!output_directory(options->out))
+        if (!options->study.print_shards && !output_directory(options->out))
             return EXIT_WRONG_INPUT;
         return types             ? study_types_answer(options)
                : options->follow ? follow_beam_file(options)
