@@ -71,8 +71,9 @@ static const SearchGrain skidding_grains[] = {
 };
 enum { SKIDDING_RUNGS = sizeof skidding_grains / sizeof *skidding_grains };
 
-/* 1, weights of comfort (relax.h). */
-static const double comforts[] = {20, 60};
+/* 1, weights of comfort (relax.h). One is enough for a way onwards, whose stations the descent on time moves on. The
+ * cusps of a way with changes of direction hardly move there, so that it is tried with cusps nearer to walls, too. */
+static const double comforts[] = {20, 2};
 
 typedef struct Decide {
     const RouteQuery *query;
@@ -177,11 +178,12 @@ static bool settled(const Decide *decide) {
     return decide->any ? decide->time < HUGE_VAL : decide->confirmed == SURE - 1 && confirms(decide);
 }
 
-/* Makes a proposed way free, once for each weight of comfort, then replaces the turns on the spot of each free way by
- * narrow bends and makes the result free. Returns false if interrupted. */
+/* Makes a proposed way free, with each weight of comfort that it is worth, then replaces the turns on the spot of each
+ * free way by narrow bends and makes the result free. Returns false if interrupted. */
 static bool free_and_bend(Decide *decide, const Way *proposed) {
     bool whole = true, is_free = true;
-    for (size_t c = 0; c < sizeof comforts / sizeof *comforts && whole && is_free && !settled(decide); c++) {
+    size_t count = proposed->piece_count > 1 ? sizeof comforts / sizeof *comforts : 1;
+    for (size_t c = 0; c < count && whole && is_free && !settled(decide); c++) {
         Way way = way_copy(proposed);
         whole = make_free(decide, &way, comforts[c]);
         is_free = way.piece_count > 0;
