@@ -49,7 +49,7 @@ static const Rung rungs[] = {
     {&coarse, 0.040, STAGE_ONWARDS},   {&coarse, 0.025, STAGE_ONWARDS},   {&middle, 0.030, STAGE_ONWARDS},
     {&middle, 0.018, STAGE_ONWARDS},   {&middle, 0.010, STAGE_ONWARDS},   {&coarse_back, 0.030, STAGE_BACK},
     {&coarse_back, 0.020, STAGE_BACK}, {&coarse_back, 0.040, STAGE_BACK}, {&coarse_back, 0.010, STAGE_BACK},
-    {&middle_back, 0.006, STAGE_BACK}, {&middle, 0.020, STAGE_LAST},      {&middle, 0.012, STAGE_LAST},
+    {&middle_back, 0.006, STAGE_LAST}, {&middle, 0.020, STAGE_LAST},      {&middle, 0.012, STAGE_LAST},
 };
 enum { RUNGS = sizeof rungs / sizeof *rungs };
 
