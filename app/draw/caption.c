@@ -64,3 +64,29 @@ const char *caption_shortened(Layout *layout, const char *text, double size, boo
     snprintf(shorter, fits + sizeof ellipsis, "%.*s%s", (int)fits, text, ellipsis);
     return shorter;
 }
+
+/* True if a clause ends before text[at]: at a mark that a space follows, outside brackets (`depth` of them are open).
+ * The full stop after a single letter belongs to an abbreviation. */
+static bool ends_clause(const char *text, size_t at, int depth) {
+    return depth == 0 && at > 1 && text[at + 1] == ' ' && strchr(",;:.", text[at]) &&
+           !(text[at] == '.' && text[at - 2] == ' ');
+}
+
+const char *caption_of_clauses(Layout *layout, const char *text, double size, bool bold, double width) {
+    if (text_extent(text, size, bold).x <= width)
+        return text;
+    size_t length = strlen(text), fits = 0;
+    char *shorter = arena_allocate(&layout->arena, length + 1);
+    int depth = 0;
+    for (size_t at = 0; at < length; at++) {
+        depth += (text[at] == '(') - (text[at] == ')');
+        if (!ends_clause(text, at, depth))
+            continue;
+        snprintf(shorter, at + 1, "%s", text);
+        if (text_extent(shorter, size, bold).x > width)
+            break;
+        fits = at;
+    }
+    snprintf(shorter, fits + 1, "%s", text);
+    return fits ? shorter : caption_shortened(layout, text, size, bold, width);
+}

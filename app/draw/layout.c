@@ -420,7 +420,9 @@ static void place_margins(Layout *layout, const Scene *scene) {
     if (scene->name)
         end = add_text(layout, ROLE_DIM_TEXT, scene->name, NAME_TEXT, true, MARGIN, right, y);
     if (scene->note && *scene->note)
-        add_text(layout, ROLE_DIM_TEXT, scene->note, NAME_TEXT, false, end + CELL_GAP, right, y);
+        add_text(layout, ROLE_DIM_TEXT,
+                 caption_of_clauses(layout, scene->note, NAME_TEXT, false, right - end - CELL_GAP), NAME_TEXT, false,
+                 end + CELL_GAP, right, y);
     rim_captions(layout, first);
     place_clock(layout, layout, scene->clock);
     if (!scene->unscaled)

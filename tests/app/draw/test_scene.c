@@ -159,6 +159,25 @@ TEST(long_words_are_shortened_and_a_long_detail_goes_below_the_answer) {
     scene_clear(&scene);
 }
 
+/* The remark of a house is cut behind a clause, never within a number or brackets. */
+TEST(a_long_remark_ends_with_a_clause) {
+    Scene scene = plain_scene();
+    scene.note =
+        "assumed plan: two streets, each of 6.25 m (of which 1.5 m are taken by benches, plants and much else that "
+        "nobody has measured, and that could stand elsewhere), of A. Nobody";
+    Layout layout;
+    layout_make(&layout, &scene, PAGE);
+    CHECK(find_caption(&layout, "assumed plan: two streets"));
+    layout_clear(&layout);
+    scene.note =
+        "assumed plan: a barrier-free house with a name that is far too long for one line of any picture at whatever "
+        "size it is drawn with letters that can be read from the last row, since nobody could read it";
+    layout_make(&layout, &scene, PAGE);
+    CHECK(find_caption(&layout, "assumed plan"));
+    layout_clear(&layout);
+    scene_clear(&scene);
+}
+
 TEST(the_whole_plan_is_seen_undistorted) {
     Scene scene = plain_scene();
     Layout layout;
