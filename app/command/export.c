@@ -1,6 +1,7 @@
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -13,6 +14,9 @@
 #include "exchange/walkable.h"
 #include "house/house.h"
 #include "visual/house/plan_picture.h"
+
+static const char *const endings[] = {
+    [EXPORT_WKT] = "wkt", [EXPORT_SVG] = "svg", [EXPORT_PDF] = "pdf", [EXPORT_PNG] = "png"};
 
 static bool is_folder(const char *path) {
     struct stat status;
@@ -33,17 +37,37 @@ static const char *path_of(const Options *options, const char *format, Text *pat
     return path->text;
 }
 
+/* Chooses the format: that of --to, or else the one that the name of --out ends with. False: an error was printed. */
+static bool choose_format(const Options *options, ExportFormat *format) {
+    const char *out = options->out;
+    *format = options->format;
+    if (options_given(options, "--to") || !out || is_folder(out) || file_write_is_direct(out))
+        return true;
+    const char *slash = strrchr(out, '/'), *dot = strrchr(slash ? slash : out, '.');
+    for (ExportFormat f = 0; f < EXPORT_FORMATS; f++)
+        if (!dot || strcasecmp(dot + 1, endings[f]) == 0) {
+            *format = f;
+            return true;
+        }
+    fprintf(stderr,
+            "clearance: %s ends in none of .wkt, .svg, .pdf and .png; name the format with --to " EXPORT_WORDS "\n",
+            out);
+    return false;
+}
+
 static int write_wkt(const char *wkt, const char *path) {
     if (path)
         return file_write_bytes(path, wkt, strlen(wkt));
     return fputs(wkt, stdout) < 0 ? errno : 0;
 }
 
-static int write_picture(const House *house, const Options *options, const char *path) {
+static int write_picture(const House *house, const Options *options, ExportFormat format, const char *path) {
+    static const CairoFileKind kinds[] = {
+        [EXPORT_SVG] = CAIRO_FILE_SVG, [EXPORT_PDF] = CAIRO_FILE_PDF, [EXPORT_PNG] = CAIRO_FILE_PNG};
     Scene scene = {0};
     output_warn_of_fonts();
     plan_picture_make(&scene, house, false);
-    int error = paint_cairo_file(CAIRO_FILE_SVG, &scene, path, options->width, options->height, options->theme);
+    int error = paint_cairo_file(kinds[format], &scene, path, options->width, options->height, options->theme);
     scene_clear(&scene);
     return error;
 }
@@ -58,7 +82,8 @@ static bool is_there(const char *path) {
 }
 
 /* Reads the plan and writes the picture or the walkable area. Returns the exit code. */
-static int export_to(const Options *options, bool picture, const char *path) {
+static int export_to(const Options *options, ExportFormat format, const char *path) {
+    bool picture = format != EXPORT_WKT;
     House house = {.seed = 0};
     Fault fault = {0};
     char *wkt = NULL;
@@ -68,7 +93,7 @@ static int export_to(const Options *options, bool picture, const char *path) {
     else if (good)
         good = (wkt = walkable_wkt(&house.plan, &fault));
     int code = good ? EXIT_ANSWERED : house_file_report(&fault);
-    int error = !good ? 0 : picture ? write_picture(&house, options, path) : write_wkt(wkt, path);
+    int error = !good ? 0 : picture ? write_picture(&house, options, format, path) : write_wkt(wkt, path);
     if (error) {
         output_failed(path ? path : "standard output", error);
         code = EXIT_WRONG_INPUT;
@@ -79,10 +104,12 @@ static int export_to(const Options *options, bool picture, const char *path) {
 }
 
 int command_export(const Options *options) {
-    bool picture = options->format == EXPORT_SVG;
+    ExportFormat format;
+    if (!choose_format(options, &format))
+        return EXIT_WRONG_INPUT;
     Text text = {0};
-    const char *path = options->out || picture ? path_of(options, picture ? "svg" : "wkt", &text) : NULL;
-    int code = is_there(path) ? EXIT_WRONG_INPUT : export_to(options, picture, path);
+    const char *path = options->out || format != EXPORT_WKT ? path_of(options, endings[format], &text) : NULL;
+    int code = is_there(path) ? EXIT_WRONG_INPUT : export_to(options, format, path);
     if (code == EXIT_ANSWERED && path && !file_write_is_direct(path))
         printf("written to %s\n", path);
     memory_free(text.text);

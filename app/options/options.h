@@ -20,9 +20,9 @@ typedef enum ExitCode {
     EXIT_OUR_FAULT = 3,
 } ExitCode;
 
-typedef enum ExportFormat { EXPORT_WKT, EXPORT_SVG } ExportFormat;
+typedef enum ExportFormat { EXPORT_WKT, EXPORT_SVG, EXPORT_PDF, EXPORT_PNG, EXPORT_FORMATS } ExportFormat;
 
-#define EXPORT_WORDS "wkt|svg"
+#define EXPORT_WORDS "wkt|svg|pdf|png"
 
 enum { OPTIONS_MOST = 128 /* rows of the table in option.c */ };
 

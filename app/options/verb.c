@@ -78,7 +78,8 @@ const Verb verb_rows[VERBS] = {
          "clearance import flat.dxf flat.json --layers walls=A-WALL,doors=A-DOOR --unit mm\n"},
     [VERB_EXPORT] = {"export", 1, 1, "HOUSE", ".json", "",
                      "Write the walkable area of a house, or a picture of its plan, for other programs.",
-                     "clearance export houses/ube-techno-house.json --to wkt --out ube.wkt\n"},
+                     "clearance export houses/ube-techno-house.json --out ube.wkt\n"
+                     "clearance export houses/ube-techno-house.json --to png\n"},
     [VERB_SCHEMA] =
         {"schema", 1, 2, "house|profile|beam|crank|rules|lesson|man|completion SHELL|names FILE", "",
          "house|profile|beam|crank|rules|lesson|man|completion|names",

@@ -138,6 +138,13 @@ def check_export():
     expect(0, "export", ube, "--to", "svg", "--out", str(folder))
     picture = (folder / "ube-techno-house.svg").read_text()
     check(picture.startswith("<?xml") and "</svg>" in picture, "a picture")
+    for ending, begin in (("svg", b"<?xml"), ("pdf", b"%PDF"), ("PNG", b"\x89PNG")):
+        file = folder / f"plan.{ending}"
+        expect(0, "export", ube, "--out", str(file))
+        check(file.read_bytes().startswith(begin), f"export --out {file.name} writes what the name says")
+    expect(2, "export", ube, "--out", str(folder / "plan.jpg"), says="ends in none of .wkt, .svg, .pdf and .png")
+    check(not (folder / "plan.jpg").exists(), "nothing is written by an unknown ending")
+    expect(0, "export", ube, "--to", "wkt", "--out", str(folder / "plan.jpg"))
     expect(2, "export", ube, "--to", "dwg", says="--to takes wkt|svg")
     expect(2, "export", str(source / "tests/data/bad/houses/many-faults.json"), says="many-faults.json:")
 
