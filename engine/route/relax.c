@@ -8,7 +8,7 @@
 
 /* The stations move so as to lower
  *
- *     E = sum of G0 l + h (G1 k^2 + G2 (dk/ds)^2) + sum of h (mu max(0, m - d)^2 + wc max(0, C - d)^2),
+ *     E = sum of G0 l^2 / 2h + h (G1 k^2 + G2 (dk/ds)^2) + sum of h (mu max(0, m - d)^2 + wc max(0, C - d)^2),
  *
  *     k   curvature at a station, 1/m          h   step, m
  *     l   length of a step, m                 m   the margin with an allowance, m
@@ -39,7 +39,7 @@
 /* 1: nearly undamped, since in a long straight corridor E changes little across, and damped steps do not converge. */
 #define FIRST_DAMPING 1e-10
 
-enum { SITE_FACES = 24, SPOTS = 8, BAND = 16, MOST_TRIALS = 6 };
+enum { SITE_FACES = 24, SPOTS = 8, BAND = 16, MOST_TRIALS = 6, OWN_TERMS = 4 };
 
 typedef struct Stage {
     double weight;    /* mu */
@@ -143,7 +143,7 @@ static void look_around(Relax *relax) {
         const WayPiece *piece = &way->pieces[station->piece];
         relax->starts[s] = terms;
         look(relax, &relax->at[s], station->at, station->axis);
-        terms += 3 + 2 * (size_t)relax->at[s].count;
+        terms += OWN_TERMS + 2 * (size_t)relax->at[s].count;
         relax->places[s] = s < piece->last ? way_places(way, s) : 0;
         for (int i = 0; i < relax->places[s]; i++) {
             Site *site = &relax->middle[s * WAY_MOST_BETWEEN + (size_t)i];
@@ -211,16 +211,18 @@ static void evaluate(const Relax *relax, size_t low, size_t high, const Station 
         still = before && stands(way, before, low, high, s + 1);
         *term++ = sqrt(relax->bending * G1 * step) * bend;
         *term++ = s < piece->last ? sqrt(relax->bending * G2 / step) * (next - bend) : 0;
-        *term++ = s < piece->last ? sqrt(G0 * vec2_distance(station->at, station[1].at)) : 0;
+        Vec2 along = s < piece->last ? vec2_sub(station[1].at, station->at) : vec2(0, 0);
+        *term++ = sqrt(G0 / (2 * step)) * along.x;
+        *term++ = sqrt(G0 / (2 * step)) * along.y;
         bend = next;
         if (here && still) {
-            size_t first = relax->starts[s] + 3;
+            size_t first = relax->starts[s] + OWN_TERMS;
             memcpy(term, relax->terms + first, (relax->starts[s + 1] - first) * sizeof *term);
             continue;
         }
         size_t faces = (size_t)relax->at[s].count;
         if (here)
-            memcpy(term, relax->terms + relax->starts[s] + 3, 2 * faces * sizeof *term);
+            memcpy(term, relax->terms + relax->starts[s] + OWN_TERMS, 2 * faces * sizeof *term);
         else
             face_terms(relax, &relax->at[s], station->at, station->axis, step, term);
         term += 2 * faces;

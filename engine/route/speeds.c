@@ -22,7 +22,9 @@
 
 #define PRICE 0.5     /* 1, share of the search's price of discomfort: more costs more than 3 % of the time */
 #define ROUGHNESS 5.0 /* s/rad2 */
-#define BETWEEN 0.06  /* m: with more clearance than this at both ends the motion between is not looked at */
+/* s/rad2, while the way is centred: the price of the personal space ends at its reach, where bumps leave edges. */
+#define CENTRED_ROUGHNESS 100.0
+#define BETWEEN 0.06 /* m: with more clearance than this at both ends the motion between is not looked at */
 
 enum {
     ROOMS = 13,
@@ -110,7 +112,7 @@ static void count_step(const Course *course, Speeds *speeds, size_t s) {
     double step = vec2_distance(course->way->stations[s].at, course->way->stations[s + 1].at);
     double time = 2 * step / real_max(speeds->speed[s] + speeds->speed[s + 1], 1e-6);
     double clearance = real_min(speeds->clearance[s], speeds->clearance[s + 1]);
-    double rough = 0, price = 0;
+    double rough = 0, price = 0, weight = course->centring ? CENTRED_ROUGHNESS : ROUGHNESS;
     if (s > piece->first)
         rough = speeds_turn(speeds, s, s + 1) - speeds_turn(speeds, s - 1, s);
     if (course->centring)
@@ -118,7 +120,7 @@ static void count_step(const Course *course, Speeds *speeds, size_t s) {
                  pace_price(course->profile, speeds->left[s + 1], speeds->right[s + 1])) /
                 2;
     speeds->time[s] = time;
-    speeds->cost[s] = time * (1 + PRICE * (field_discomfort(clearance) - 1)) + ROUGHNESS * rough * rough + step * price;
+    speeds->cost[s] = time * (1 + PRICE * (field_discomfort(clearance) - 1)) + weight * rough * rough + step * price;
 }
 
 static double reachable(double speed, double acceleration, double step) {
