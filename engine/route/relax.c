@@ -36,6 +36,7 @@
 #define HEADING_ERROR 1e-3 /* rad, of its tightest headings */
 #define ALMOST 0.8         /* 1, share of the margin that is enough: the last of it is expensive */
 #define SETTLED 1e-3       /* 1: relative gain of an iteration that is the last one of its stage; hasten.c goes on */
+#define STILL 0.01         /* m: nor does the last one move anything farther; to be straight gains little */
 /* 1: nearly undamped, since in a long straight corridor E changes little across, and damped steps do not converge. */
 #define FIRST_DAMPING 1e-10
 
@@ -388,8 +389,9 @@ static bool solve(const double *band, const double *side, double damping, size_t
     return LAPACKE_dpbsv(LAPACK_COL_MAJOR, 'U', size, BAND, 1, factor, BAND + 1, step, size) == 0;
 }
 
-/* Shortens a step to what one iteration may do, and takes it. */
-static void take(Relax *relax, const double *step) {
+/* Shortens a step to what one iteration may do, and takes it. Returns its largest displacement, m, a heading's by the
+ * same share of what it may do. */
+static double take(Relax *relax, const double *step) {
     double longest = 0;
     for (size_t u = 0; u < relax->unknown_count; u++)
         longest = fmax(longest, fabs(step[u]) / (relax->unknowns[u].kind == MOVE ? LONGEST : LARGEST));
@@ -404,6 +406,7 @@ static void take(Relax *relax, const double *step) {
     way_exit_range(way, &low, &high);
     end->at = vec2_along(end->at, real_clamp(at, low, high) - at, line);
     way_set_axes(way, 0, way->count - 1);
+    return real_min(longest, 1) * LONGEST;
 }
 
 /* True if a way can be driven: it reaches its goals, has stations enough in its bends, and keeps a margin. */
@@ -429,12 +432,12 @@ static bool run_stage(Relax *relax, int iterations, const RelaxOptions *options)
         choose_unknowns(relax);
         size_t n = relax->unknown_count, size = n * (BAND + 1);
         double *band = memory_zeroed(2 * size + 2 * n, sizeof *band), *factor = band + size, *side = factor + size;
-        double before = energy(relax), after = before;
+        double before = energy(relax), after = before, moved = 0;
         form(relax, band, side);
         Way kept = way_copy(way);
         for (int trial = 0; trial < MOST_TRIALS && !(after < before); trial++) {
             if (solve(band, side, damping, n, factor, side + n)) {
-                take(relax, side + n);
+                moved = take(relax, side + n);
                 after = energy(relax);
             }
             if (after < before)
@@ -447,7 +450,7 @@ static bool run_stage(Relax *relax, int iterations, const RelaxOptions *options)
         }
         way_free(&kept);
         memory_free(band);
-        if (!(after < before * (1 - SETTLED)))
+        if (!(after < before) || (moved < STILL && !(after < before * (1 - SETTLED))))
             break;
     }
     return true;
