@@ -10,7 +10,6 @@
 #include "draw/caption.h"
 #include "paint/cairo_file.h"
 #include "draw/layout.h"
-#include "draw/mask.h"
 #include "paint/paint_cairo.h"
 #include "draw/text.h"
 #include "result/census.h"
@@ -105,28 +104,6 @@ TEST(letters_grow_in_proportion_to_their_size) {
     Vec2 once = text_extent("Out in 18.4 s", 20, true), twice = text_extent("Out in 18.4 s", 40, true);
     CHECK_NEAR(twice.x / once.x, 2, 0.01);
     CHECK_NEAR(twice.y / once.y, 2, 0.01);
-}
-
-TEST(a_mask_sums_weight_times_area_and_takes_the_largest_weight) {
-    Mask mask;
-    mask_init(&mask, (Box){{0, 0}, {80, 40}});
-    mask_mark_box(&mask, (Box){{8, 8}, {23.9, 23.9}}, 2);
-    mask_mark_box(&mask, (Box){{8, 8}, {23.9, 23.9}}, 1);
-    CHECK_NEAR(mask_cost(&mask, (Box){{0, 0}, {80, 40}}), 2 * 16 * 16, 1e-6);
-    CHECK_NEAR(mask_cost(&mask, (Box){{10, 10}, {13, 14}}), 2 * 3 * 4, 1e-6);
-    CHECK_NEAR(mask_cost(&mask, (Box){{-10, 0}, {0, 10}}), MASK_OUTSIDE * 100, 1e-6);
-    CHECK_NEAR(mask_line_cost(&mask, vec2(0, 30), vec2(80, 30)), 0, 1e-6);
-    mask_clear(&mask);
-}
-
-TEST(a_mask_leaves_the_hole_of_a_ring_free) {
-    Mask mask;
-    mask_init(&mask, (Box){{0, 0}, {100, 100}});
-    Vec2 points[] = {{0, 0}, {100, 0}, {100, 100}, {0, 100}, {20, 20}, {80, 20}, {80, 80}, {20, 80}};
-    mask_mark_rings(&mask, points, (size_t[]){0, 4, 8}, 2, 1);
-    CHECK_NEAR(mask_cost(&mask, (Box){{30, 30}, {70, 70}}), 0, 1e-6);
-    CHECK_NEAR(mask_cost(&mask, (Box){{0, 0}, {10, 100}}), 1000, 1e-6);
-    mask_clear(&mask);
 }
 
 TEST(no_words_overlap_or_leave_the_page) {
