@@ -2,10 +2,20 @@
 
 #include <geos_c.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/memory.h"
 
+static void release(Tessellated *kept) {
+    memory_free(kept->points);
+    memory_free(kept->starts);
+    memory_free(kept->triangles);
+    *kept = (Tessellated){0};
+}
+
 void tessellation_clear(Tessellation *tessellation) {
+    for (size_t i = 0; i < TESSELLATION_KEPT; i++)
+        release(&tessellation->kept[i]);
     memory_free(tessellation->triangles);
     memory_free(tessellation->sorted);
     if (tessellation->geos)
@@ -174,15 +184,57 @@ static void add_rings(Tessellation *tessellation, const Vec2 *points, const size
     find_borders(tessellation);
 }
 
+/* Kept triangles ----------------------------------------------------------------------------------------------------*/
+
+static void *copy_of(const void *from, size_t count, size_t size) {
+    void *copy = memory_zeroed(count, size);
+    memcpy(copy, from, count * size);
+    return copy;
+}
+
+static void keep(Tessellation *tessellation, const Vec2 *points, const size_t *starts, size_t ring_count, bool united) {
+    Tessellated *kept = &tessellation->kept[tessellation->kept_count++ % TESSELLATION_KEPT];
+    release(kept);
+    *kept = (Tessellated){.points = copy_of(points, starts[ring_count], sizeof *points),
+                          .starts = copy_of(starts, ring_count + 1, sizeof *starts),
+                          .ring_count = ring_count,
+                          .united = united,
+                          .triangles = copy_of(tessellation->triangles, tessellation->count, sizeof(Triangle)),
+                          .count = tessellation->count};
+}
+
+/* Takes the triangles of these very rings, if they are kept. */
+static bool recall(Tessellation *tessellation, const Vec2 *points, const size_t *starts, size_t ring_count,
+                   bool united) {
+    for (size_t i = 0; i < TESSELLATION_KEPT; i++) {
+        const Tessellated *kept = &tessellation->kept[i];
+        bool same = kept->starts && kept->ring_count == ring_count && kept->united == united &&
+                    memcmp(kept->starts, starts, (ring_count + 1) * sizeof *starts) == 0 &&
+                    memcmp(kept->points, points, starts[ring_count] * sizeof *points) == 0;
+        if (!same)
+            continue;
+        tessellation->triangles = memory_reserve(tessellation->triangles, &tessellation->capacity, kept->count,
+                                                 sizeof *tessellation->triangles);
+        memcpy(tessellation->triangles, kept->triangles, kept->count * sizeof *kept->triangles);
+        tessellation->count = kept->count;
+        return true;
+    }
+    return false;
+}
+
 void tessellation_make(Tessellation *tessellation, const Vec2 *points, const size_t *starts, size_t ring_count,
                        bool united) {
     tessellation->count = 0;
-    size_t first = ring_count ? starts[1] - starts[0] : 0;
-    Vec2 middle = ring_count ? middle_of(points + starts[0], first) : vec2(0, 0);
+    if (!ring_count)
+        return;
+    size_t first = starts[1] - starts[0];
+    Vec2 middle = middle_of(points + starts[0], first);
     if (ring_count == 1 && first == 4 && add_halves(tessellation, points + starts[0]))
         return;
-    if (ring_count == 1 && first >= 3 && is_seen_from(middle, points + starts[0], first))
+    if (ring_count == 1 && first >= 3 && is_seen_from(middle, points + starts[0], first)) {
         add_fan(tessellation, middle, points + starts[0], first);
-    else
+    } else if (!recall(tessellation, points, starts, ring_count, united)) {
         add_rings(tessellation, points, starts, ring_count, united);
+        keep(tessellation, points, starts, ring_count, united);
+    }
 }

@@ -2,7 +2,8 @@
  * its points, as convex ones and personal spaces are, is a fan round that point; anything else goes through GEOS:
  * overlapping rings are united or cancelled, then a constrained Delaunay triangulation follows. Triangles are used
  * rather than a stencil, since their edges are known: smooth edges, upright sides and drawn edges need to know which
- * edges belong to the outline. */
+ * edges belong to the outline. What went through GEOS lately is kept: walls are the same in one picture after another
+ * while a piece is dragged. */
 #pragma once
 
 #include <stdbool.h>
@@ -15,6 +16,18 @@ typedef struct Triangle {
     bool border[3];  /* true if the edge from corner i to the next one belongs to the outline */
 } Triangle;
 
+enum { TESSELLATION_KEPT = 32 };
+
+/* The triangles of rings that went through GEOS. */
+typedef struct Tessellated {
+    Vec2 *points;   /* (starts[ring_count]) */
+    size_t *starts; /* (ring_count + 1) */
+    size_t ring_count;
+    bool united;
+    Triangle *triangles; /* (count) */
+    size_t count;
+} Tessellated;
+
 /* Zero is empty; tessellation_clear releases it. */
 typedef struct Tessellation {
     Triangle *triangles; /* (count) */
@@ -22,6 +35,8 @@ typedef struct Tessellation {
     void *geos;   /* GEOS's context, made when needed */
     void *sorted; /* edges, while they are matched */
     size_t sorted_capacity;
+    Tessellated kept[TESSELLATION_KEPT]; /* the oldest is replaced */
+    size_t kept_count;                   /* of all that were ever kept */
 } Tessellation;
 
 void tessellation_clear(Tessellation *tessellation);

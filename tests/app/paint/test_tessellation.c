@@ -4,6 +4,7 @@
 #include "paint/tessellation.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "check.h"
 
@@ -87,4 +88,31 @@ TEST(a_ring_that_hides_a_part_from_its_middle_goes_through_geos) {
     /* a U: the mean of its points lies in the gap */
     const Ring ring = {.points = {{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}}, .count = 8};
     check_turned(&ring, 6);
+}
+
+/* A ring that GEOS has met before is not sent there again: the triangles must be those of the first time, and those of
+ * a ring that differs in one bit must be its own. */
+TEST(triangles_that_are_kept_are_those_of_the_ring) {
+    Tessellation tessellation = {0};
+    Ring ring = {.points = {{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}}, .count = 8};
+    const size_t starts[] = {0, 8};
+    for (int round = 0; round < 3; round++)
+        for (int i = 0; i < TESSELLATION_KEPT + 3; i++) {
+            Ring other = ring;
+            other.points[3].x = i ? 2 + 0.01 * i : nextafter(2, 3);
+            const Ring *rings[] = {&ring, &other, &ring};
+            for (size_t r = 0; r < sizeof rings / sizeof *rings; r++) {
+                Tessellation fresh = {0};
+                tessellation_make(&tessellation, rings[r]->points, starts, 1, false);
+                tessellation_make(&fresh, rings[r]->points, starts, 1, false);
+                CHECK(fresh.count == 6 && tessellation.count == 6);
+                for (size_t k = 0; k < fresh.count; k++)
+                    CHECK(memcmp(fresh.triangles[k].corners, tessellation.triangles[k].corners,
+                                 sizeof fresh.triangles[k].corners) == 0 &&
+                          memcmp(fresh.triangles[k].border, tessellation.triangles[k].border,
+                                 sizeof fresh.triangles[k].border) == 0);
+                tessellation_clear(&fresh);
+            }
+        }
+    tessellation_clear(&tessellation);
 }
