@@ -32,24 +32,44 @@ static void raise(Mask *mask, int x, int y, double weight) {
         *cell = (float)weight;
 }
 
-static void raise_span(Mask *mask, int y, double from, double to, double weight) {
-    int first = cell_of(from, mask->box.low.x, 0, mask->nx), last = cell_of(to, mask->box.low.x, -1, mask->nx - 1);
-    for (int x = first; x <= last; x++)
-        raise(mask, x, y, weight);
+static MaskCells cells_of_span(const Mask *mask, int y, double from, double to) {
+    return (MaskCells){.left = cell_of(from, mask->box.low.x, 0, mask->nx),
+                       .right = cell_of(to, mask->box.low.x, -1, mask->nx - 1),
+                       .bottom = y,
+                       .top = y};
+}
+
+static MaskCells cells_of(const Mask *mask, Box box) {
+    MaskCells cells = cells_of_span(mask, 0, box.low.x, box.high.x);
+    cells.bottom = cell_of(box.low.y, mask->box.low.y, 0, mask->ny);
+    cells.top = cell_of(box.high.y, mask->box.low.y, -1, mask->ny - 1);
+    return cells;
+}
+
+static void raise_cells(Mask *mask, MaskCells cells, double weight) {
+    for (int y = cells.bottom; y <= cells.top; y++)
+        for (int x = cells.left; x <= cells.right; x++)
+            raise(mask, x, y, weight);
 }
 
 void mask_mark_box(Mask *mask, Box box, double weight) {
-    int first = cell_of(box.low.y, mask->box.low.y, 0, mask->ny);
-    int last = cell_of(box.high.y, mask->box.low.y, -1, mask->ny - 1);
-    for (int y = first; y <= last; y++)
-        raise_span(mask, y, box.low.x, box.high.x, weight);
+    raise_cells(mask, cells_of(mask, box), weight);
+}
+
+static bool same_cells(MaskCells a, MaskCells b) {
+    return a.left == b.left && a.right == b.right && a.bottom == b.bottom && a.top == b.top;
 }
 
 void mask_mark_line(Mask *mask, Vec2 from, Vec2 to, double width, double weight) {
     int pieces = (int)ceil(vec2_distance(from, to) / CELL) + 1;
     for (int i = 0; i <= pieces; i++) {
         Vec2 at = vec2_along(from, (double)i / pieces, vec2_sub(to, from));
-        mask_mark_box(mask, box_around(at, width / 2), weight);
+        MaskCells cells = cells_of(mask, box_around(at, width / 2));
+        if (weight == mask->last_weight && same_cells(cells, mask->last))
+            continue;
+        raise_cells(mask, cells, weight);
+        mask->last = cells;
+        mask->last_weight = weight;
     }
 }
 
@@ -72,7 +92,7 @@ void mask_mark_rings(Mask *mask, const Vec2 *points, const size_t *starts, size_
         double middle = mask->box.low.y + (y + 0.5) * CELL;
         size_t count = crossings_at(middle, points, starts, ring_count, crossings);
         for (size_t i = 0; i + 1 < count; i += 2)
-            raise_span(mask, y, crossings[i], crossings[i + 1], weight);
+            raise_cells(mask, cells_of_span(mask, y, crossings[i], crossings[i + 1]), weight);
     }
     memory_free(crossings);
 }

@@ -5,10 +5,16 @@
 
 #include "base/vec2.h"
 
+typedef struct MaskCells {
+    int left, right, bottom, top; /* none if right < left or top < bottom */
+} MaskCells;
+
 typedef struct Mask {
     Box box;
     int nx, ny;
-    float *weights; /* (ny x nx), 1 */
+    float *weights;     /* (ny x nx), 1 */
+    MaskCells last;     /* those that a line marked last, */
+    double last_weight; /* with this weight: the next piece of a locus is often within the same cells */
 } Mask;
 
 void mask_init(Mask *mask, Box box);
