@@ -3,8 +3,14 @@
 #include <pango/pangocairo.h>
 #include <string.h>
 
+#include "base/digest.h"
 #include "base/memory.h"
 #include "base/visible.h"
+
+enum {
+    MEASURED_LONGEST = 96, /* bytes */
+    MEASURED_KEPT = 512,   /* texts */
+};
 
 static bool is_character(gunichar code) {
     return (code & 0xfffe) != 0xfffe && !(code >= 0xfdd0 && code <= 0xfdef);
@@ -75,11 +81,35 @@ static Vec2 layout_extent(PangoLayout *layout, double size) {
     return vec2((double)logical.width / PANGO_SCALE, means_nothing ? size : height);
 }
 
-Vec2 text_extent(const char *text, double size, bool bold) {
+static Vec2 measure(const char *text, double size, bool bold) {
     PangoLayout *layout = line_of(text, size, bold);
     Vec2 extent = layout_extent(layout, size);
     g_object_unref(layout);
     return extent;
+}
+
+/* Pictures that follow one another measure the same texts: each thread keeps those of its last ones that are short, by
+ * their digest, and another text of the same place replaces them. */
+typedef struct Measured {
+    char text[MEASURED_LONGEST]; /* "": no text is kept here */
+    double size;
+    bool bold;
+    Vec2 extent;
+} Measured;
+
+Vec2 text_extent(const char *text, double size, bool bold) {
+    static _Thread_local Measured kept[MEASURED_KEPT];
+    size_t length = strlen(text);
+    if (length == 0 || length >= MEASURED_LONGEST)
+        return measure(text, size, bold);
+    Measured *measured = &kept[(digest_mix(digest_text(DIGEST_START, text), size) >> 7) % MEASURED_KEPT];
+    if (measured->size != size || measured->bold != bold || strcmp(measured->text, text) != 0) {
+        memcpy(measured->text, text, length + 1);
+        measured->size = size;
+        measured->bold = bold;
+        measured->extent = measure(text, size, bold);
+    }
+    return measured->extent;
 }
 
 /* Returns a layout of the text that begins at the current point of the cairo context. */
