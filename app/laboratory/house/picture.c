@@ -71,6 +71,7 @@ void house_picture_make_film(HouseSession *session, double time) {
         .routes = has_routes ? &session->runs[RUN_ROUTES]->routes : NULL,
         .falling = session->fall.pieces,
         .falling_count = falling,
+        .walls = &session->walls,
         .box = box_of(&session->runs[RUN_SHOWN]->house)};
     session->epoch = epoch;
     session->film_of = house_runs_identity(session->runs[RUN_SHOWN]);

@@ -172,6 +172,7 @@ static void close_house(void *context) {
     editor_destroy(session->editor);
     if (session->film)
         film_destroy(session->film);
+    plan_walls_clear(&session->walls);
     house_schedule_end(session);
     recall_destroy(session->wish.recall);
     house_fall_clear(session);

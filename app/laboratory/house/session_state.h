@@ -94,6 +94,7 @@ typedef struct HouseSession {
     TrailGrowth trails;                   /* trails of that observation */
     bool whole;                           /* the displayed run is over */
     Film *film;                           /* NULL: not made yet */
+    PlanWalls walls;                      /* of the film */
     bool film_is_stale;                   /* the film must be rebuilt before it is displayed */
     size_t epoch;                         /* the epoch of the run that the film shows */
     uint64_t film_of, texts_of, plots_of; /* identities of the runs that they show, see house_runs_identity */

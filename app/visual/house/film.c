@@ -136,7 +136,7 @@ static void make_still(Film *film) {
     if (scene->camera.kind == VIEW_RAISED)
         scene->name = scene_text(scene, "%s, walls cut at %.1f m", scene->name, PLAN_SCENE_CUT);
     House rest = without_falling(film);
-    plan_scene_still(scene, &rest);
+    plan_scene_still(scene, &rest, film->options.walls);
     if (film->options.before.observation && !(hidden & FILM_GHOST))
         people_scene_ghost(scene, film->options.before.observation);
     if (film->options.ahead && !film->crowd && !(hidden & FILM_LOCI))

@@ -6,6 +6,7 @@
 #include "draw/scene.h"
 #include "visual/house/furniture_fall.h"
 #include "visual/house/house_scene.h"
+#include "visual/house/plan_walls.h"
 #include "visual/house/trail.h"
 
 /* Shown on request. */
@@ -53,7 +54,8 @@ typedef struct FilmOptions {
     const FurnitureFall
         *falling; /* (falling_count) falling furniture, by id; drawn in its present state in each frame */
     size_t falling_count;
-    Box box; /* m, must be visible; without a width: the plan and all loci */
+    PlanWalls *walls; /* keeps the outlines of the walls from one film to the next, or NULL; must outlive the film */
+    Box box;          /* m, must be visible; without a width: the plan and all loci */
 } FilmOptions;
 
 typedef struct Film Film;

@@ -35,34 +35,17 @@ enum {
     SLICES = 48,     /* of a leaning piece */
 };
 
-/* Adds walls from height `low` up to less than `high`, shown as high as `shown`, m. */
-static void add_walls_between(Scene *scene, const Plan *plan, double low, double high, double shown) {
-    Rings rings;
-    if (outline_walls(plan, low, high, &rings) && rings.count) {
-        Primitive *walls = scene_add_rings(scene, ROLE_WALL, rings.points, rings.starts, rings.count);
-        walls->width = WALL_EDGE;
-        walls->keep_clear = KEEP_WALL;
-        walls->height = shown;
-    }
-    outline_free_rings(&rings);
-}
-
-/* Returns the least height of a wall from `low` m on, or PLAN_SCENE_CUT. */
-static double next_height(const Plan *plan, double low) {
-    double next = PLAN_SCENE_CUT;
-    for (size_t w = 0; w < plan->wall_count; w++)
-        if (plan->walls[w].height >= low)
-            next = fmin(next, plan->walls[w].height);
-    return next;
-}
-
-static void add_walls(Scene *scene, const House *house) {
+static void add_walls(Scene *scene, const House *house, PlanWalls *kept) {
     const Outline *outline = &house->outline;
     const Plan *plan = &house->plan;
-    double low = next_height(plan, 0);
-    for (; low < PLAN_SCENE_CUT; low = next_height(plan, nextafter(low, HUGE_VAL)))
-        add_walls_between(scene, plan, low, nextafter(low, HUGE_VAL), low);
-    add_walls_between(scene, plan, low, HUGE_VAL, PLAN_SCENE_CUT);
+    plan_walls_update(kept, plan, PLAN_SCENE_CUT);
+    for (size_t b = 0; b < kept->count; b++) {
+        const Rings *rings = &kept->bands[b].rings;
+        Primitive *walls = scene_add_rings(scene, ROLE_WALL, rings->points, rings->starts, rings->count);
+        walls->width = WALL_EDGE;
+        walls->keep_clear = KEEP_WALL;
+        walls->height = kept->bands[b].shown;
+    }
     for (size_t i = 0; i < outline->face_count; i++) {
         const Face *face = &outline->faces[i];
         if (face->owner != OWNER_WALL || plan->walls[face->index].thickness > 0)
@@ -244,9 +227,9 @@ static void add_exit(Scene *scene, const Exit *exit) {
     band->keep_clear = KEEP_EXIT;
 }
 
-static void add_solids(Scene *scene, const House *house, bool all_doors) {
+static void add_solids(Scene *scene, const House *house, bool all_doors, PlanWalls *kept) {
     const Plan *plan = &house->plan;
-    add_walls(scene, house);
+    add_walls(scene, house, kept);
     for (size_t i = 0; i < plan->furniture_count; i++)
         add_furniture(scene, &plan->furniture[i]);
     for (size_t i = 0; i < plan->door_count; i++)
@@ -257,11 +240,15 @@ static void add_solids(Scene *scene, const House *house, bool all_doors) {
 }
 
 void plan_scene_solids(Scene *scene, const House *house) {
-    add_solids(scene, house, true);
+    PlanWalls walls = {0};
+    add_solids(scene, house, true, &walls);
+    plan_walls_clear(&walls);
 }
 
-void plan_scene_still(Scene *scene, const House *house) {
-    add_solids(scene, house, false);
+void plan_scene_still(Scene *scene, const House *house, PlanWalls *kept) {
+    PlanWalls own = {0};
+    add_solids(scene, house, false, kept ? kept : &own);
+    plan_walls_clear(&own);
 }
 
 /* A leaf reaches its end when its door counts as open. */

@@ -4,6 +4,7 @@
 #include "draw/scene.h"
 #include "house/house.h"
 #include "visual/house/furniture_fall.h"
+#include "visual/house/plan_walls.h"
 
 /* m: the raised view cuts walls and leaves at this height, so that the rooms are visible. */
 #define PLAN_SCENE_CUT 0.9
@@ -14,8 +15,8 @@
 void plan_scene_solids(Scene *scene, const House *house);
 
 /* Adds the plan without the doors that can be opened, and those doors at a time: door_opened is as in an Observation.
- */
-void plan_scene_still(Scene *scene, const House *house);
+ * `kept` keeps the outlines of the walls for the next scene; or NULL. */
+void plan_scene_still(Scene *scene, const House *house, PlanWalls *kept);
 void plan_scene_moving(Scene *scene, const House *house, const double *door_opened, double time);
 
 /* Adds a falling piece of furniture, seen from above or from the side; and the place of such a piece, which labels
