@@ -243,7 +243,7 @@ const Option option_rows[] = {
      GROUP_OUTPUT, FOR_EXPORT, EXPORT_WORDS, NULL},
     {"--out", OPTION_FILE, FIELD(out), NO_RANGE, "FILE|DIR",
      "file or directory to write (default: WKT to standard output, a picture next to the house)", GROUP_OUTPUT,
-     FOR_EXPORT, ".wkt,.svg", NULL},
+     FOR_EXPORT, ".wkt,.svg,.pdf,.png", NULL},
     {"--out", OPTION_FOLDER, FIELD(out), NO_RANGE, "DIR",
      "write summary.json, trace.csv, plan.png, beam.png or crank.png (also .svg and .pdf), and trajectory.sqlite "
      "(houses only) to "
