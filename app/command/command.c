@@ -10,6 +10,7 @@
 #include "base/json.h"
 #include "base/text.h"
 #include "command/licences.h"
+#include "command/output.h"
 #include "command/progress.h"
 #include "platform/terminal.h"
 #include "mechanics/broadphase.h"
@@ -38,7 +39,10 @@ static int run_verb(VerbId verb, int argc, char **argv, int first) {
         help_add_verb(&text, verb);
         print(&text);
     } else if (!code) {
+        size_t there = options.out ? output_is_there(options.out) : 0;
         code = acts[verb](&options);
+        if (code == EXIT_WRONG_INPUT && options.out)
+            output_withdraw(options.out, there);
     }
     options_end(&options);
     return code;

@@ -3,8 +3,10 @@
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/file_write.h"
+#include "base/memory.h"
 #include "base/text.h"
 #include "command/progress.h"
 #include "draw/text.h"
@@ -30,6 +32,35 @@ bool output_directory(const char *path) {
     else
         output_warn_of_fonts();
     return !error;
+}
+
+/* Returns the length of the folder above the first `length` bytes of a path, without the slash that ends it. */
+static size_t above(const char *path, size_t length) {
+    while (length && path[length - 1] == '/')
+        length--;
+    while (length && path[length - 1] != '/')
+        length--;
+    return length;
+}
+
+size_t output_is_there(const char *path) {
+    size_t length = strlen(path);
+    char *part = text_copy(path);
+    while (length && access(part, F_OK) != 0) {
+        length = above(path, length);
+        part[length] = 0;
+    }
+    memory_free(part);
+    return length;
+}
+
+void output_withdraw(const char *path, size_t there) {
+    char *part = text_copy(path);
+    for (size_t length = strlen(path); length > there; length = above(path, length)) {
+        part[length] = 0;
+        rmdir(part); /* which leaves a folder that is not empty */
+    }
+    memory_free(part);
 }
 
 void output_failed(const char *path, int error) {

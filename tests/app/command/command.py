@@ -185,14 +185,22 @@ def check_wrong_use():
     expect(2, "run", house("straight-corridor"), "--out", "/proc/nowhere", says="cannot be written")
     with tempfile.TemporaryDirectory() as place:
         bad, out = pathlib.Path(place, "bad.json"), pathlib.Path(place, "new", "out")
-        for kind, verbs in (("house", ("run", "compare", "rules", "study", "fit")), ("beam", ("run", "study")),
-                            ("crank", ("run", "study"))):
+        sheet = ("lesson", "sheet")
+        for kind, verbs in (("house", ("run", "compare", "rules", "study", "fit", "ablate", "cases")),
+                            ("beam", ("run", "study", "paper", "types", "follow")),
+                            ("crank", ("run", "study", "paper")), ("lesson", (sheet,))):
             bad.write_text(json.dumps({"format": f"clearance-{kind}", "version": 1}))
             for verb in verbs:
                 more = {"compare": [bad], "fit": ["--measured", bad, "--fit", "person.p1.at"],
-                        "study": ["--vary", "run.dt=1:2:2"]}.get(verb, [])
-                expect(2, verb, str(bad), *map(str, more), "--out", str(out), says="bad.json")
-                check(not out.parent.exists(), f"{verb} of a bad {kind} leaves {out.parent} behind")
+                        "study": ["--vary", "run.dt=1:2:2"], "paper": ["--paper"], "types": ["--types", "drive.frequency"],
+                        "follow": ["--follow", "drive.frequency=20:30"]}.get(verb, [])
+                words = verb if verb == sheet else ("study",) if verb in ("paper", "types", "follow") else (verb,)
+                for place_of in (str(out), f"{out}//", f"{out.parent}/./out"):
+                    expect(2, *words, str(bad), *map(str, more), "--out", place_of, says="bad.json")
+                    check(not out.parent.exists(), f"{verb} of a bad {kind} leaves {out.parent} behind")
+        out.parent.mkdir()
+        expect(2, "cases", str(bad), "--out", str(out), says="bad.json")
+        check(out.parent.exists() and not out.exists(), "a folder that was there before a wrong input stays")
     expect(2, "schema", "clutch", says='names FILE, not "clutch"')
     check(expect(0, "schema", "man").stdout.startswith(".TH CLEARANCE 1 "), "schema man")
     for shell in ("bash", "zsh", "fish"):
