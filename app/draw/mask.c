@@ -9,7 +9,7 @@
 #define CELL 4.0 /* design points: a quarter of the smallest text */
 
 void mask_init(Mask *mask, Box box) {
-    mask->box = box;
+    *mask = (Mask){.box = box};
     mask->nx = (int)fmax(1, ceil(box_width(box) / CELL));
     mask->ny = (int)fmax(1, ceil(box_height(box) / CELL));
     mask->weights = memory_zeroed((size_t)mask->nx * (size_t)mask->ny, sizeof *mask->weights);
