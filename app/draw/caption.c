@@ -75,18 +75,19 @@ static bool ends_clause(const char *text, size_t at, int depth) {
 const char *caption_of_clauses(Layout *layout, const char *text, double size, bool bold, double width) {
     if (text_extent(text, size, bold).x <= width)
         return text;
+    static const char more[] = " \u2026"; /* what is left out may qualify the rest */
     size_t length = strlen(text), fits = 0;
-    char *shorter = arena_allocate(&layout->arena, length + 1);
+    char *shorter = arena_allocate(&layout->arena, length + sizeof more);
     int depth = 0;
     for (size_t at = 0; at < length; at++) {
         depth += (text[at] == '(') - (text[at] == ')');
         if (!ends_clause(text, at, depth))
             continue;
-        snprintf(shorter, at + 1, "%s", text);
+        snprintf(shorter, at + sizeof more, "%.*s%s", (int)at, text, more);
         if (text_extent(shorter, size, bold).x > width)
             break;
         fits = at;
     }
-    snprintf(shorter, fits + 1, "%s", text);
+    snprintf(shorter, fits + sizeof more, "%.*s%s", (int)fits, text, more);
     return fits ? shorter : caption_shortened(layout, text, size, bold, width);
 }

@@ -15,6 +15,6 @@ void caption_shape(Caption *caption, LabelShape shape, Role fill);
 /* Returns the text, or as much of its beginning as `width` holds, followed by an ellipsis; stored in the layout. */
 const char *caption_shortened(Layout *layout, const char *text, double size, bool bold, double width);
 
-/* Returns the text, or as many of its clauses as `width` holds, without the mark that ends the last of them; if it does
- * not hold the first one, that is shortened. Stored in the layout. */
+/* Returns the text, or as many of its clauses as `width` holds, with an ellipsis in place of the mark that ends the
+ * last of them; if it does not hold the first one, that is shortened. Stored in the layout. */
 const char *caption_of_clauses(Layout *layout, const char *text, double size, bool bold, double width);

@@ -144,13 +144,13 @@ TEST(a_long_remark_ends_with_a_clause) {
         "nobody has measured, and that could stand elsewhere), of A. Nobody";
     Layout layout;
     layout_make(&layout, &scene, PAGE);
-    CHECK(find_caption(&layout, "assumed plan: two streets"));
+    CHECK(find_caption(&layout, "assumed plan: two streets \u2026"));
     layout_clear(&layout);
     scene.note =
         "assumed plan: a barrier-free house with a name that is far too long for one line of any picture at whatever "
         "size it is drawn with letters that can be read from the last row, since nobody could read it";
     layout_make(&layout, &scene, PAGE);
-    CHECK(find_caption(&layout, "assumed plan"));
+    CHECK(find_caption(&layout, "assumed plan \u2026"));
     layout_clear(&layout);
     scene_clear(&scene);
 }
