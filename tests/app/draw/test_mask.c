@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/memory.h"
 #include "check.h"
 
 TEST(a_mask_sums_weight_times_area_and_takes_the_largest_weight) {
@@ -23,6 +24,19 @@ TEST(a_mask_leaves_the_hole_of_a_ring_free) {
     mask_mark_rings(&mask, points, (size_t[]){0, 4, 8}, 2, 1);
     CHECK_NEAR(mask_cost(&mask, (Box){{30, 30}, {70, 70}}), 0, 1e-6);
     CHECK_NEAR(mask_cost(&mask, (Box){{0, 0}, {10, 100}}), 1000, 1e-6);
+    mask_clear(&mask);
+}
+
+/* A map may lie where another one lay before. */
+TEST(a_new_mask_has_marked_no_cells) {
+    Mask mask;
+    mask_init(&mask, (Box){{0, 0}, {100, 100}});
+    for (int round = 0; round < 2; round++) {
+        mask_mark_line(&mask, vec2(50, 50), vec2(51, 50), 3, 1);
+        CHECK(mask_cost(&mask, (Box){{0, 0}, {100, 100}}) > 0);
+        memory_free(mask.weights);
+        mask_init(&mask, (Box){{0, 0}, {100, 100}});
+    }
     mask_clear(&mask);
 }
 
