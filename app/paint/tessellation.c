@@ -235,6 +235,7 @@ void tessellation_make(Tessellation *tessellation, const Vec2 *points, const siz
         add_fan(tessellation, middle, points + starts[0], first);
     } else if (!recall(tessellation, points, starts, ring_count, united)) {
         add_rings(tessellation, points, starts, ring_count, united);
-        keep(tessellation, points, starts, ring_count, united);
+        if (starts[ring_count] <= TESSELLATION_LARGEST)
+            keep(tessellation, points, starts, ring_count, united);
     }
 }

@@ -16,7 +16,10 @@ typedef struct Triangle {
     bool border[3];  /* true if the edge from corner i to the next one belongs to the outline */
 } Triangle;
 
-enum { TESSELLATION_KEPT = 32 };
+enum {
+    TESSELLATION_KEPT = 32,
+    TESSELLATION_LARGEST = 8192 /* points: larger shapes, such as thousands of people, would take too much memory */
+};
 
 /* The triangles of rings that went through GEOS. */
 typedef struct Tessellated {
