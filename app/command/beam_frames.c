@@ -32,11 +32,10 @@ int beam_frames_check(const Options *options) {
 /* Still pictures ----------------------------------------------------------------------------------------------------*/
 
 static bool write_plate(const Plate *plate, const Options *options) {
-    static const char *const endings[] = {[CAIRO_FILE_PNG] = "png", [CAIRO_FILE_SVG] = "svg", [CAIRO_FILE_PDF] = "pdf"};
     char path[OUTPUT_PATH];
     int error = 0;
     for (CairoFileKind kind = CAIRO_FILE_PNG; kind <= CAIRO_FILE_PDF && !error; kind++) {
-        snprintf(path, sizeof path, "%s/beam.%s", options->out, endings[kind]);
+        snprintf(path, sizeof path, "%s/beam.%s", options->out, cairo_file_endings[kind]);
         error = plate_write(kind, plate, path, options->width, options->height);
     }
     if (error)

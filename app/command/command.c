@@ -39,10 +39,9 @@ static int run_verb(VerbId verb, int argc, char **argv, int first) {
         help_add_verb(&text, verb);
         print(&text);
     } else if (!code) {
-        size_t there = options.out ? output_is_there(options.out) : 0;
         code = acts[verb](&options);
-        if (code == EXIT_WRONG_INPUT && options.out)
-            output_withdraw(options.out, there);
+        if (code == EXIT_WRONG_INPUT)
+            output_withdraw();
     }
     options_end(&options);
     return code;

@@ -15,8 +15,13 @@
 #include "house/house.h"
 #include "visual/house/plan_picture.h"
 
-static const char *const endings[] = {
-    [EXPORT_WKT] = "wkt", [EXPORT_SVG] = "svg", [EXPORT_PDF] = "pdf", [EXPORT_PNG] = "png"};
+/* The kinds of pictures. */
+static const CairoFileKind kinds[] = {
+    [EXPORT_SVG] = CAIRO_FILE_SVG, [EXPORT_PDF] = CAIRO_FILE_PDF, [EXPORT_PNG] = CAIRO_FILE_PNG};
+
+static const char *ending_of(ExportFormat format) {
+    return format == EXPORT_WKT ? "wkt" : cairo_file_endings[kinds[format]];
+}
 
 static bool is_folder(const char *path) {
     struct stat status;
@@ -45,7 +50,7 @@ static bool choose_format(const Options *options, ExportFormat *format) {
         return true;
     const char *slash = strrchr(out, '/'), *dot = strrchr(slash ? slash : out, '.');
     for (ExportFormat f = 0; f < EXPORT_FORMATS; f++)
-        if (!dot || strcasecmp(dot + 1, endings[f]) == 0) {
+        if (!dot || strcasecmp(dot + 1, ending_of(f)) == 0) {
             *format = f;
             return true;
         }
@@ -62,8 +67,6 @@ static int write_wkt(const char *wkt, const char *path) {
 }
 
 static int write_picture(const House *house, const Options *options, ExportFormat format, const char *path) {
-    static const CairoFileKind kinds[] = {
-        [EXPORT_SVG] = CAIRO_FILE_SVG, [EXPORT_PDF] = CAIRO_FILE_PDF, [EXPORT_PNG] = CAIRO_FILE_PNG};
     Scene scene = {0};
     output_warn_of_fonts();
     plan_picture_make(&scene, house, false);
@@ -108,7 +111,7 @@ int command_export(const Options *options) {
     if (!choose_format(options, &format))
         return EXIT_WRONG_INPUT;
     Text text = {0};
-    const char *path = options->out || format != EXPORT_WKT ? path_of(options, endings[format], &text) : NULL;
+    const char *path = options->out || format != EXPORT_WKT ? path_of(options, ending_of(format), &text) : NULL;
     int code = is_there(path) ? EXIT_WRONG_INPUT : export_to(options, format, path);
     if (code == EXIT_ANSWERED && path && !file_write_is_direct(path))
         printf("written to %s\n", path);

@@ -23,18 +23,13 @@ void output_text(const Text *text) {
         fputs(text->text, stdout);
 }
 
-bool output_directory(const char *path) {
-    if (!path)
-        return true;
-    int error = strlen(path) + OUTPUT_NAME < OUTPUT_PATH ? text_make_folder(path) : ENAMETOOLONG;
-    if (error)
-        output_failed(path, error);
-    else
-        output_warn_of_fonts();
-    return !error;
-}
+/* What the first call of output_directory has made. */
+static struct {
+    char path[OUTPUT_PATH]; /* "": nothing */
+    size_t there;           /* bytes of it that were there before */
+} made;
 
-/* Returns the length of the folder above the first `length` bytes of a path, without the slash that ends it. */
+/* Returns the length, with its slash, of the folder above the first `length` bytes of a path. */
 static size_t above(const char *path, size_t length) {
     while (length && path[length - 1] == '/')
         length--;
@@ -43,7 +38,8 @@ static size_t above(const char *path, size_t length) {
     return length;
 }
 
-size_t output_is_there(const char *path) {
+/* Returns how many bytes of a path name what is there. */
+static size_t is_there(const char *path) {
     size_t length = strlen(path);
     char *part = text_copy(path);
     while (length && access(part, F_OK) != 0) {
@@ -54,13 +50,27 @@ size_t output_is_there(const char *path) {
     return length;
 }
 
-void output_withdraw(const char *path, size_t there) {
-    char *part = text_copy(path);
-    for (size_t length = strlen(path); length > there; length = above(path, length)) {
-        part[length] = 0;
-        rmdir(part); /* which leaves a folder that is not empty */
+bool output_directory(const char *path) {
+    if (!path)
+        return true;
+    bool fits = strlen(path) + OUTPUT_NAME < OUTPUT_PATH;
+    if (fits && !*made.path) {
+        made.there = is_there(path);
+        snprintf(made.path, sizeof made.path, "%s", path);
     }
-    memory_free(part);
+    int error = fits ? text_make_folder(path) : ENAMETOOLONG;
+    if (error)
+        output_failed(path, error);
+    else
+        output_warn_of_fonts();
+    return !error;
+}
+
+void output_withdraw(void) {
+    for (size_t length = strlen(made.path); length > made.there; length = above(made.path, length)) {
+        made.path[length] = 0;
+        rmdir(made.path); /* which leaves a folder that is not empty */
+    }
 }
 
 void output_failed(const char *path, int error) {
@@ -80,11 +90,10 @@ PlotSheet output_sheet(const Options *options, const char *source) {
 }
 
 bool output_stills(const Scene *scene, const Options *options) {
-    static const char *const endings[] = {[CAIRO_FILE_PNG] = "png", [CAIRO_FILE_SVG] = "svg", [CAIRO_FILE_PDF] = "pdf"};
     char path[OUTPUT_PATH];
     int error = 0;
     for (CairoFileKind kind = CAIRO_FILE_PNG; kind <= CAIRO_FILE_PDF && !error; kind++) {
-        snprintf(path, sizeof path, "%s/plan.%s", options->out, endings[kind]);
+        snprintf(path, sizeof path, "%s/plan.%s", options->out, cairo_file_endings[kind]);
         error = paint_cairo_file(kind, scene, path, options->width, options->height, options->theme);
     }
     if (error)

@@ -23,11 +23,8 @@ void output_text(const Text *text);
  * printed. */
 bool output_directory(const char *path);
 
-/* Returns how much of a path is there before a verb begins, bytes: itself, or the folder above it that is nearest. */
-size_t output_is_there(const char *path);
-
-/* Removes the empty folders of a path beyond those that were there: a verb made them, and then its input was wrong. */
-void output_withdraw(const char *path, size_t there);
+/* Removes again what the first call of output_directory made, as far as it is empty: the input was wrong. */
+void output_withdraw(void);
 
 /* Writes plan.png, plan.svg and plan.pdf to it. False: an error was printed. */
 bool output_stills(const Scene *scene, const Options *options);

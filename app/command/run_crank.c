@@ -93,7 +93,6 @@ static bool write_plots(const CrankRun *run, const Options *options) {
 
 /* Writes the moment of the largest force. */
 static bool write_still(const CrankRun *run, const Options *options) {
-    static const char *const endings[] = {[CAIRO_FILE_PNG] = "png", [CAIRO_FILE_SVG] = "svg", [CAIRO_FILE_PDF] = "pdf"};
     char path[OUTPUT_PATH];
     int error = 0;
     if (run->response.trace.rows < CRANK_SAMPLES)
@@ -101,7 +100,7 @@ static bool write_still(const CrankRun *run, const Options *options) {
     Scene scene = {0};
     crank_scene_make(&scene, &run->crank, &run->tree, &run->response);
     for (CairoFileKind kind = CAIRO_FILE_PNG; kind <= CAIRO_FILE_PDF && !error; kind++) {
-        snprintf(path, sizeof path, "%s/crank.%s", options->out, endings[kind]);
+        snprintf(path, sizeof path, "%s/crank.%s", options->out, cairo_file_endings[kind]);
         error = paint_cairo_file(kind, &scene, path, options->width, options->height, options->theme);
     }
     scene_clear(&scene);

@@ -10,6 +10,8 @@
 #include "base/file_write.h"
 #include "base/memory.h"
 
+const char *const cairo_file_endings[] = {[CAIRO_FILE_PNG] = "png", [CAIRO_FILE_SVG] = "svg", [CAIRO_FILE_PDF] = "pdf"};
+
 static cairo_status_t store_bytes(void *context, const unsigned char *data, unsigned length) {
     bytes_add(context, data, length);
     return CAIRO_STATUS_SUCCESS;

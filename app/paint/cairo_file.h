@@ -9,6 +9,9 @@
 
 typedef enum CairoFileKind { CAIRO_FILE_PNG, CAIRO_FILE_SVG, CAIRO_FILE_PDF } CairoFileKind;
 
+/* How the names of such files end, by their kind, without the dot. */
+extern const char *const cairo_file_endings[];
+
 enum { CAIRO_FILE_LARGEST = 16384 /* pixels a side: cairo's coordinates end at twice that */ };
 
 struct _cairo; /* cairo's own name of cairo_t */

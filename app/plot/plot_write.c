@@ -169,16 +169,14 @@ int plot_write_csv(const Plot *plot, const char *path) {
 
 int plot_write_files(const Plot *plot, const char *name, const char *out, const PlotSheet *sheet,
                      char path[PLOT_WRITE_PATH]) {
-    static const char *const endings[] = {
-        [CAIRO_FILE_PNG] = "png", [CAIRO_FILE_SVG] = "svg", [CAIRO_FILE_PDF] = "pdf", "csv"};
     int error = 0;
-    for (size_t e = 0; e < sizeof endings / sizeof *endings && !error; e++) {
-        if (snprintf(path, PLOT_WRITE_PATH, "%s/plot-%s.%s", out, name, endings[e]) >= PLOT_WRITE_PATH)
+    for (size_t e = 0; e <= CAIRO_FILE_PDF + 1 && !error; e++) {
+        bool table = e > CAIRO_FILE_PDF;
+        const char *ending = table ? "csv" : cairo_file_endings[e];
+        if (snprintf(path, PLOT_WRITE_PATH, "%s/plot-%s.%s", out, name, ending) >= PLOT_WRITE_PATH)
             error = ENAMETOOLONG;
-        else if (e > CAIRO_FILE_PDF)
-            error = plot_write_csv(plot, path);
         else
-            error = plot_write_picture((CairoFileKind)e, plot, path, sheet);
+            error = table ? plot_write_csv(plot, path) : plot_write_picture((CairoFileKind)e, plot, path, sheet);
     }
     return error;
 }
