@@ -93,17 +93,18 @@ int command_ablate(const Options *options) {
     Population population = {0};
     Fault fault = {0};
     Ablation ablation = {0};
-    if (!output_directory(options->out))
-        return EXIT_WRONG_INPUT;
     const HouseOptions house_options = {.profiles = shipped_places()->profiles,
                                         .settings = options->settings,
                                         .setting_count = options->setting_count,
                                         .seed = options->seed,
                                         .driving = -1};
     size_t count = options->drivers ? (size_t)options->drivers : DRIVERS_USUAL;
-    if (!house_file_population(&population, options, &fault) ||
-        !ablation_run(&ablation, options->files[0], &house_options, &population, count, options->jobs, &progress_stop,
-                      &fault)) {
+    House house = {0};
+    bool good = house_file_population(&population, options, &fault) &&
+                house_read(&house, options->files[0], &house_options, &fault) && output_directory(options->out);
+    house_free(&house); /* each variant is read by itself */
+    if (!good || !ablation_run(&ablation, options->files[0], &house_options, &population, count, options->jobs,
+                               &progress_stop, &fault)) {
         population_free(&population);
         return house_file_report(&fault);
     }

@@ -178,15 +178,13 @@ static int give_answer(const Verification *cases, size_t count, const Options *o
 int command_cases(const Options *options) {
     Fault fault = {0};
     Paths paths = {0};
-    if (!output_directory(options->out))
-        return EXIT_WRONG_INPUT;
     for (size_t f = 0; f < options->file_count; f++)
         find_files(&paths, options->files[f], &fault);
     Verification *cases = read_cases(&paths, &fault);
-    int code;
+    int code = EXIT_WRONG_INPUT;
     if (fault.total) {
         code = house_file_report(&fault);
-    } else {
+    } else if (output_directory(options->out)) {
         run_cases(cases, paths.count, options, &fault);
         code = give_answer(cases, paths.count, options, &fault);
     }

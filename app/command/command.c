@@ -10,7 +10,6 @@
 #include "base/json.h"
 #include "base/text.h"
 #include "command/licences.h"
-#include "command/output.h"
 #include "command/progress.h"
 #include "platform/terminal.h"
 #include "mechanics/broadphase.h"
@@ -40,8 +39,6 @@ static int run_verb(VerbId verb, int argc, char **argv, int first) {
         print(&text);
     } else if (!code) {
         code = acts[verb](&options);
-        if (code == EXIT_WRONG_INPUT)
-            output_withdraw();
     }
     options_end(&options);
     return code;

@@ -321,6 +321,8 @@ static int follow_orbit(Follower *follower) {
                 follower->name, value);
         return EXIT_WRONG_INPUT;
     }
+    if (!output_directory(follower->options->out))
+        return EXIT_WRONG_INPUT;
     beam_cycle_respond(&response, &follower->family.rig, &follower->beam, NULL, &progress_stop);
     int code = EXIT_ANSWER_NO;
     bool told = response.verdict != RESPONSE_INTERRUPTED;

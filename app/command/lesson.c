@@ -115,6 +115,8 @@ static int check(Lesson *lesson, const Options *options, Arena *arena) {
 static int sheet(Lesson *lesson, const Options *options, Arena *arena) {
     Fault fault = {0};
     AttemptState state = state_of(options);
+    if (!output_directory(options->out))
+        return EXIT_WRONG_INPUT;
     const char *path = text_in_arena(arena, "%s/%s%s.pdf", options->out, name_of(lesson->path, arena),
                                      options->answers ? "-answers" : "");
     struct stat status;
@@ -173,8 +175,6 @@ int command_lesson(const Options *options) {
         fprintf(stderr, "clearance: lesson sheet needs the NAME or FILE of a lesson and --out DIR\n");
         return EXIT_WRONG_INPUT;
     }
-    if (sheets && !output_directory(options->out))
-        return EXIT_WRONG_INPUT;
     for (size_t f = 1; f < options->file_count; f++)
         add_named(&paths, options->files[f]);
     if (options->file_count < 2)

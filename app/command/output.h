@@ -19,12 +19,10 @@ void output_warn_of_fonts(void);
 /* Prints a text, which may be empty, on standard output. */
 void output_text(const Text *text);
 
-/* Makes the directory and those above it, before the work begins; NULL: there is none to make. False: an error was
- * printed. */
+/* Makes the directory and those above it, before the work begins, and after the input is read: wrong input leaves none
+ * behind, and to remove one would take it from another program that writes there. NULL: there is none to make. False:
+ * an error was printed. */
 bool output_directory(const char *path);
-
-/* Removes again what the first call of output_directory made, as far as it is empty: the input was wrong. */
-void output_withdraw(void);
 
 /* Writes plan.png, plan.svg and plan.pdf to it. False: an error was printed. */
 bool output_stills(const Scene *scene, const Options *options);

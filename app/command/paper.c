@@ -155,6 +155,17 @@ static int answer_crank(const Options *options, const PaperOptions *asked) {
 
 /* Both ------------------------------------------------------------------------------------------------------------- */
 
+/* Reads the file and forgets it: a fault is told before the folder of --out is made. */
+static bool can_be_read(const Options *options, bool crank, Fault *fault) {
+    Crank read_crank = {0};
+    Beam read_beam = {0};
+    bool good = crank ? crank_read(&read_crank, options->files[0], options->settings, options->setting_count, fault)
+                      : beam_read(&read_beam, options->files[0], options->settings, options->setting_count, fault);
+    crank_free(&read_crank);
+    beam_free(&read_beam);
+    return good;
+}
+
 int paper_answer(const Options *options) {
     Fault fault = {0};
     Paper paper;
@@ -169,12 +180,14 @@ int paper_answer(const Options *options) {
                                             : options->quiet ? NULL
                                                              : write_progress,
                                 .context = &lines};
-    if (crank)
-        return answer_crank(options, &asked);
-    if (!beam_is_file(options->files[0])) {
+    if (!crank && !beam_is_file(options->files[0])) {
         fault_add(&fault, "clearance: --paper needs a beam or crank file; %s is not one", options->files[0]);
         return house_file_report(&fault);
     }
+    if (!can_be_read(options, crank, &fault) || !output_directory(options->out))
+        return house_file_report(&fault);
+    if (crank)
+        return answer_crank(options, &asked);
     PaperAnswer made = paper_make(&paper, &asked, &fault);
     if (show)
         terminal_clear_progress();

@@ -166,10 +166,16 @@ int run_beam_file(const Options *options) {
     if (!check_options(options) || beam_frames_check(options) || !beam_frames_plots_begin(&files, options))
         return EXIT_WRONG_INPUT;
     if (!beam_read(&beam, options->files[0], options->settings, options->setting_count, &fault) ||
-        !output_directory(options->out) || !rig_build(&rig, &beam, options->files[0], &fault)) {
+        !rig_build(&rig, &beam, options->files[0], &fault)) {
         beam_free(&beam);
         beam_frames_plots_end(&files);
         return house_file_report(&fault);
+    }
+    if (!output_directory(options->out)) {
+        rig_clear(&rig);
+        beam_free(&beam);
+        beam_frames_plots_end(&files);
+        return EXIT_WRONG_INPUT;
     }
     Response response;
     TypeAnswer type;

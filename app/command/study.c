@@ -453,13 +453,10 @@ int command_study(const Options *options) {
     if (!study_shards_check(options, &fault) || !is_one_question(options, &fault) || !is_one_chance(options, &fault))
         return house_file_report(&fault);
     bool types = options->types && !options->study.axis_count && options->study.runs < 2;
-    if (types || options->follow || options->paper) {
-        if (!options->study.print_shards && !output_directory(options->out))
-            return EXIT_WRONG_INPUT;
+    if (types || options->follow || options->paper)
         return types             ? study_types_answer(options)
                : options->follow ? follow_beam_file(options)
                                  : paper_answer(options);
-    }
     if (!open_study(&job, &fault))
         return house_file_report(&fault);
     int code = EXIT_WRONG_INPUT;

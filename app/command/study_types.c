@@ -107,8 +107,8 @@ int study_types_answer(const Options *options) {
     Fault fault = {0};
     if (!study_types_open(&asked, options, &fault))
         return house_file_report(&fault);
-    bool good =
-        types_answer_classify(&types, &asked.quick, thorough_of(&asked), asked.names, asked.count, options, &fault);
+    bool good = output_directory(options->out) && types_answer_classify(&types, &asked.quick, thorough_of(&asked),
+                                                                        asked.names, asked.count, options, &fault);
     int code = good ? give_answer(&types, &asked.quick, options) : house_file_report(&fault);
     study_types_close(&asked);
     return code;
