@@ -72,12 +72,13 @@ static double next_height(const Plan *plan, double low, double cut) {
     return next;
 }
 
-void plan_walls_update(PlanWalls *walls, const Plan *plan, double cut) {
+bool plan_walls_update(PlanWalls *walls, const Plan *plan, double cut) {
     if (!replace_key(walls, plan, cut))
-        return;
+        return false;
     clear_bands(walls);
     double low = next_height(plan, 0, cut);
     for (; low < cut; low = next_height(plan, nextafter(low, HUGE_VAL), cut))
         add_band(walls, plan, low, nextafter(low, HUGE_VAL), low);
     add_band(walls, plan, low, HUGE_VAL, cut);
+    return true;
 }

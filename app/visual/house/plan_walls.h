@@ -2,6 +2,7 @@
  * a house, and from one picture to the next most edits leave walls and doors as they are. */
 #pragma once
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "space/outline.h"
@@ -22,5 +23,6 @@ typedef struct PlanWalls {
 
 void plan_walls_clear(PlanWalls *walls);
 
-/* Makes the bands those of a plan whose walls are cut at that height, m; keeps them if they are its bands already. */
-void plan_walls_update(PlanWalls *walls, const Plan *plan, double cut);
+/* Makes the bands those of a plan whose walls are cut at that height, m; false: they were its bands already, and are
+ * kept. */
+bool plan_walls_update(PlanWalls *walls, const Plan *plan, double cut);
