@@ -17,8 +17,11 @@
  *
  * an axis counting only where T > q. Times become final in rising order, from a heap; equal ones in the order of the
  * grid, so that the result is always the same. Entries are not moved in the heap when a time falls: stale entries are
- * removed later and find their point final. */
+ * removed later and find their point final. Points wait in buckets until the front comes near, so that the heap stays
+ * small: it holds all entries of the buckets up to the present one. */
 
+#define WIDTH 0.01 /* 1, of a bucket, times the least time from point to point */
+#define MOST_BUCKETS 4096.0
 #define STEEP 2.0f /* 1, ratio to the slowness behind: more than discomfort causes */
 
 /* The bits of a point's state above its class. */
@@ -52,6 +55,7 @@ void fast_marching_clear(FastMarching *front) {
     memory_free(front->slowness);
     memory_free(front->states);
     memory_free(front->heap);
+    buckets_clear(&front->later);
     *front = (FastMarching){0};
 }
 
@@ -114,19 +118,38 @@ static double point_time(const FastMarching *front, int i, int j, int class) {
     return real_max(time, real_min(x.time, y.time));
 }
 
+static void put(FastMarching *front, int point, float time) {
+    size_t number = front->later.heads ? buckets_number(&front->later, time) : 0;
+    if (number > front->number && number - front->number <= front->later.last)
+        buckets_put(&front->later, point, time);
+    else
+        heap_put(&front->heap, &front->heap_count, &front->heap_capacity, (FastMarchingEntry){time, point});
+}
+
 static void lower_point(FastMarching *front, int i, int j, int class) {
     size_t point = point_at(front, i, j);
     float time = (float)point_time(front, i, j, class);
     if (time < front->time[point]) {
         front->time[point] = time;
-        heap_put(&front->heap, &front->heap_count, &front->heap_capacity, (FastMarchingEntry){time, (int)point});
+        put(front, (int)point, time);
     }
+}
+
+/* Removes the first entry of all. */
+static FastMarchingEntry take(FastMarching *front) {
+    Buckets *later = &front->later;
+    while (later->held > 0 && (!front->heap_count || buckets_number(later, front->heap[0].time) > front->number)) {
+        FastMarchingEntry entry;
+        for (front->number++; buckets_take(later, front->number, &entry.point, &entry.time);)
+            heap_put(&front->heap, &front->heap_count, &front->heap_capacity, entry);
+    }
+    return heap_take(front->heap, &front->heap_count);
 }
 
 /* Makes the times final of all points of a class that are reached from the entries of the heap. */
 static void run(FastMarching *front, unsigned char class, int most_steps) {
-    while (front->heap_count > 0) {
-        FastMarchingEntry entry = heap_take(front->heap, &front->heap_count);
+    while (front->heap_count + front->later.held > 0) {
+        FastMarchingEntry entry = take(front);
         size_t point = (size_t)entry.point;
         if (front->states[point] & POINT_FINAL)
             continue;
@@ -149,8 +172,22 @@ static void run(FastMarching *front, unsigned char class, int most_steps) {
     }
 }
 
+/* Makes the buckets for the slowness of the ground, before the first entry is taken. */
+static void make_buckets(FastMarching *front) {
+    float least = HUGE_VALF, most = 0;
+    for (size_t p = 0; p < (size_t)front->nx * (size_t)front->ny; p++)
+        if (front->states[p] & POINT_CLASS) {
+            least = fminf(least, front->slowness[p]);
+            most = fmaxf(most, front->slowness[p]);
+        }
+    double span = front->cell * (double)most, width = WIDTH * front->cell * (double)least;
+    if (span > 0)
+        front->later = buckets_make(fmax(width, span / MOST_BUCKETS), span);
+}
+
 bool fast_marching_run(FastMarching *front) {
     bool given = front->heap_count > 0;
+    make_buckets(front);
     run(front, FAST_MARCHING_PASSABLE, INT_MAX);
     return given;
 }

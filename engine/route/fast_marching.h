@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "base/vec2.h"
+#include "route/buckets.h"
 
 /* How a front treats a point. Squeezed points take their times from passable ones and give none back. */
 typedef enum FastMarchingClass {
@@ -26,8 +27,10 @@ typedef struct FastMarching {
     float *slowness;         /* (ny x nx) s/m, > 0 */
     unsigned char *states;   /* (ny x nx) FastMarchingClass until the front runs */
     float *time;             /* (ny x nx) s, infinite where the front has not arrived; not owned */
-    FastMarchingEntry *heap; /* (heap_count), binary */
+    FastMarchingEntry *heap; /* (heap_count) points that are not final, the first of all on top */
     size_t heap_count, heap_capacity;
+    Buckets later; /* points after those of bucket `number`; zero before the front runs */
+    size_t number;
 } FastMarching;
 
 /* Makes all points blocked and all times infinite; the caller fills in slowness and states. `time` (ny x nx) must

@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "plan/plan_geometry.h"
+#include "route/buckets.h"
 #include "space/outline.h"
 
 /* 1, cells: the grid rounds a disc's place by at most this, so discs pass passages that are this much narrower. */
@@ -17,6 +18,9 @@
 
 /* The lowest speed assumed by the search, m/s, which keeps times finite. */
 #define SLOWEST 0.02
+
+/* m: more than sums of distances are rounded by. */
+#define ROUNDED 1e-6
 
 /* Below FIELD_COMFORT of clearance, time counts up to 1 + DISCOMFORT times: chosen so that a chair keeps some 5 cm off
  * a wall where there is room, without detours of more than a few metres. */
@@ -32,6 +36,12 @@ double field_speed(const Profile *profile, double distance) {
 double field_discomfort(double clearance) {
     double lack = fmin(fmax(1 - clearance / FIELD_COMFORT, 0), 1);
     return 1 + DISCOMFORT * lack * lack;
+}
+
+/* Returns a distance of the nearest obstacle, m, from which on nothing slows a driver down. */
+static double free_distance(const Profile *profile) {
+    double swift = (profile->free_speed * profile->steering_time + profile->width) / 2;
+    return fmax(profile->width / 2 + FIELD_COMFORT, swift) + ROUNDED;
 }
 
 static void mark_doors(Ground *ground) {
@@ -66,9 +76,13 @@ void field_ground_init_exact(Ground *ground, const Plan *plan, const FreeSpace *
     size_t points = (size_t)space->nx * (size_t)space->ny;
     *ground = (Ground){.plan = plan, .space = space, .profile = profile};
     ground->slowness = memory_zeroed(points, sizeof *ground->slowness);
+    double far = fmax(free_distance(profile), radius + ROUNDED);
+    float least = (float)(1 / profile->free_speed);
     for (size_t i = 0; i < points; i++) {
         double distance = (double)space->distance[i];
-        if (distance > radius)
+        if (distance >= far)
+            ground->slowness[i] = least;
+        else if (distance > radius)
             ground->slowness[i] =
                 (float)(field_discomfort(distance - profile->width / 2) / field_speed(profile, distance));
     }
@@ -140,49 +154,19 @@ bool field_goal_reached(const Goal *goal, const Plan *plan, Vec2 from, Vec2 to, 
     return false;
 }
 
-/* Dial's queue: buckets of equal width in time, reused cyclically. */
-typedef struct Entry {
-    int point;
-    int next;   /* next entry in the same bucket, or among the unused; -1: none */
-    float time; /* s */
-} Entry;
-
-typedef struct Queue {
-    Entry *entries;
-    size_t capacity, used;
-    int unused;
-    int *heads; /* (bucket_count) */
-    size_t bucket_count, held;
-    double width; /* s */
-} Queue;
-
-static void queue_put(Queue *queue, int point, float time) {
-    int place = queue->unused;
-    if (place >= 0) {
-        queue->unused = queue->entries[place].next;
-    } else {
-        queue->entries = memory_reserve(queue->entries, &queue->capacity, queue->used + 1, sizeof *queue->entries);
-        place = (int)queue->used++;
-    }
-    size_t bucket = (size_t)((double)time / queue->width) % queue->bucket_count;
-    queue->entries[place] = (Entry){point, queue->heads[bucket], time};
-    queue->heads[bucket] = place;
-    queue->held++;
-}
-
-static void seed_point(const Field *field, Queue *queue, int i, int j) {
+static void seed_point(const Field *field, Buckets *queue, int i, int j) {
     const FreeSpace *space = field->ground->space;
     if (i < 0 || j < 0 || i >= space->nx || j >= space->ny)
         return;
     size_t point = (size_t)j * (size_t)space->nx + (size_t)i;
     if (field->ground->slowness[point] > 0 && field->time[point] > 0) {
         field->time[point] = 0;
-        queue_put(queue, (int)point, 0);
+        buckets_put(queue, (int)point, 0);
     }
 }
 
 /* Seeds the points within `reach` m of a line, on it and on both sides, that lie at least `end` m before its ends. */
-static void seed_line(const Field *field, Queue *queue, Vec2 from, Vec2 to, double reach, double end) {
+static void seed_line(const Field *field, Buckets *queue, Vec2 from, Vec2 to, double reach, double end) {
     const FreeSpace *space = field->ground->space;
     Box box = box_expand(box_include(box_include(box_empty(), from), to), reach);
     double nx = space->nx, ny = space->ny;
@@ -201,7 +185,7 @@ static void seed_line(const Field *field, Queue *queue, Vec2 from, Vec2 to, doub
 
 /* Seeds the points about an exit's line, but none that are beyond its ends, unless the line may be too short to have
  * others. */
-static void seed_exit(const Field *field, Queue *queue, const Exit *exit) {
+static void seed_exit(const Field *field, Buckets *queue, const Exit *exit) {
     double cell = field->ground->space->cell;
     bool is_short = vec2_distance(exit->from, exit->to) < 2 * cell;
     seed_line(field, queue, exit->from, exit->to, cell, is_short ? 0 : EXIT_END);
@@ -231,7 +215,7 @@ static void list_moves(Move moves[MOVES], int nx, double cell) {
     }
 }
 
-static void relax(const Field *field, const Move moves[MOVES], Queue *queue, size_t point) {
+static void relax(const Field *field, const Move moves[MOVES], Buckets *queue, size_t point) {
     const Ground *ground = field->ground;
     const FreeSpace *space = ground->space;
     const float *here = ground->slowness + point;
@@ -258,7 +242,7 @@ static void relax(const Field *field, const Move moves[MOVES], Queue *queue, siz
                 continue;
         }
         times[move->to] = reached;
-        queue_put(queue, (int)to, reached);
+        buckets_put(queue, (int)to, reached);
     }
 }
 
@@ -277,12 +261,8 @@ void field_init(Field *field, const Ground *ground, const Goal *goal) {
     for (size_t i = 0; i < points; i++)
         field->time[i] = HUGE_VALF;
     /* No step takes less than one bucket's width, so the times in a bucket are final except for their order. */
-    Queue queue = {.unused = -1, .width = space->cell / ground->profile->free_speed};
     double longest = 2.3 * space->cell * field_discomfort(0) / field_speed(ground->profile, 0) + longest_delay(ground);
-    queue.bucket_count = (size_t)(longest / queue.width) + 3;
-    queue.heads = memory_zeroed(queue.bucket_count, sizeof *queue.heads);
-    for (size_t b = 0; b < queue.bucket_count; b++)
-        queue.heads[b] = -1;
+    Buckets queue = buckets_make(space->cell / ground->profile->free_speed, longest);
     if (goal->radius > 0)
         seed_line(field, &queue, goal->at, goal->at, fmax(goal->radius / 2, space->cell), 0);
     for (size_t e = 0; goal->radius <= 0 && e < plan->exit_count; e++)
@@ -290,19 +270,13 @@ void field_init(Field *field, const Ground *ground, const Goal *goal) {
             seed_exit(field, &queue, &plan->exits[e]);
     Move moves[MOVES];
     list_moves(moves, space->nx, space->cell);
-    for (size_t b = 0; queue.held > 0; b = (b + 1) % queue.bucket_count)
-        while (queue.heads[b] >= 0) {
-            int place = queue.heads[b];
-            Entry entry = queue.entries[place];
-            queue.heads[b] = entry.next;
-            queue.entries[place].next = queue.unused;
-            queue.unused = place;
-            queue.held--;
-            if (entry.time <= field->time[entry.point])
-                relax(field, moves, &queue, (size_t)entry.point);
-        }
-    memory_free(queue.entries);
-    memory_free(queue.heads);
+    int point;
+    float time;
+    for (size_t number = 0; queue.held > 0; number++)
+        while (buckets_take(&queue, number, &point, &time))
+            if (time <= field->time[point])
+                relax(field, moves, &queue, (size_t)point);
+    buckets_clear(&queue);
 }
 
 void field_clear(Field *field) {
