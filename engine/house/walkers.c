@@ -501,6 +501,8 @@ uint64_t walkers_step(World *world, bool senses, size_t *diverged) {
     size_t chunks = chunk_count(walkers);
     uint64_t digest = 0;
     double fastest2 = 0;
+    if (!walkers->any)
+        return 0;
     walkers->reports = memory_reserve(walkers->reports, &walkers->report_capacity, chunks, sizeof *walkers->reports);
     parallel_team_for(world->team, chunks, step_chunk, &pass);
     for (size_t c = 0; c < chunks; c++) {
