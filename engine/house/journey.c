@@ -367,6 +367,18 @@ Journeys journey_plan_recalling(const House *house, const bool *part, bool brief
     return plan_from_start(&planning, part, brief, jobs);
 }
 
+int journey_sense(const House *house, const bool *part) {
+    for (size_t i = 0; i < house->person_count; i++) {
+        const Inhabitant *person = &house->people[i];
+        if (!part[i] || person->profile->driving != DRIVING_DRIVER)
+            continue;
+        const Points *via = person->route ? &person->route->via : &(Points){0};
+        size_t exit = exit_of(house, person->route, last_closing(house, person->delay));
+        return frame_sense(&house->plan, person->at, person->heading, via->at, via->count, exit);
+    }
+    return -1;
+}
+
 Journeys journey_plan_any(const House *house, const bool *part, const Stop *stop) {
     return plan_from_start(&(Planning){.house = house, .stop = stop, .all_or_none = true}, part, true, 1);
 }

@@ -68,6 +68,10 @@ Journeys journey_plan_recalling(const House *house, const bool *part, bool brief
                                 int jobs, const Stop *stop);
 void journey_free_all(Journeys *journeys);
 
+/* Returns the sense of the frame (frame.h) in which the first chair of `part` is planned for; -1: there is none. Chairs
+ * of the same sense wait for the same frame and fields. */
+int journey_sense(const House *house, const bool *part);
+
 /* Plans on one thread, with fewer searches, to decide whether there is any way: each chair's path is the first free
  * one that is found, and the journeys after the first person without one are ROUTE_INTERRUPTED. */
 Journeys journey_plan_any(const House *house, const bool *part, const Stop *stop);

@@ -294,10 +294,11 @@ static void drive_group(Group *group) {
     journey_free_all(journeys);
 }
 
-/* The tasks of all groups: their plans in order, then their drives as they are planned, the longest first, so that no
- * thread has a long one left when the others have ended. */
+/* The tasks of all groups: their plans, then their drives as they are planned, the longest first, so that no thread has
+ * a long one left when the others have ended. */
 typedef struct Tasks {
     Group *groups; /* (count) */
+    size_t *order; /* (count) indices of the groups, as they are planned */
     size_t count;
     pthread_mutex_t mutex;
     pthread_cond_t planned;
@@ -317,12 +318,13 @@ static Group *find_longest(const Tasks *tasks) {
 /* Plans or drives one group. All plans are begun before the first drive, so that a drive can wait for one. */
 static void do_task(void *context, size_t index) {
     Tasks *tasks = context;
-    if (index < tasks->count)
-        plan_group(&tasks->groups[index]);
+    Group *planning = index < tasks->count ? &tasks->groups[tasks->order[index]] : NULL;
+    if (planning)
+        plan_group(planning);
     pthread_mutex_lock(&tasks->mutex);
     Group *group = NULL;
-    if (index < tasks->count) {
-        tasks->groups[index].stage = GROUP_PLANNED;
+    if (planning) {
+        planning->stage = GROUP_PLANNED;
         pthread_cond_broadcast(&tasks->planned);
     } else {
         while (!(group = find_longest(tasks)))
@@ -334,13 +336,32 @@ static void do_task(void *context, size_t index) {
         drive_group(group);
 }
 
+/* Orders the plans: first one of each sense, so that threads do not wait for the same frame. New. */
+static size_t *order_plans(const Group *groups, size_t count) {
+    size_t *order = memory_zeroed(count, sizeof *order), ordered = 0;
+    bool *first = memory_zeroed(count, sizeof *first), begun[FRAME_SENSES] = {false};
+    for (size_t g = 0; g < count; g++) {
+        int sense = journey_sense(groups[g].house, groups[g].part);
+        first[g] = sense < 0 || !begun[sense];
+        if (sense >= 0)
+            begun[sense] = true;
+    }
+    for (int rest = 0; rest < 2; rest++)
+        for (size_t g = 0; g < count; g++)
+            if (first[g] == !rest)
+                order[ordered++] = g;
+    memory_free(first);
+    return order;
+}
+
 static void run_groups(Group *groups, size_t count, int jobs) {
-    Tasks tasks = {.groups = groups, .count = count};
+    Tasks tasks = {.groups = groups, .order = order_plans(groups, count), .count = count};
     pthread_mutex_init(&tasks.mutex, NULL);
     pthread_cond_init(&tasks.planned, NULL);
     parallel_for(jobs, 2 * count, do_task, &tasks);
     pthread_cond_destroy(&tasks.planned);
     pthread_mutex_destroy(&tasks.mutex);
+    memory_free(tasks.order);
 }
 
 /* The whole -------------------------------------------------------------------------------------------------------- */
