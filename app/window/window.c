@@ -31,7 +31,7 @@
 #define PRESENT_LEAST 0.7
 #define NOTE_STAY 6.0    /* s, that a note stays visible; the log (F7) keeps it */
 #define IDLE_WAIT 0.05   /* s, for an event, while nothing moves */
-#define ANSWER_WAIT 4e-3 /* s, if an answer is expected, too */
+#define ANSWER_WAIT 2e-3 /* s, if an answer is expected, too */
 #define SOUND_MOST 4096  /* samples a frame */
 
 /* Keys ------------------------------------------------------------------------------------------------------------- */
@@ -339,7 +339,7 @@ static bool is_lively(Window *window) {
     bool draws = window->dialog == DIALOG_GALLERY && !gallery_complete(window->gallery);
     bool measures = window->frame_timer.counting && window->options->benchmark > 0;
     return window->dirty || ui_is_busy(window->ui) || measures || window->export || draws ||
-           (tab->session && tab->player.playing) || plan_input_animation(tab);
+           (tab->session && window->plays) || plan_input_animation(tab);
 }
 
 /* Between frames --------------------------------------------------------------------------------------------------- */
@@ -411,17 +411,24 @@ static void show_title(Window *window) {
     window->dirty = true;
 }
 
+/* True if a picture of the player, its time and the speed that it achieves would be another one. */
+static bool has_moved(const Player *before, const Player *now) {
+    bool same_speed = now->achieved == before->achieved || (isnan(now->achieved) && isnan(before->achieved));
+    return now->time != before->time || now->playing != before->playing || !same_speed;
+}
+
 static void update(Window *window, double seconds) {
     Tab *tab = window_tab(window);
-    double before = tab->player.time;
+    Player before = tab->player;
     for (size_t i = 0; i < laboratories_count; i++) {
         unsigned changes = tab_update(&window->tabs[i], i == window->current ? seconds : 0);
         if (changes & LABORATORY_ERROR)
             report_trouble(window, &window->tabs[i]);
         window->dirty |= changes && i == window->current;
     }
+    window->plays = has_moved(&before, &tab->player);
     if (tab->session)
-        make_sound(window, tab, before);
+        make_sound(window, tab, before.time);
     end_export(window);
     lesson_update(window);
     if (tab->session)

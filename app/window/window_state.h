@@ -200,6 +200,7 @@ typedef struct Window {
     size_t inputs;     /* presses and releases of keys and buttons that were handled, without repeated keys */
     double work_begun; /* s of wall time, since when the answer has been grey; 0: it is not */
     bool dirty;        /* a new frame must be drawn */
+    bool plays;        /* the player moved in the last turn: one that waits for its record needs no frames */
     bool quit;
     int code;    /* exit code */
     Arena arena; /* of this frame */
