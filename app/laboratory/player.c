@@ -85,6 +85,11 @@ void player_advance(Player *player, double seconds, double wish, const RecordSpa
     }
 }
 
+bool player_looks_other(const Player *before, const Player *now) {
+    bool same_speed = now->achieved == before->achieved || (isnan(now->achieved) && isnan(before->achieved));
+    return now->time != before->time || now->playing != before->playing || !same_speed;
+}
+
 void player_pause(Player *player, const RecordSpan *span) {
     player->playing = false;
     player->achieved = NAN;

@@ -125,11 +125,11 @@ static void begin_row(Rows *rows) {
     rows->middle += ROW_HEIGHT;
 }
 
-/* Returns a text, or what stands before its colon if only that fits. */
+/* Returns a text, or what stands before its colon or before "of the" if only that fits. */
 static const char *shorter_title(Layout *sheet, const char *text, double size, bool bold, double width) {
-    const char *colon = strstr(text, ": ");
-    return colon && text_extent(text, size, bold).x > width
-               ? text_in_arena(&sheet->arena, "%.*s", (int)(colon - text), text)
+    const char *colon = strstr(text, ": "), *end = colon ? colon : strstr(text, " of the ");
+    return end && text_extent(text, size, bold).x > width
+               ? text_in_arena(&sheet->arena, "%.*s", (int)(end - text), text)
                : text;
 }
 

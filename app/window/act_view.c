@@ -28,7 +28,7 @@ static void turn(Tab *tab, double degrees) {
 
 static void toggle_raised(Window *window, Tab *tab) {
     if (!tab->laboratory->raised) {
-        notice_post(window, "A beam has no raised view.");
+        notice_post(window, "A %s has no raised view.", tab->laboratory->word);
         return;
     }
     tab->camera.kind = tab->camera.kind == VIEW_RAISED ? VIEW_PLAN : VIEW_RAISED;

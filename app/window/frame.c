@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "draw/layout.h"
+
 /* Design points. */
 #define MENU_HEIGHT 30.0
 #define ANSWER_HEIGHT 64.0
@@ -13,7 +15,13 @@
 #define PANEL_WIDE 324.0   /* on pages of at least WIDE_PAGE, */
 #define PANEL_WIDEST 340.0 /* of at least WIDEST_PAGE */
 #define WIDEST_PAGE 2100.0
-#define WIDE_PAGE 1500.0 /* Full HD at its own unit: plots have a place of their own */
+#define WIDE_PAGE 1500.0  /* Full HD at its own unit: plots have a place of their own */
+#define PRESENT_TEXT 1.45 /* times the size of the text, in presentation mode, */
+#define PRESENT_LEAST 0.7
+#define PRESENT_WIDTH 800.0 /* which leaves a page of this size if the text is large */
+#define PRESENT_HEIGHT 450.0
+#define NAMED_WIDTH 600.0 /* a smaller view has no room for the names of a machine's parts */
+#define NAMED_HEIGHT 220.0
 #define GAP 6.0
 #define HEAD_HEIGHT 44.0 /* of the words above each picture of a split view */
 #define SPLIT_GAP 2.0
@@ -48,6 +56,17 @@
 #define WIDE_LEAST 150.0
 #define WIDE_NEEDED 110.0 /* below it the labels of a wide view hide one another: the plots have no room */
 #define WIDE_MOST 0.36    /* of the place */
+
+double frame_unit(int width, int height, double density, double text, bool present) {
+    double gain = layout_unit(width, height) / density, own = density * sqrt(fmax(gain, 1)) * text;
+    double grown = density * PRESENT_TEXT * fmax(gain, PRESENT_LEAST) * text;
+    return present ? fmax(own, fmin(grown, fmin(width / PRESENT_WIDTH, height / PRESENT_HEIGHT))) : own;
+}
+
+bool frame_hides_names(const Frame *frame, bool plan) {
+    bool small = box_width(frame->view) < NAMED_WIDTH || box_height(frame->view) < NAMED_HEIGHT;
+    return frame->compact && (plan || small);
+}
 
 bool frame_is_wide(Vec2 page) {
     return page.x >= WIDE_PAGE;

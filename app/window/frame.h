@@ -50,5 +50,14 @@ typedef struct Frame {
 
 Frame frame_make(Vec2 page, const FrameWish *wish);
 
+/* Returns the pixels per design point of a window of that size in pixels, for a size of the text (1: normal): larger
+ * screens give half of their gain to letters and half to content. Only presentation mode grows in full, as long as its
+ * page keeps room for a picture. */
+double frame_unit(int width, int height, double density, double text, bool present);
+
+/* True if the names in the view would hide what they name: on a compact page those of a plan, which has many, and in a
+ * small view any. */
+bool frame_hides_names(const Frame *frame, bool plan);
+
 /* True if a page has room for plots next to the view without being asked. */
 bool frame_is_wide(Vec2 page);

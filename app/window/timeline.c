@@ -61,6 +61,17 @@ static void add_text(Row *row, UiTextStyle size, const char *text, const char *w
         row->left = left + width + 2 * GAP;
 }
 
+/* Adds the speed between its keys, if there is room. */
+static void add_speed(Row *row, const Player *player) {
+    Window *window = row->window;
+    const char *widest = window->frame.compact ? "16x" : "16x (0.98x)";
+    if (row->right - row->left < 2 * (LEAST_BUTTON + GAP) + ui_extent(window->ui, UI_BODY, widest).x)
+        return;
+    add_button(row, ACTION_FASTER, "+", false, true);
+    add_text(row, UI_BODY, player_speed_text(player, &window->arena), widest, true);
+    add_button(row, ACTION_SLOWER, "-", false, true);
+}
+
 /* The line --------------------------------------------------------------------------------------------------------- */
 
 typedef struct Track {
@@ -153,9 +164,7 @@ void timeline_show(Window *window) {
                  CLOCK_WIDEST, false);
         if (!compact)
             add_button(&row, ACTION_NOW, "Now", false, true);
-        add_button(&row, ACTION_FASTER, "+", false, true);
-        add_text(&row, UI_BODY, player_speed_text(&tab->player, &window->arena), compact ? "16x" : "16x (0.98x)", true);
-        add_button(&row, ACTION_SLOWER, "-", false, true);
+        add_speed(&row, &tab->player);
         if (row.right - row.left > LEAST_TRACK && !lesson_hides(window))
             show_track(window, tab, (Box){{row.left + GAP, row.bar.low.y}, {row.right - GAP, row.bar.high.y}});
     }

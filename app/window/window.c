@@ -27,8 +27,6 @@
 #include "window/tries.h"
 #include "window/window_state.h"
 
-#define PRESENT_TEXT 1.45 /* times the size of the text, in presentation mode */
-#define PRESENT_LEAST 0.7
 #define NOTE_STAY 6.0    /* s, that a note stays visible; the log (F7) keeps it */
 #define IDLE_WAIT 0.05   /* s, for an event, while nothing moves */
 #define ANSWER_WAIT 2e-3 /* s, if an answer is expected, too */
@@ -235,19 +233,12 @@ static Box snapped(const Window *window, Box box) {
                  {round(box.high.x * unit) / unit, round(box.high.y * unit) / unit}};
 }
 
-/* Returns the pixels per design point: larger screens give half of their gain to letters and half to content. Only
- * presentation mode grows in full. */
-static double window_unit(int width, int height, double density, bool present) {
-    double gain = fmax(layout_unit(width, height) / density, present ? PRESENT_LEAST : 1);
-    return density * (present ? PRESENT_TEXT * gain : sqrt(gain));
-}
-
 static void make_frame(Window *window) {
     const Tab *tab = window_tab(window);
     const Frame before = window->frame;
     sdl_window_size(window->sdl_window, &window->width, &window->height);
-    window->unit = window_unit(window->width, window->height, sdl_window_density(window->sdl_window), window->present) *
-                   window->text;
+    window->unit = frame_unit(window->width, window->height, sdl_window_density(window->sdl_window), window->text,
+                              window->present);
     Vec2 page = {window->width / window->unit, window->height / window->unit};
     bool plots =
         window->plots == PLOTS_AUTO ? tab_opens_plots(tab) || frame_is_wide(page) : window->plots == PLOTS_OPEN;
@@ -310,7 +301,7 @@ static void draw(Window *window, double seconds) {
     Tab *tab = window_tab(window);
     arena_clear(&window->arena);
     make_frame(window);
-    tab_set_cramped(tab, window->frame.compact && !(lesson_is_shown(window) && tab_editor(tab)));
+    tab_set_cramped(tab, frame_hides_names(&window->frame, tab_editor(tab)) && !lesson_is_shown(window));
     canvas_paint(window);
     paint_gl_screen_begin(window->screen, window->width, window->height, palette_colour(window->theme, ROLE_PAPER));
     if (tab->session && tab->view_layers.paint)
@@ -411,12 +402,6 @@ static void show_title(Window *window) {
     window->dirty = true;
 }
 
-/* True if a picture of the player, its time and the speed that it achieves would be another one. */
-static bool has_moved(const Player *before, const Player *now) {
-    bool same_speed = now->achieved == before->achieved || (isnan(now->achieved) && isnan(before->achieved));
-    return now->time != before->time || now->playing != before->playing || !same_speed;
-}
-
 static void update(Window *window, double seconds) {
     Tab *tab = window_tab(window);
     Player before = tab->player;
@@ -426,7 +411,7 @@ static void update(Window *window, double seconds) {
             report_trouble(window, &window->tabs[i]);
         window->dirty |= changes && i == window->current;
     }
-    window->plays = has_moved(&before, &tab->player);
+    window->plays = player_looks_other(&before, &tab->player);
     if (tab->session)
         make_sound(window, tab, before.time);
     end_export(window);

@@ -146,3 +146,20 @@ TEST(a_second_axis_and_a_key_leave_words_their_room) {
         plot_layout_clear(&layout);
     }
 }
+
+TEST(a_long_title_ends_before_what_it_is_of) {
+    double x[] = {0, 1}, y[] = {0, 1};
+    PlotSeries series = sample_line("path", x, y, 2);
+    const char *const titles[][2] = {{"Phase plane of the ball in its socket", "Phase plane"},
+                                     {"Orbit diagram: peak force of the joint", "Orbit diagram"}};
+    for (size_t t = 0; t < sizeof titles / sizeof *titles; t++) {
+        Plot plot = sample_plot(&series, 1);
+        plot.title = titles[t][0];
+        PlotLayout wide, narrow;
+        plot_layout_make(&wide, &plot, vec2(640, 300), PLOT_NAMES_BESIDE);
+        plot_layout_make(&narrow, &plot, vec2(240, 150), PLOT_NAMES_BESIDE);
+        CHECK(sample_has_text(&wide, titles[t][0]) && sample_has_text(&narrow, titles[t][1]));
+        plot_layout_clear(&wide);
+        plot_layout_clear(&narrow);
+    }
+}

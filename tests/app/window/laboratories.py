@@ -65,6 +65,12 @@ check(found[5]["present"], "F5 presents")
 check(found[6]["theme"] == "board", "Ctrl+T is the board")
 check(found[7]["text"] == 1.5, "letters grow in steps of a quarter", found[7]["text"])
 
+# V says whose view cannot be raised
+for laboratory in ("beam", "crank"):
+    found = act(f"flat-{laboratory}", f"laboratory {laboratory}", "key V", "wait 2", "state STATE")
+    check(found[0]["said"] == f"A {laboratory} has no raised view.", f"{laboratory}: V says that it stays flat",
+          found[0]["said"])
+
 # 22. at twice the size, and in a small window: parts do not overlap, and the answer comes first
 for width, height, text in ((1280, 720, 1), (1024, 600, 1), (1280, 720, 2), (1024, 600, 2), (1920, 1080, 3), (3840, 2160, 1)):
     for laboratory in ("house", "beam"):

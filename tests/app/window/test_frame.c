@@ -2,6 +2,8 @@
 
 #include "window/frame.h"
 
+#include <math.h>
+
 #include "check.h"
 
 static bool is_there(Box box) {
@@ -73,9 +75,34 @@ TEST(presenting_leaves_answer_view_and_timeline) {
 
 TEST(the_rail_has_words_where_there_is_room_and_goes_before_a_class) {
     FrameWish wish = {.panel = true, .plots = true, .plot_count = 2, .tool_count = 10, .aspect = 1.2};
-    Frame wide = frame_make(vec2(1280, 720), &wish), low = frame_make(vec2(640, 360), &wish);
+    Frame wide = frame_make(vec2(1280, 720), &wish), low = frame_make(vec2(500, 300), &wish);
     CHECK(wide.tool_labels && wide.tool_columns == 1 && is_there(wide.toolbar));
     CHECK(!low.tool_labels && low.tool_columns == 2 && box_width(low.view) >= 250);
     wish.present = true;
     CHECK(!is_there(frame_make(vec2(1280, 720), &wish).toolbar));
+}
+
+TEST(presentation_grows_unless_it_leaves_too_small_a_page) {
+    CHECK_NEAR(frame_unit(1280, 720, 1, 1, false), 1, 1e-12);
+    CHECK_NEAR(frame_unit(1920, 1080, 1, 1, false), sqrt(1.5), 1e-12);
+    for (double text = 1; text <= 2; text += 0.25)
+        for (int height = 480; height <= 2160; height += 60) {
+            int width = height * 16 / 9;
+            double own = frame_unit(width, height, 1, text, false), present = frame_unit(width, height, 1, text, true);
+            CHECK(present >= own);
+            CHECK(present <= own || (width / present >= 800 - 1e-9 && height / present >= 450 - 1e-9));
+        }
+    CHECK_NEAR(frame_unit(1280, 720, 1, 1, true), 1.45, 1e-12);
+    CHECK_NEAR(frame_unit(1280, 720, 1, 1.5, true), 1.6, 1e-12);
+    CHECK_NEAR(frame_unit(1280, 720, 1, 2, true), 2, 1e-12);
+}
+
+/* The dials of a machine say nothing without their names; a plan has so many that they hide it. */
+TEST(a_machine_keeps_its_names_while_the_view_has_room) {
+    FrameWish wish = {.present = true, .aspect = 2};
+    Frame present = frame_make(vec2(883, 497), &wish), tiny = frame_make(vec2(500, 300), &wish);
+    CHECK(present.compact && !frame_hides_names(&present, false) && frame_hides_names(&present, true));
+    CHECK(tiny.compact && frame_hides_names(&tiny, false));
+    Frame full = frame_make(vec2(1280, 720), &wish);
+    CHECK(!frame_hides_names(&full, false) && !frame_hides_names(&full, true));
 }
