@@ -204,6 +204,11 @@ static void show_doing_note(Window *window, const char *doing, double left, doub
         show_text(window, UI_SMALL, ROLE_DIM_TEXT, left, right, below, doing);
 }
 
+/* Returns the first line of a detail: of several faults the first, since the panel has them all. */
+static const char *first_line(Window *window, const char *detail) {
+    return detail ? text_in_arena(&window->arena, "%.*s", (int)strcspn(detail, "\n"), detail) : "";
+}
+
 /* Returns the first clauses of a detail, whole ones, that fit into a width; "": none does. */
 static const char *whole_clauses(Window *window, UiTextStyle size, const char *detail, double width) {
     size_t length = strlen(detail);
@@ -228,7 +233,7 @@ static const char *some_clauses(Window *window, UiTextStyle size, const char *te
 
 /* Shows the result's numbers in one line, or small in two. */
 static void show_detail(Window *window, const Result *answer, double left, double right, double y) {
-    const char *detail = answer->detail ? answer->detail : "";
+    const char *detail = first_line(window, answer->detail);
     Role role = answer->stale ? ROLE_DIM_TEXT : ROLE_TEXT;
     UiTextStyle size = left + ui_extent(window->ui, UI_DETAIL, detail).x > right ? UI_BODY : UI_DETAIL;
     if (size == UI_BODY && show_clauses(window, detail, role, left, right, y))
@@ -249,7 +254,7 @@ static void show_detail(Window *window, const Result *answer, double left, doubl
 
 /* Shows the numbers in one line below the title. */
 static void show_detail_below(Window *window, const Result *answer, double right, double y) {
-    const char *detail = answer->detail ? answer->detail : "";
+    const char *detail = first_line(window, answer->detail);
     bool fits = MARGIN + ui_extent(window->ui, UI_DETAIL, detail).x <= right;
     UiTextStyle size = fits ? UI_DETAIL : UI_BODY;
     show_text(window, size, ROLE_TEXT, MARGIN, right, y, whole_clauses(window, size, detail, right - MARGIN));

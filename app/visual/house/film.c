@@ -53,19 +53,26 @@ static bool has_several_routes(const Film *film) {
     return several;
 }
 
-/* Marks the future routes of the people, including their feet, against being covered by labels; draws nothing. */
+/* Marks the future routes of the people, including their feet, against being covered by labels, before they are
+ * recorded the starts; draws nothing. */
 static void mark_routes(Film *film) {
     for (size_t i = 0; i < film->house->person_count; i++) {
         const Trail *trail = &film->trails[i];
-        const Profile *profile = film->house->people[i].profile;
-        if (!trail->count)
+        const Inhabitant *person = &film->house->people[i];
+        if (!film->observation->people[i].took_part)
             continue;
-        Vec2 *points = memory_zeroed(trail->count + 1, sizeof *points);
+        Vec2 *points = memory_zeroed(trail->count + 2, sizeof *points);
+        size_t count = 0;
         for (size_t r = 0; r < trail->count; r++)
-            points[r] = row_place(trail->rows[r]);
-        Pose end = trail_pose(trail, trail_end(trail));
-        points[trail->count] = vec2_along(end.at, profile->length + profile->space_reach, vec2_heading(end.heading));
-        Primitive *way = scene_add_line(&film->still, ROLE_PAPER, WAY_WIDTH, points, trail->count + 1);
+            points[count++] = row_place(trail->rows[r]);
+        Pose end = {.at = person->at, .heading = person->heading};
+        if (count)
+            end = trail_pose(trail, trail_end(trail));
+        else
+            points[count++] = end.at;
+        double ahead = person->profile->length + person->profile->space_reach;
+        points[count++] = vec2_along(end.at, ahead, vec2_heading(end.heading));
+        Primitive *way = scene_add_line(&film->still, ROLE_PAPER, WAY_WIDTH, points, count);
         way->edge_opacity = 0;
         way->keep_clear = KEEP_WAY;
         memory_free(points);

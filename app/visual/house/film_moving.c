@@ -28,10 +28,16 @@
 #define SPACE_OPACITY 0.13
 #define OTHER_RUN 0.4 /* opacity of a chair that lies over one of another run */
 
+/* True while nothing of a person is recorded: in a window all stand at their starts until the first answer moves. */
+static bool is_expected(const Film *film, size_t i) {
+    return film->options.live && !film->trails[i].count && !(film->observation->time > 0) &&
+           !film->house->people[i].under;
+}
+
 /* True if the person is visible. The last person out stays: a film ends with a person in the picture. */
 static bool is_there(const Film *film, size_t i) {
     const PersonObservation *observed = &film->observation->people[i];
-    if (!observed->took_part || !film->trails[i].count)
+    if (!observed->took_part || (!film->trails[i].count && !is_expected(film, i)))
         return false;
     bool last = !film->crowd && observed->time >= film->observation->time;
     return !observed->completed || last || film->time <= observed->time + (film->crowd ? 0 : STAY);
@@ -49,7 +55,7 @@ static size_t group_of(const Film *film, size_t i) {
 /* Returns where a person is now: at the start while an answer is being worked out. */
 static Pose pose_of(const Film *film, size_t i) {
     const Inhabitant *person = &film->house->people[i];
-    if (film->options.rests)
+    if (film->options.rests || is_expected(film, i))
         return (Pose){.at = person->at, .heading = person->heading};
     return trail_pose(&film->trails[i], film->time);
 }

@@ -78,6 +78,39 @@ static void list_added(Text *text, const Scene *added) {
 }
 
 /* A film adds the same primitives in the same order for any sequence of times. */
+/* A window shows people from the first picture on, though nothing of them is recorded yet; a film does not. */
+TEST(people_stand_at_their_starts_until_they_are_recorded) {
+    House house;
+    case_house(&house, "ube-techno-house", -1, NULL);
+    PersonObservation *people = memory_zeroed(house.person_count, sizeof *people);
+    double *opened = memory_zeroed(house.plan.door_count, sizeof *opened);
+    for (size_t i = 0; i < house.person_count; i++)
+        people[i].took_part = i != 1;
+    Trail *trails = memory_zeroed(house.person_count, sizeof *trails);
+    Observation empty = {.people = people,
+                         .person_count = house.person_count,
+                         .door_opened = opened,
+                         .dt = house.plan.run.dt,
+                         .sample = 0.1};
+    for (int live = 0; live < 2; live++) {
+        Film *film = film_create(&house, &empty, &(FilmOptions){.live = live, .trails = trails});
+        const Scene *moving = (film_show(film, 0), film_moving(film));
+        size_t bodies = 0;
+        for (size_t p = 0; p < moving->count; p++)
+            for (size_t i = 0; i < house.person_count; i++) {
+                const Primitive *name = &moving->primitives[p];
+                Vec2 middle = silhouette_middle(house.people[i].profile, house.people[i].at, house.people[i].heading);
+                bodies += name->kind == PRIMITIVE_LABEL && vec2_distance(name->points[0], middle) < 1e-9;
+            }
+        CHECK(bodies == (live ? house.person_count - 1 : 0));
+        film_destroy(film);
+    }
+    memory_free(trails);
+    memory_free(opened);
+    memory_free(people);
+    house_free(&house);
+}
+
 TEST(what_comes_does_not_depend_on_when_one_looks) {
     static const double steps[] = {1.0 / 60, 1.0 / 30, 0.04, 0.37, 5, 100};
     static const char *const houses[] = {"closed-door", "two-chairs-corridor", "ube-techno-house"};
