@@ -301,7 +301,8 @@ static void draw(Window *window, double seconds) {
     Tab *tab = window_tab(window);
     arena_clear(&window->arena);
     make_frame(window);
-    tab_set_cramped(tab, frame_hides_names(&window->frame, tab_editor(tab)) && !lesson_is_shown(window));
+    bool plan = tab_editor(tab), taught = plan && lesson_is_shown(window); /* a lesson speaks of its names */
+    tab_set_cramped(tab, frame_hides_names(&window->frame, plan) && !taught);
     canvas_paint(window);
     paint_gl_screen_begin(window->screen, window->width, window->height, palette_colour(window->theme, ROLE_PAPER));
     if (tab->session && tab->view_layers.paint)
