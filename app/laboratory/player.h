@@ -39,7 +39,7 @@ double player_wish(const Player *player, double seconds, const RecordSpan *span)
  * stops. */
 void player_advance(Player *player, double seconds, double wish, const RecordSpan *span);
 
-/* True if a picture of the player, of its time or of the speed that it achieves is no longer the same. */
+/* True if the player, its time or the speed that it achieves would be shown otherwise than before. */
 bool player_looks_other(const Player *before, const Player *now);
 
 /* Play, from the beginning if it is at the end, or pause on a whole frame. */

@@ -29,7 +29,7 @@ static inline Buckets buckets_make(double width, double span) {
     Buckets buckets = {.unused = -1, .last = 1, .per_second = 1 / width};
     while ((double)buckets.last < span / width + 2)
         buckets.last = 2 * buckets.last + 1;
-    buckets.heads = (int *)memory_zeroed(buckets.last + 1, sizeof *buckets.heads);
+    buckets.heads = memory_zeroed(buckets.last + 1, sizeof *buckets.heads);
     for (size_t b = 0; b <= buckets.last; b++)
         buckets.heads[b] = -1;
     return buckets;
@@ -51,8 +51,8 @@ static inline void buckets_put(Buckets *buckets, int point, float time) {
     if (place >= 0) {
         buckets->unused = buckets->entries[place].next;
     } else {
-        buckets->entries = (BucketEntry *)memory_reserve(buckets->entries, &buckets->capacity, buckets->used + 1,
-                                                         sizeof *buckets->entries);
+        buckets->entries =
+            memory_reserve(buckets->entries, &buckets->capacity, buckets->used + 1, sizeof *buckets->entries);
         place = (int)buckets->used++;
     }
     int *head = &buckets->heads[buckets_number(buckets, time) & buckets->last];

@@ -20,9 +20,9 @@
  * removed later and find their point final. Points wait in buckets until the front comes near, so that the heap stays
  * small: it holds all entries of the buckets up to the present one. */
 
-#define WIDTH 0.01 /* 1, of a bucket, times the least time from point to point */
-#define MOST_BUCKETS 4096.0
-#define STEEP 2.0f /* 1, ratio to the slowness behind: more than discomfort causes */
+#define BUCKET_WIDTH 0.01   /* 1, times the least time from point to point: some tens of entries */
+#define MOST_BUCKETS 4096.0 /* within the longest time from point to point: they are wider where that is long */
+#define STEEP 2.0f          /* 1, ratio to the slowness behind: more than discomfort causes */
 
 /* The bits of a point's state above its class. */
 enum {
@@ -180,7 +180,7 @@ static void make_buckets(FastMarching *front) {
             least = fminf(least, front->slowness[p]);
             most = fmaxf(most, front->slowness[p]);
         }
-    double span = front->cell * (double)most, width = WIDTH * front->cell * (double)least;
+    double span = front->cell * (double)most, width = BUCKET_WIDTH * front->cell * (double)least;
     if (span > 0)
         front->later = buckets_make(fmax(width, span / MOST_BUCKETS), span);
 }
