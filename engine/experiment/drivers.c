@@ -15,26 +15,39 @@ static const double KEPT = 0.005;
  * may do with fewer. */
 static const double MUCH_NARROWER = 0.02, MUCH_SHORTER = 0.10;
 
+/* The bodies for which a person's way is planned in turn, until a driver has an answer. None depends on other drivers,
+ * so that a driver does the same alone and among a hundred. */
+typedef enum Step {
+    STEP_NOMINAL, /* the person's own profile */
+    STEP_CLASS,   /* width and length rounded up */
+    STEP_SMALLER, /* rounded down: where this body cannot pass, none of the class can */
+    STEP_OWN,
+    STEP_COUNT
+} Step;
+
 /* A plan of one person with some body. */
 typedef struct BodyPlan {
+    size_t person;
     double width, length; /* m */
     Journeys journeys;
 } BodyPlan;
 
-/* The plans of one person, in the order of the drivers who first needed them. */
-typedef struct PersonPlans {
-    BodyPlan *plans;
-    size_t count, capacity;
-    const Route **route_of; /* (count of drivers) */
-} PersonPlans;
+/* Which plan a driver follows in one place of the house. */
+typedef struct Choice {
+    size_t plan; /* index in work->plans */
+    bool decided;
+} Choice;
 
 typedef struct Work {
     const House *house;
     const Population *population;
     size_t route;
     const Stop *stop;
-    House *houses;      /* (count) of the drivers */
-    PersonPlans *plans; /* (person_count) */
+    House *houses; /* (count) of the drivers */
+    BodyPlan *plans;
+    size_t plan_count, plan_capacity;
+    size_t first;    /* index of the first plan that is not made */
+    Choice *choices; /* (count x person_count) */
     Drivers *drivers;
 } Work;
 
@@ -126,23 +139,29 @@ static double rounded_up(double length, double step) {
     return step * ceil(length / step - 1e-9);
 }
 
-static const Route *route_of_plan(const BodyPlan *plan, size_t i) {
-    return &plan->journeys.of[i].route;
+static double rounded_down(double length, double step) {
+    return step * fmax(floor(length / step + 1e-9), 1);
 }
 
-static BodyPlan plan_body(const Work *work, size_t i, double width, double length) {
-    BodyPlan plan = {.width = width, .length = length};
+static const Route *route_of_plan(const BodyPlan *plan) {
+    return &plan->journeys.of[plan->person].route;
+}
+
+static void plan_body(void *context, size_t i) {
+    Work *work = context;
+    BodyPlan *plan = &work->plans[work->first + i];
     House house = house_alike(work);
     bool *part = memory_zeroed(house.person_count, sizeof *part);
-    part[i] = true;
-    Profile *profile = own_profile(&house, i);
-    profile->width = width;
-    profile->length = length;
-    profile->axle = fmin(profile->axle, length);
-    plan.journeys = journey_plan_briefly(&house, part, 1, work->stop);
+    part[plan->person] = true;
+    if (varies(work, &house.people[plan->person])) {
+        Profile *profile = own_profile(&house, plan->person);
+        profile->width = plan->width;
+        profile->length = plan->length;
+        profile->axle = fmin(profile->axle, plan->length);
+    }
+    plan->journeys = journey_plan_briefly(&house, part, 1, work->stop);
     memory_free(part);
     free_alike(&house);
-    return plan;
 }
 
 static bool holds(const BodyPlan *plan, const Profile *body) {
@@ -150,8 +169,8 @@ static bool holds(const BodyPlan *plan, const Profile *body) {
 }
 
 /* True if a body can drive a way that was planned for another one. */
-static bool can_follow(const Work *work, const BodyPlan *plan, size_t i, const Profile *body) {
-    const Route *route = route_of_plan(plan, i);
+static bool can_follow(const Work *work, const BodyPlan *plan, const Profile *body) {
+    const Route *route = route_of_plan(plan);
     if (route->answer != ROUTE_FOUND)
         return false;
     if (route->reversals > 0 &&
@@ -169,75 +188,72 @@ static bool can_follow(const Work *work, const BodyPlan *plan, size_t i, const P
     return true;
 }
 
-/* Returns the plan for the most alike body whose way this one can drive, or NULL. */
-static const BodyPlan *find_way(const Work *work, const PersonPlans *known, size_t i, const Profile *body) {
-    const BodyPlan *best = NULL;
-    double least = HUGE_VAL;
-    for (size_t p = 0; p < known->count; p++) {
-        const BodyPlan *plan = &known->plans[p];
-        double unlike = fabs(plan->width - body->width) + fabs(plan->length - body->length);
-        if (unlike < least && can_follow(work, plan, i, body)) {
-            best = plan;
-            least = unlike;
+/* Returns the index of the plan of a person for a body, which is made later if it is new. */
+static size_t plan_for(Work *work, size_t person, double width, double length) {
+    for (size_t p = 0; p < work->plan_count; p++)
+        if (work->plans[p].person == person && work->plans[p].width == width && work->plans[p].length == length)
+            return p;
+    work->plans = memory_reserve(work->plans, &work->plan_capacity, work->plan_count + 1, sizeof *work->plans);
+    work->plans[work->plan_count] = (BodyPlan){.person = person, .width = width, .length = length};
+    return work->plan_count++;
+}
+
+static size_t ask_for_plan(Work *work, Step step, size_t person, const Profile *body) {
+    const Profile *nominal = work->house->people[person].profile;
+    double width = body->width, length = body->length;
+    switch (step) {
+    case STEP_NOMINAL:
+        return plan_for(work, person, nominal->width, nominal->length);
+    case STEP_CLASS:
+        return plan_for(work, person, rounded_up(width, DRIVERS_WIDTH), rounded_up(length, DRIVERS_LENGTH));
+    case STEP_SMALLER:
+        return plan_for(work, person, rounded_down(width, DRIVERS_WIDTH), rounded_down(length, DRIVERS_LENGTH));
+    default:
+        return plan_for(work, person, width, length);
+    }
+}
+
+/* True if what the plan of a step says holds for a driver, be it a way or that there is none. */
+static bool is_answer(const Work *work, Step step, const BodyPlan *plan, const Profile *body) {
+    switch (step) {
+    case STEP_NOMINAL:
+        return !varies(work, &work->house->people[plan->person]) || can_follow(work, plan, body);
+    case STEP_CLASS:
+        return route_of_plan(plan)->answer != ROUTE_CANNOT_PASS;
+    case STEP_SMALLER:
+        return route_of_plan(plan)->answer != ROUTE_FOUND || can_follow(work, plan, body);
+    default:
+        return true;
+    }
+}
+
+/* Plans the ways of all drivers, a step after the other; the plans of a step at once. */
+static void plan_ways(Work *work, int jobs) {
+    size_t people = work->house->person_count, count = work->drivers->count;
+    work->choices = memory_zeroed(count * people, sizeof *work->choices);
+    for (Step step = STEP_NOMINAL; step < STEP_COUNT; step++) {
+        work->first = work->plan_count;
+        for (size_t c = 0; c < count * people; c++) {
+            Choice *choice = &work->choices[c];
+            if (takes_part(work, &work->house->people[c % people]) && !choice->decided)
+                choice->plan =
+                    ask_for_plan(work, step, c % people, work->houses[c / people].people[c % people].profile);
+        }
+        parallel_for(jobs, work->plan_count - work->first, plan_body, work);
+        for (size_t c = 0; c < count * people; c++) {
+            Choice *choice = &work->choices[c];
+            if (takes_part(work, &work->house->people[c % people]) && !choice->decided)
+                choice->decided = is_answer(work, step, &work->plans[choice->plan],
+                                            work->houses[c / people].people[c % people].profile);
         }
     }
-    return best;
 }
 
-/* Returns a plan without a way, for a body that is at most as large, or NULL. */
-static const BodyPlan *find_failure(const PersonPlans *known, size_t i, const Profile *body) {
-    for (size_t p = 0; p < known->count; p++) {
-        const BodyPlan *plan = &known->plans[p];
-        if (route_of_plan(plan, i)->answer != ROUTE_FOUND && body->width >= plan->width && body->length >= plan->length)
-            return plan;
-    }
-    return NULL;
-}
-
-static size_t add_plan(const Work *work, PersonPlans *known, size_t i, double width, double length) {
-    known->plans = memory_reserve(known->plans, &known->capacity, known->count + 1, sizeof *known->plans);
-    known->plans[known->count] = plan_body(work, i, width, length);
-    return known->count++;
-}
-
-/* Finds a way for a driver: a known one, one for the class of the body, and at last one for the body itself. Returns
- * the index of its plan. */
-static size_t plan_driver(const Work *work, PersonPlans *known, size_t i, const Profile *body) {
-    const BodyPlan *way = find_way(work, known, i, body);
-    if (!way)
-        way = find_failure(known, i, body);
-    if (way)
-        return (size_t)(way - known->plans);
-    double width = rounded_up(body->width, DRIVERS_WIDTH), length = rounded_up(body->length, DRIVERS_LENGTH);
-    size_t added = add_plan(work, known, i, width, length);
-    if (route_of_plan(&known->plans[added], i)->answer == ROUTE_CANNOT_PASS && !stop_requested(work->stop))
-        added = add_plan(work, known, i, body->width, body->length);
-    return added;
-}
-
-/* Plans one person's ways for all drivers, one after the other, so that no driver's way depends on later ones. */
-static void plan_person(void *context, size_t i) {
-    Work *work = context;
-    const Inhabitant *person = &work->house->people[i];
-    PersonPlans *known = &work->plans[i];
-    if (!takes_part(work, person))
-        return;
-    size_t count = work->drivers->count;
-    size_t *of = memory_zeroed(count, sizeof *of);
-    add_plan(work, known, i, person->profile->width, person->profile->length);
-    for (size_t k = 0; k < count && varies(work, person) && !stop_requested(work->stop); k++)
-        of[k] = plan_driver(work, known, i, work->houses[k].people[i].profile);
-    known->route_of = memory_zeroed(count, sizeof *known->route_of);
-    for (size_t k = 0; k < count; k++)
-        known->route_of[k] = route_of_plan(&known->plans[of[k]], i);
-    memory_free(of);
-}
-
-static void free_plans(PersonPlans *known) {
-    for (size_t p = 0; p < known->count; p++)
-        journey_free_all(&known->plans[p].journeys);
-    memory_free(known->plans);
-    memory_free(known->route_of);
+static void free_plans(Work *work) {
+    for (size_t p = 0; p < work->plan_count; p++)
+        journey_free_all(&work->plans[p].journeys);
+    memory_free(work->plans);
+    memory_free(work->choices);
 }
 
 /* Drivers ---------------------------------------------------------------------------------------------------------*/
@@ -265,8 +281,8 @@ static void observe_driver(const Work *work, size_t k, Observation *observation)
     House *house = &work->houses[k];
     Journeys known = {.of = memory_zeroed(house->person_count, sizeof *known.of), .count = house->person_count};
     for (size_t i = 0; i < house->person_count; i++)
-        if (work->plans[i].route_of)
-            known.of[i].route = *work->plans[i].route_of[k];
+        if (takes_part(work, &work->house->people[i]))
+            known.of[i].route = *route_of_plan(&work->plans[work->choices[k * house->person_count + i].plan]);
     run_house(observation, house,
               &(RunOptions){.route = work->route, .jobs = 1, .stop = work->stop, .brief = true, .known = &known});
     memory_free(known.of);
@@ -311,21 +327,17 @@ void drivers_run(Drivers *drivers, const House *house, const Population *populat
                  .route = route,
                  .stop = stop,
                  .houses = memory_zeroed(count, sizeof *work.houses),
-                 .plans = memory_zeroed(house->person_count, sizeof *work.plans),
                  .drivers = drivers};
     for (size_t k = 0; k < count; k++)
         work.houses[k] = house_of_driver(&work, k + 1);
-    parallel_for(jobs, house->person_count, plan_person, &work);
+    plan_ways(&work, jobs);
     if (!stop_requested(stop))
         parallel_for(jobs, count, run_driver, &work);
     drivers->interrupted = stop_requested(stop);
     for (size_t k = 0; k < count; k++)
         free_alike(&work.houses[k]);
-    for (size_t i = 0; i < house->person_count; i++) {
-        drivers->plans += work.plans[i].count;
-        free_plans(&work.plans[i]);
-    }
-    memory_free(work.plans);
+    drivers->plans = work.plan_count;
+    free_plans(&work);
     memory_free(work.houses);
 }
 
@@ -341,19 +353,11 @@ void drivers_run_one(Observation *observation, const House *house, const Populat
                      size_t route, const Stop *stop) {
     Drivers drivers = {.count = 1, .person_count = house->person_count};
     House own;
-    Work work = {.house = house,
-                 .population = population,
-                 .route = route,
-                 .stop = stop,
-                 .houses = &own,
-                 .plans = memory_zeroed(house->person_count, sizeof *work.plans),
-                 .drivers = &drivers};
+    Work work = {
+        .house = house, .population = population, .route = route, .stop = stop, .houses = &own, .drivers = &drivers};
     own = house_of_driver(&work, driver);
-    for (size_t i = 0; i < house->person_count; i++)
-        plan_person(&work, i);
+    plan_ways(&work, 1);
     observe_driver(&work, 0, observation);
-    for (size_t i = 0; i < house->person_count; i++)
-        free_plans(&work.plans[i]);
-    memory_free(work.plans);
+    free_plans(&work);
     free_alike(&own);
 }

@@ -2,11 +2,11 @@
  *
  * Driver 0 is the nominal one. The others differ in body, strength, speed and caution (population.h) and make errors of
  * steering (drive.c); on a route alone driver k is the same person on every route, and in company everybody is another
- * one. A driver takes a way that is known already, of the nominal one or of an earlier one, if the own body passes it
- * and there is none for a body more alike; otherwise one is planned for the body's class, the width rounded up to
- * DRIVERS_WIDTH and the length to DRIVERS_LENGTH, and where that class cannot pass, for the body itself. Speeds are
- * each driver's own. Ways are planned for the nominal driver's speeds. The first ten of a hundred are the ten, whatever
- * the number of threads.
+ * one. A driver takes the way of the nominal one if the own body passes it and is not so much smaller that it may need
+ * fewer changes of direction; otherwise that of the body's class, the width rounded up to DRIVERS_WIDTH and the length
+ * to DRIVERS_LENGTH; and where that class cannot pass, one planned for the body itself, unless the class rounded down
+ * cannot pass either. So a driver's way depends on no other driver, and the first ten of a hundred are the ten,
+ * whatever the number of threads. Speeds are each driver's own. Ways are planned for the nominal driver's speeds.
  */
 #pragma once
 
@@ -54,8 +54,8 @@ void drivers_run(Drivers *drivers, const House *house, const Population *populat
                  int jobs, const Stop *stop);
 void drivers_free(Drivers *drivers);
 
-/* Runs the house with driver `driver` (>= 1) alone, who takes the nominal driver's way or one of the own body's class,
- * but not that of an earlier driver. observation_free releases the observation. */
+/* Runs the house with driver `driver` (>= 1) alone, who does the same as among many. observation_free releases the
+ * observation. */
 void drivers_run_one(Observation *observation, const House *house, const Population *population, size_t driver,
                      size_t route, const Stop *stop);
 
