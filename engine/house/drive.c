@@ -360,6 +360,19 @@ static double nearer_than_planned(const World *world, size_t i, const Drive *dri
     return (right - left) / 2;
 }
 
+/* Who touches something on one side of the path aims no farther to that side than the chair is. */
+static void stop_at_walls(const Sense *sense, Drive *drive) {
+    double off = drive->offset - drive->aside, aim = drive->aim;
+    if (!(sense->body_force > 0))
+        return;
+    if (sense->left <= 0)
+        drive->aim = real_min(aim, real_max(off, 0));
+    if (sense->right <= 0)
+        drive->aim = real_max(drive->aim, real_min(off, 0));
+    if (drive->aim != aim)
+        drive->aim_slope = 0;
+}
+
 /* The nominal driver makes no errors: without a stimulus the aim is the plan. */
 static bool keeps_to_plan(const House *house) {
     return house->driver == 0 && house_ring(house) != RING_STEERS;
@@ -401,6 +414,7 @@ static void take_aim(const World *world, size_t i, Drive *drive, const Place *pl
                   drive->aim / (profile->sight * profile->sight) - drive->felt;
     drive->aim_slope = real_clamp(drive->aim_slope + moved * bend, -STEEPEST_AIM, STEEPEST_AIM);
     drive->aim += moved * drive->aim_slope;
+    stop_at_walls(&world->sense[i], drive);
     drive->axle += moved * (drive->aim - drive->axle) / aim_ahead(profile);
     if (steers(world, i) && (world->clock.step + i) % world->decision_steps == 0)
         look_for_obstacles(world, i, drive, drive->aside + drive->axle, speed);

@@ -169,7 +169,9 @@ static void heed(const World *world, size_t i, size_t j, Vec2 travel, double *sp
     Sight sight = look_at(world, i, j);
     if (fabs(sight.lateral) > SIGHT / 2 || !yield_sees(world, i, j))
         return;
-    double offset = sight.coming < STANDING ? pass_offset(world, i, &sight) : 0;
+    /* A chair that faces this person and makes way by rolling back is passed, not followed. */
+    bool facing = world_rides(world, j) && vec2_dot(world->axis[j], sight.way) < -STRAIGHT;
+    double offset = sight.coming < STANDING || facing ? pass_offset(world, i, &sight) : 0;
     *around = fabs(offset) > fabs(*around) ? offset : *around;
     *speed = speed_past(world, i, j, &sight, *speed);
 }
@@ -188,6 +190,13 @@ static void look_around(const World *world, size_t i, Drive *drive, Vec2 travel)
     }
 }
 
+/* Returns how far a driver swerves to pass at the wanted offset, m: the less, the farther the chair is off its path to
+ * that side anyway. */
+static double missing_swerve(const Drive *drive) {
+    double missing = drive->around - drive->axle;
+    return drive->around > 0 ? real_max(missing, 0) : drive->around < 0 ? real_min(missing, 0) : 0;
+}
+
 double yield_speed(const World *world, size_t i, Drive *drive, Vec2 travel, double speed) {
     if ((world->clock.step + i) % world->decision_steps == 0)
         look_around(world, i, drive, travel);
@@ -195,9 +204,10 @@ double yield_speed(const World *world, size_t i, Drive *drive, Vec2 travel, doub
     const Profile *profile = world->house->people[i].profile;
     double moved = vec2_length(world->velocity[i]) * world->clock.dt, before = drive->aside;
     /* The front edge swerves no farther than to the offset that is wanted. */
-    double slope = fabs(drive->around - before) / real_max(profile->length - profile->axle, 0.1);
+    double missing = missing_swerve(drive) - before;
+    double slope = fabs(missing) / real_max(profile->length - profile->axle, 0.1);
     double change = real_min(SWERVE, slope) * moved;
-    drive->aside += real_clamp(drive->around - before, -change, change);
+    drive->aside += real_clamp(missing, -change, change);
     drive->swerve = moved > 0 ? (drive->aside - before) / moved : 0;
     return drive->gives_way ? BACK_OFF : real_min(speed, drive->heeded);
 }
