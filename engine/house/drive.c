@@ -65,9 +65,10 @@ static bool retreats(const Track *track, Drive *drive, bool touches) {
     }
     bool ended = drive->s <= drive->retreat_to || drive->stalled > due + RETRY_AFTER ||
                  (drive->index > 0 && track->points[drive->index].direction != place_direction(track, drive->index));
-    if (drive->retreats && ended) { /* the next attempt aims at the plan, not beside it as the last one did */
-        drive->aim = drive->axle = drive->aim_slope = drive->felt = 0;
+    if (drive->retreats && ended) {
         drive->retreats = false;
+        if (!drive->barred) /* the next attempt aims at the plan, not beside it as the last one did */
+            drive->aim = drive->axle = drive->aim_slope = drive->felt = 0;
     }
     return drive->retreats;
 }
