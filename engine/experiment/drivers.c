@@ -32,7 +32,7 @@ typedef struct BodyPlan {
     Journeys journeys;
 } BodyPlan;
 
-/* Which plan a driver follows in one place of the house. */
+/* The plan that a driver follows as one of the people. */
 typedef struct Choice {
     size_t plan; /* index in work->plans */
     bool decided;
@@ -47,7 +47,7 @@ typedef struct Work {
     BodyPlan *plans;
     size_t plan_count, plan_capacity;
     size_t first;    /* index of the first plan that is not made */
-    Choice *choices; /* (count x person_count) */
+    Choice *choices; /* (count x person_count) by driver */
     Drivers *drivers;
 } Work;
 
@@ -153,12 +153,10 @@ static void plan_body(void *context, size_t i) {
     House house = house_alike(work);
     bool *part = memory_zeroed(house.person_count, sizeof *part);
     part[plan->person] = true;
-    if (varies(work, &house.people[plan->person])) {
-        Profile *profile = own_profile(&house, plan->person);
-        profile->width = plan->width;
-        profile->length = plan->length;
-        profile->axle = fmin(profile->axle, plan->length);
-    }
+    Profile *profile = own_profile(&house, plan->person);
+    profile->width = plan->width;
+    profile->length = plan->length;
+    profile->axle = fmin(profile->axle, plan->length);
     plan->journeys = journey_plan_briefly(&house, part, 1, work->stop);
     memory_free(part);
     free_alike(&house);
@@ -198,6 +196,7 @@ static size_t plan_for(Work *work, size_t person, double width, double length) {
     return work->plan_count++;
 }
 
+/* Returns the index of the plan that a step asks for. */
 static size_t ask_for_plan(Work *work, Step step, size_t person, const Profile *body) {
     const Profile *nominal = work->house->people[person].profile;
     double width = body->width, length = body->length;
@@ -227,25 +226,27 @@ static bool is_answer(const Work *work, Step step, const BodyPlan *plan, const P
     }
 }
 
+/* Returns the body of choice c's driver if it still needs a way, or NULL. */
+static const Profile *body_without_way(const Work *work, size_t c) {
+    size_t driver = c / work->house->person_count, person = c % work->house->person_count;
+    bool needs = takes_part(work, &work->house->people[person]) && !work->choices[c].decided;
+    return needs ? work->houses[driver].people[person].profile : NULL;
+}
+
 /* Plans the ways of all drivers, a step after the other; the plans of a step at once. */
 static void plan_ways(Work *work, int jobs) {
-    size_t people = work->house->person_count, count = work->drivers->count;
-    work->choices = memory_zeroed(count * people, sizeof *work->choices);
+    size_t people = work->house->person_count, count = work->drivers->count * people;
+    work->choices = memory_zeroed(count, sizeof *work->choices);
     for (Step step = STEP_NOMINAL; step < STEP_COUNT; step++) {
+        const Profile *body;
         work->first = work->plan_count;
-        for (size_t c = 0; c < count * people; c++) {
-            Choice *choice = &work->choices[c];
-            if (takes_part(work, &work->house->people[c % people]) && !choice->decided)
-                choice->plan =
-                    ask_for_plan(work, step, c % people, work->houses[c / people].people[c % people].profile);
-        }
+        for (size_t c = 0; c < count; c++)
+            if ((body = body_without_way(work, c)))
+                work->choices[c].plan = ask_for_plan(work, step, c % people, body);
         parallel_for(jobs, work->plan_count - work->first, plan_body, work);
-        for (size_t c = 0; c < count * people; c++) {
-            Choice *choice = &work->choices[c];
-            if (takes_part(work, &work->house->people[c % people]) && !choice->decided)
-                choice->decided = is_answer(work, step, &work->plans[choice->plan],
-                                            work->houses[c / people].people[c % people].profile);
-        }
+        for (size_t c = 0; c < count; c++)
+            if ((body = body_without_way(work, c)))
+                work->choices[c].decided = is_answer(work, step, &work->plans[work->choices[c].plan], body);
     }
 }
 

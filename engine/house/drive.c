@@ -67,7 +67,7 @@ static bool retreats(const Track *track, Drive *drive, bool touches) {
                  (drive->index > 0 && track->points[drive->index].direction != place_direction(track, drive->index));
     if (drive->retreats && ended) {
         drive->retreats = false;
-        if (!drive->barred) /* the next attempt aims at the plan, not beside it as the last one did */
+        if (!drive->barred) /* the next attempt aims at the plan, not beside it like the last one */
             drive->aim = drive->axle = drive->aim_slope = drive->felt = 0;
     }
     return drive->retreats;
@@ -286,7 +286,10 @@ static Effort exert(const World *world, size_t i, double speed, double hurry, do
  * g = clamp((reach - c_ahead) / 0.1 m, 0, 1), with c_ahead the least planned clearance of the next TRACK_FORESIGHT:
  * near walls the line is held as tightly as the personal space asks, in the open room only by sight. The term with K_r
  * lags by the driver's reaction time. n is the error of steering, white by way and constant over ERROR_LENGTH, with
- * the intensity with which the front edge errs by alpha v (pace.h) near walls: 4 K^(3/2) (alpha v)^2 without a lag. */
+ * the intensity with which the front edge errs by alpha v (pace.h) near walls: 4 K^(3/2) (alpha v)^2 without a lag.
+ *
+ * What a driver expects is not felt, however near; so a goes no farther into what is touched than the chair is, and
+ * back to 0 when the driver has backed off from something, unless the plan does not know it. */
 
 /* m: by which clearances near the reach tighten the line. */
 static const double TIGHTENING = 0.1;
@@ -361,8 +364,8 @@ static double nearer_than_planned(const World *world, size_t i, const Drive *dri
     return (right - left) / 2;
 }
 
-/* Who touches something on one side of the path aims no farther to that side than the chair is. */
-static void stop_at_walls(const Sense *sense, Drive *drive) {
+/* A driver who touches something on one side aims no farther to that side than the chair is. */
+static void stop_at_contact(const Sense *sense, Drive *drive) {
     double off = drive->offset - drive->aside, aim = drive->aim;
     if (!(sense->body_force > 0))
         return;
@@ -415,7 +418,7 @@ static void take_aim(const World *world, size_t i, Drive *drive, const Place *pl
                   drive->aim / (profile->sight * profile->sight) - drive->felt;
     drive->aim_slope = real_clamp(drive->aim_slope + moved * bend, -STEEPEST_AIM, STEEPEST_AIM);
     drive->aim += moved * drive->aim_slope;
-    stop_at_walls(&world->sense[i], drive);
+    stop_at_contact(&world->sense[i], drive);
     drive->axle += moved * (drive->aim - drive->axle) / aim_ahead(profile);
     if (steers(world, i) && (world->clock.step + i) % world->decision_steps == 0)
         look_for_obstacles(world, i, drive, drive->aside + drive->axle, speed);

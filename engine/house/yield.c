@@ -190,11 +190,11 @@ static void look_around(const World *world, size_t i, Drive *drive, Vec2 travel)
     }
 }
 
-/* Returns how far a driver swerves to pass at the wanted offset, m: the less, the farther the chair is off its path to
- * that side anyway. */
-static double missing_swerve(const Drive *drive) {
-    double missing = drive->around - drive->axle;
-    return drive->around > 0 ? real_max(missing, 0) : drive->around < 0 ? real_min(missing, 0) : 0;
+/* Returns the swerve, m to the left, that leads to the wanted offset: less where the chair is off its path to that side
+ * already. */
+static double wanted_swerve(const Drive *drive) {
+    double swerve = drive->around - drive->axle;
+    return drive->around > 0 ? real_max(swerve, 0) : drive->around < 0 ? real_min(swerve, 0) : 0;
 }
 
 double yield_speed(const World *world, size_t i, Drive *drive, Vec2 travel, double speed) {
@@ -203,8 +203,8 @@ double yield_speed(const World *world, size_t i, Drive *drive, Vec2 travel, doub
     /* A swerve needs distance, not time: a standing person does not move to one side. */
     const Profile *profile = world->house->people[i].profile;
     double moved = vec2_length(world->velocity[i]) * world->clock.dt, before = drive->aside;
-    /* The front edge swerves no farther than to the offset that is wanted. */
-    double missing = missing_swerve(drive) - before;
+    /* The front edge swerves no farther than is wanted. */
+    double missing = wanted_swerve(drive) - before;
     double slope = fabs(missing) / real_max(profile->length - profile->axle, 0.1);
     double change = real_min(SWERVE, slope) * moved;
     drive->aside += real_clamp(missing, -change, change);
