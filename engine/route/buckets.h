@@ -9,16 +9,17 @@
 
 typedef struct BucketEntry {
     int point;
-    int next;   /* next entry in the same bucket, or among the unused; -1: none */
     float time; /* s */
 } BucketEntry;
 
+typedef struct Bucket {
+    BucketEntry *entries; /* (count) */
+    size_t count, capacity;
+} Bucket;
+
 /* buckets_make and buckets_clear. */
 typedef struct Buckets {
-    BucketEntry *entries;
-    size_t capacity, used;
-    int unused;
-    int *heads;        /* (last + 1) */
+    Bucket *all;       /* (last + 1) */
     size_t last;       /* index of the last bucket, a power of two less one: as many buckets hold points at one time */
     size_t held;       /* points */
     double per_second; /* buckets */
@@ -26,18 +27,17 @@ typedef struct Buckets {
 
 /* Makes empty buckets of `width` s for points whose times differ by up to `span` s. */
 static inline Buckets buckets_make(double width, double span) {
-    Buckets buckets = {.unused = -1, .last = 1, .per_second = 1 / width};
+    Buckets buckets = {.last = 1, .per_second = 1 / width};
     while ((double)buckets.last < span / width + 2)
         buckets.last = 2 * buckets.last + 1;
-    buckets.heads = memory_zeroed(buckets.last + 1, sizeof *buckets.heads);
-    for (size_t b = 0; b <= buckets.last; b++)
-        buckets.heads[b] = -1;
+    buckets.all = memory_zeroed(buckets.last + 1, sizeof *buckets.all);
     return buckets;
 }
 
 static inline void buckets_clear(Buckets *buckets) {
-    memory_free(buckets->entries);
-    memory_free(buckets->heads);
+    for (size_t b = 0; buckets->all && b <= buckets->last; b++)
+        memory_free(buckets->all[b].entries);
+    memory_free(buckets->all);
     *buckets = (Buckets){0};
 }
 
@@ -47,31 +47,20 @@ static inline size_t buckets_number(const Buckets *buckets, float time) {
 }
 
 static inline void buckets_put(Buckets *buckets, int point, float time) {
-    int place = buckets->unused;
-    if (place >= 0) {
-        buckets->unused = buckets->entries[place].next;
-    } else {
-        buckets->entries =
-            memory_reserve(buckets->entries, &buckets->capacity, buckets->used + 1, sizeof *buckets->entries);
-        place = (int)buckets->used++;
-    }
-    int *head = &buckets->heads[buckets_number(buckets, time) & buckets->last];
-    buckets->entries[place] = (BucketEntry){point, *head, time};
-    *head = place;
+    Bucket *bucket = &buckets->all[buckets_number(buckets, time) & buckets->last];
+    if (bucket->count == bucket->capacity)
+        bucket->entries =
+            memory_reserve(bucket->entries, &bucket->capacity, bucket->count + 1, sizeof *bucket->entries);
+    bucket->entries[bucket->count++] = (BucketEntry){point, time};
     buckets->held++;
 }
 
 /* Removes a point from the bucket of a number; false: it is empty. */
-static inline bool buckets_take(Buckets *buckets, size_t number, int *point, float *time) {
-    int *head = &buckets->heads[number & buckets->last], place = *head;
-    if (place < 0)
+static inline bool buckets_take(Buckets *buckets, size_t number, BucketEntry *entry) {
+    Bucket *bucket = &buckets->all[number & buckets->last];
+    if (!bucket->count)
         return false;
-    BucketEntry *entry = &buckets->entries[place];
-    *point = entry->point;
-    *time = entry->time;
-    *head = entry->next;
-    entry->next = buckets->unused;
-    buckets->unused = place;
+    *entry = bucket->entries[--bucket->count];
     buckets->held--;
     return true;
 }

@@ -119,7 +119,7 @@ static double point_time(const FastMarching *front, int i, int j, int class) {
 }
 
 static void put(FastMarching *front, int point, float time) {
-    size_t number = front->later.heads ? buckets_number(&front->later, time) : 0;
+    size_t number = front->later.all ? buckets_number(&front->later, time) : 0;
     if (number > front->number && number - front->number <= front->later.last)
         buckets_put(&front->later, point, time);
     else
@@ -139,9 +139,10 @@ static void lower_point(FastMarching *front, int i, int j, int class) {
 static FastMarchingEntry take(FastMarching *front) {
     Buckets *later = &front->later;
     while (later->held > 0 && (!front->heap_count || buckets_number(later, front->heap[0].time) > front->number)) {
-        FastMarchingEntry entry;
-        for (front->number++; buckets_take(later, front->number, &entry.point, &entry.time);)
-            heap_put(&front->heap, &front->heap_count, &front->heap_capacity, entry);
+        BucketEntry entry;
+        for (front->number++; buckets_take(later, front->number, &entry);)
+            heap_put(&front->heap, &front->heap_count, &front->heap_capacity,
+                     (FastMarchingEntry){entry.time, entry.point});
     }
     return heap_take(front->heap, &front->heap_count);
 }

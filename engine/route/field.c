@@ -77,6 +77,7 @@ void field_ground_init_exact(Ground *ground, const Plan *plan, const FreeSpace *
     *ground = (Ground){.plan = plan, .space = space, .profile = profile};
     ground->slowness = memory_zeroed(points, sizeof *ground->slowness);
     double far = fmax(free_distance(profile), radius + ROUNDED);
+    ground->free_from = far;
     float least = (float)(1 / profile->free_speed);
     for (size_t i = 0; i < points; i++) {
         double distance = (double)space->distance[i];
@@ -195,42 +196,98 @@ static void seed_exit(const Field *field, Buckets *queue, const Exit *exit) {
 typedef struct Move {
     int x, y;
     float length;         /* m, half of it: the slowness is the sum of those at both ends */
+    float in_the_open;    /* s, that it takes where nothing slows a driver down */
     ptrdiff_t to;         /* from the point to there, in points of the grid */
     ptrdiff_t half, rest; /* to the two points between which a knight's move passes, which must be free; 0: neither */
 } Move;
 
 enum { MOVES = 16, MOVE_REACH = 2 /* cells */ };
 
-static void list_moves(Move moves[MOVES], int nx, double cell) {
-    static const signed char steps[MOVES][2] = {{1, 0}, {-1, 0}, {0, 1},  {0, -1},  {1, 1}, {-1, 1}, {1, -1}, {-1, -1},
-                                                {2, 1}, {-2, 1}, {2, -1}, {-2, -1}, {1, 2}, {-1, 2}, {1, -2}, {-1, -2}};
-    static const float lengths[] = {1, 1.41421f, 2.23607f};
+/* Lists the moves by their angle. */
+static void list_moves(Move moves[MOVES], int nx, double cell, float least) {
+    static const signed char steps[MOVES][2] = {{1, 0},  {2, 1},  {1, 1},  {1, 2},   {0, 1},   {-1, 2},
+                                                {-1, 1}, {-2, 1}, {-1, 0}, {-2, -1}, {-1, -1}, {-1, -2},
+                                                {0, -1}, {1, -2}, {1, -1}, {2, -1}};
     for (int m = 0; m < MOVES; m++) {
         int x = steps[m][0], y = steps[m][1], half_x = x / 2, half_y = y / 2;
-        moves[m] = (Move){x, y, lengths[m < 4 ? 0 : m < 8 ? 1 : 2] * (0.5f * (float)cell), (ptrdiff_t)y * nx + x, 0, 0};
-        if (m < 8)
+        float length = (m % 2 ? 2.23607f : m % 4 ? 1.41421f : 1) * (0.5f * (float)cell);
+        moves[m] = (Move){x, y, length, length * (least + least), (ptrdiff_t)y * nx + x, 0, 0};
+        if (m % 2 == 0)
             continue;
         moves[m].half = (ptrdiff_t)half_y * nx + half_x;
         moves[m].rest = (ptrdiff_t)(y - half_y) * nx + (x - half_x);
     }
 }
 
-static void relax(const Field *field, const Move moves[MOVES], Buckets *queue, size_t point) {
-    const Ground *ground = field->ground;
+/* In the open, where nothing within OPEN_REACH cells slows a driver down, a quickest path consists of moves in two
+ * neighbouring directions: any two others are longer, by 5 % or more, than moves in directions between them, which lead
+ * to the same place past free points. So a point in the open that was reached by a move need only go on by that move
+ * and by the two beside it. All times are the same, to the last bit, as with all moves. */
+#define OPEN_REACH 4.3
+
+/* The marks of points: CRAMPED unless the point is in the open, and REACHED times one more than the number of the move
+ * by which it was last reached. */
+enum { CRAMPED = 1, REACHED = 2 };
+
+typedef struct Spread {
+    const Field *field;
+    Move moves[MOVES];
+    Buckets queue;
+    unsigned char *marks; /* (ny x nx) */
+} Spread;
+
+static void mark_cramped(const Spread *spread) {
+    const Ground *ground = spread->field->ground;
     const FreeSpace *space = ground->space;
-    const float *here = ground->slowness + point;
-    float *times = field->time + point, time = *times;
-    int nx = space->nx, ny = space->ny, x = (int)(point % (size_t)nx), y = (int)(point / (size_t)nx);
+    int nx = space->nx, ny = space->ny;
+    double open = ground->free_from + OPEN_REACH * space->cell;
+    for (int j = 0; j < ny; j++) {
+        size_t row = (size_t)j * (size_t)nx;
+        bool edge = j < MOVE_REACH || j >= ny - MOVE_REACH;
+        for (int i = 0; i < nx; i++)
+            spread->marks[row + (size_t)i] = edge || (double)space->distance[row + (size_t)i] < open ? CRAMPED : 0;
+        for (int i = 0; i < MOVE_REACH && i < nx; i++)
+            spread->marks[row + (size_t)i] = spread->marks[row + (size_t)(nx - 1 - i)] = CRAMPED;
+    }
+    for (size_t i = 0; i < ground->line_count; i++) {
+        Box box = box_include(box_include(box_empty(), ground->lines[i].from), ground->lines[i].to);
+        freespace_mark(space, box_expand(box, (DOOR_BAND + OPEN_REACH) * space->cell), spread->marks);
+    }
+}
+
+static void reach(Spread *spread, size_t point, int move, float time) {
+    unsigned char *mark = &spread->marks[point];
+    spread->field->time[point] = time;
+    *mark = (unsigned char)((*mark & CRAMPED) | (REACHED * (move + 1)));
+    buckets_put(&spread->queue, (int)point, time);
+}
+
+/* Goes on from a point by the moves from `first` to `last`, which count on past MOVES. */
+static void go_on_in_the_open(Spread *spread, size_t point, int first, int last) {
+    const float *times = spread->field->time + point;
+    for (int k = first; k <= last; k++) {
+        const Move *move = &spread->moves[k % MOVES];
+        float reached = *times + move->in_the_open;
+        if (reached < times[move->to])
+            reach(spread, (size_t)((ptrdiff_t)point + move->to), k % MOVES, reached);
+    }
+}
+
+static void go_on_among_obstacles(Spread *spread, size_t point) {
+    const Ground *ground = spread->field->ground;
+    const FreeSpace *space = ground->space;
+    const float *here = ground->slowness + point, *times = spread->field->time + point;
+    int nx = space->nx, ny = space->ny, x = (int)point % nx, y = (int)point / nx;
     bool amid = x >= MOVE_REACH && y >= MOVE_REACH && x < nx - MOVE_REACH && y < ny - MOVE_REACH;
     for (int m = 0; m < MOVES; m++) {
-        const Move *move = &moves[m];
+        const Move *move = &spread->moves[m];
         int i = x + move->x, j = y + move->y;
         if (!amid && (i < 0 || j < 0 || i >= nx || j >= ny))
             continue;
         float there = here[move->to];
         if (!(there > 0))
             continue;
-        float reached = time + move->length * (*here + there);
+        float reached = *times + move->length * (*here + there);
         if (reached >= times[move->to] || !(here[move->half] > 0) || !(here[move->rest] > 0))
             continue;
         size_t to = (size_t)((ptrdiff_t)point + move->to);
@@ -241,9 +298,18 @@ static void relax(const Field *field, const Move moves[MOVES], Buckets *queue, s
             if (reached >= times[move->to])
                 continue;
         }
-        times[move->to] = reached;
-        buckets_put(queue, (int)to, reached);
+        reach(spread, to, m, reached);
     }
+}
+
+static void go_on(Spread *spread, size_t point) {
+    int mark = spread->marks[point], move = mark / REACHED - 1 + MOVES;
+    if (mark & CRAMPED)
+        go_on_among_obstacles(spread, point);
+    else if (mark >= REACHED)
+        go_on_in_the_open(spread, point, move - 1, move + 1);
+    else
+        go_on_in_the_open(spread, point, 0, MOVES - 1);
 }
 
 static double longest_delay(const Ground *ground) {
@@ -262,21 +328,23 @@ void field_init(Field *field, const Ground *ground, const Goal *goal) {
         field->time[i] = HUGE_VALF;
     /* No step takes less than one bucket's width, so the times in a bucket are final except for their order. */
     double longest = 2.3 * space->cell * field_discomfort(0) / field_speed(ground->profile, 0) + longest_delay(ground);
-    Buckets queue = buckets_make(space->cell / ground->profile->free_speed, longest);
+    Spread spread = {.field = field,
+                     .queue = buckets_make(space->cell / ground->profile->free_speed, longest),
+                     .marks = memory_zeroed(points, 1)};
+    list_moves(spread.moves, space->nx, space->cell, (float)(1 / ground->profile->free_speed));
+    mark_cramped(&spread);
     if (goal->radius > 0)
-        seed_line(field, &queue, goal->at, goal->at, fmax(goal->radius / 2, space->cell), 0);
+        seed_line(field, &spread.queue, goal->at, goal->at, fmax(goal->radius / 2, space->cell), 0);
     for (size_t e = 0; goal->radius <= 0 && e < plan->exit_count; e++)
         if (field_exit_usable(goal, plan, e))
-            seed_exit(field, &queue, &plan->exits[e]);
-    Move moves[MOVES];
-    list_moves(moves, space->nx, space->cell);
-    int point;
-    float time;
-    for (size_t number = 0; queue.held > 0; number++)
-        while (buckets_take(&queue, number, &point, &time))
-            if (time <= field->time[point])
-                relax(field, moves, &queue, (size_t)point);
-    buckets_clear(&queue);
+            seed_exit(field, &spread.queue, &plan->exits[e]);
+    BucketEntry entry;
+    for (size_t number = 0; spread.queue.held > 0; number++)
+        while (buckets_take(&spread.queue, number, &entry))
+            if (entry.time <= field->time[entry.point])
+                go_on(&spread, (size_t)entry.point);
+    buckets_clear(&spread.queue);
+    memory_free(spread.marks);
 }
 
 void field_clear(Field *field) {

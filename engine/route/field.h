@@ -32,6 +32,7 @@ typedef struct Ground {
     const FreeSpace *space;
     const Profile *profile;
     float *slowness;      /* (ny x nx) s/m; 0 where the disc does not pass */
+    double free_from;     /* m: nothing slows a driver down who is as far from all obstacles */
     unsigned char *doors; /* (ny x nx) 1: near a closed door; NULL: no closed door */
     DoorLine *lines;      /* (line_count) */
     size_t line_count;

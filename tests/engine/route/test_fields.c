@@ -4,8 +4,10 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "base/memory.h"
 #include "base/parallel.h"
 #include "base/random.h"
+#include "case.h"
 #include "rooms.h"
 #include "route/fields.h"
 
@@ -94,4 +96,80 @@ TEST(one_field_serves_all_who_wish_for_the_same) {
     fields_release(fields, other);
     fields_destroy(fields);
     rooms_free(&fixture);
+}
+
+/* Lowers the times of all points that are reached from a point by any of the moves. Returns true if there are some. */
+static bool lower_all_from(const Ground *ground, float *time, int x, int y) {
+    const FreeSpace *space = ground->space;
+    int nx = space->nx, ny = space->ny;
+    size_t from = (size_t)(y * nx + x);
+    bool lowered = false;
+    for (int dy = -2; dy <= 2; dy++)
+        for (int dx = -2; dx <= 2; dx++) {
+            int i = x + dx, j = y + dy, square = dx * dx + dy * dy;
+            size_t to = (size_t)(j * nx + i), half = (size_t)((y + dy / 2) * nx + x + dx / 2);
+            size_t rest = (size_t)((y + dy - dy / 2) * nx + x + dx - dx / 2);
+            if ((square != 1 && square != 2 && square != 5) || i < 0 || j < 0 || i >= nx || j >= ny ||
+                !(ground->slowness[to] > 0) ||
+                (square == 5 && !(ground->slowness[half] > 0 && ground->slowness[rest] > 0)))
+                continue;
+            float length = (square == 1 ? 1 : square == 2 ? 1.41421f : 2.23607f) * (0.5f * (float)space->cell);
+            float reached = time[from] + length * (ground->slowness[from] + ground->slowness[to]);
+            if (!(reached < time[to]))
+                continue;
+            Vec2 at = vec2(space->origin.x + x * space->cell, space->origin.y + y * space->cell);
+            reached += (float)field_delay(ground, at, vec2_add(at, vec2(dx * space->cell, dy * space->cell)));
+            lowered |= reached < time[to];
+            time[to] = fminf(time[to], reached);
+        }
+    return lowered;
+}
+
+/* Checks that the times of a field are those of all moves from all points, again and again until none falls. */
+static void check_times(const Plan *plan, const FreeSpace *space, const Profile *profile, double radius) {
+    int nx = space->nx, ny = space->ny;
+    size_t points = (size_t)nx * (size_t)ny, reached = 0, wrong = 0;
+    Ground ground;
+    Field field;
+    Goal goal = field_exit_goal(plan, SIZE_MAX, 0, false);
+    field_ground_init(&ground, plan, space, profile, radius);
+    field_init(&field, &ground, &goal);
+    float *time = memory_zeroed(points, sizeof *time);
+    for (size_t p = 0; p < points; p++)
+        time[p] = field.time[p] > 0 ? HUGE_VALF : 0;
+    for (bool lowered = true, backwards = false; lowered; backwards = !backwards) {
+        lowered = false;
+        for (size_t k = 0; k < points; k++) {
+            size_t p = backwards ? points - 1 - k : k;
+            if (isfinite(time[p]))
+                lowered |= lower_all_from(&ground, time, (int)p % nx, (int)p / nx);
+        }
+    }
+    for (size_t p = 0; p < points; p++) {
+        reached += isfinite(time[p]);
+        wrong += memcmp(&time[p], &field.time[p], sizeof *time) != 0;
+    }
+    CHECK(reached > 1000);
+    CHECK(wrong == 0);
+    memory_free(time);
+    field_clear(&field);
+    field_ground_clear(&ground);
+}
+
+TEST(times_are_those_of_all_moves_to_the_last_bit) {
+    static const char *const names[] = {"ube-techno-house", "flat-0.910-widened", "closed-door"};
+    for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
+        House house;
+        case_house(&house, names[n], DRIVING_DRIVER, (const char *const[]){NULL});
+        check_times(&house.plan, &house.space, house.people[0].profile, 0.25);
+        house_free(&house);
+    }
+    for (int turned = 0; turned < 6; turned++) {
+        Rooms fixture;
+        rooms_make_two(&fixture, 0.6, 0.9, turned % 2 ? DOOR_OPEN : DOOR_CLOSED);
+        rooms_turn(&fixture, 0.37 * turned, vec2(0.3, -0.2));
+        fixture.profile.steering_time = 0.1 * turned;
+        check_times(&fixture.plan, &fixture.space, &fixture.profile, 0.3);
+        rooms_free(&fixture);
+    }
 }
