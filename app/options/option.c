@@ -337,8 +337,9 @@ const Option option_rows[] = {
      "do what this file says, as a person would; for tests and lessons", GROUP_WINDOW, FOR_OPEN | FOR_LESSON, ".script",
      NULL},
     {"--benchmark-window", OPTION_NUMBER, FIELD(benchmark), 0.1, 1e6, "SECONDS",
-     "play for this time, print the pictures per second and how busy the machine is, and end", GROUP_WINDOW, FOR_OPEN,
-     NULL, NULL},
+     "play for this time, then move the view for as long, print the pictures per second and how busy the machine is, "
+     "and end",
+     GROUP_WINDOW, FOR_OPEN, NULL, NULL},
     {"--benchmark-edit", OPTION_NUMBER, FIELD(benchmark_edit), 0.1, 1e6, "SECONDS",
      "drag a wardrobe for this time, print how long the answer takes after each move and how busy the machine is, and "
      "end",

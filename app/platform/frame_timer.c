@@ -90,25 +90,39 @@ bool frame_timer_advance(FrameTimer *timer, double age, double seconds) {
     return timer->counting && stopwatch_now() - timer->begun > seconds;
 }
 
-void frame_timer_print(FrameTimer *timer, const char *what, int width, int height) {
-    double passed = stopwatch_now() - timer->begun, moved = 0;
-    printf("%s, %d x %d: first picture after %.2f s, ", what, width, height, timer->first);
-    if (timer->moving > 0)
-        printf("the first that moves after %.2f s, ", timer->moving);
-    FrameMachine machine = frame_timer_machine(timer);
+/* Prints the rate of the frames in which something moved, "while WHAT", and their durations. */
+static void print_frames(FrameTimer *timer, const char *what) {
+    double moved = 0;
     qsort(timer->times, timer->count, sizeof *timer->times, order_rising);
     for (size_t i = 0; i < timer->count; i++)
         moved += timer->times[i];
     if (timer->count)
-        printf(
-            "%.1f frames/s while something moves (%zu frames), a frame takes %.1f ms (median), %.1f ms (99 of 100), ",
-            (double)timer->count / moved, timer->count, MILLI * timer->times[timer->count / 2],
-            MILLI * timer->times[timer->count * 99 / 100]);
+        printf("%.1f frames/s while %s (%zu frames), a frame takes %.1f ms (median), %.1f ms (99 of 100), ",
+               (double)timer->count / moved, what, timer->count, MILLI * timer->times[timer->count / 2],
+               MILLI * timer->times[timer->count * 99 / 100]);
+}
+
+static void print_machine(const FrameTimer *timer) {
+    double passed = stopwatch_now() - timer->begun;
+    FrameMachine machine = frame_timer_machine(timer);
+    printf("simulating is %.1f %%, used %.2f of %ld processors, load %.1f\n", 100 * timer->worked / passed,
+           machine.used, machine.processors, machine.load);
+}
+
+void frame_timer_print(FrameTimer *timer, const char *what, int width, int height) {
+    printf("%s, %d x %d: first picture after %.2f s, ", what, width, height, timer->first);
+    if (timer->moving > 0)
+        printf("the first that moves after %.2f s, ", timer->moving);
+    print_frames(timer, "something moves");
     if (timer->still_count)
         printf("%.1f frames/s while nothing does (%zu), ", (double)timer->still_count / timer->still_time,
                timer->still_count);
-    printf("simulating is %.1f %%, used %.2f of %ld processors, load %.1f\n", 100 * timer->worked / passed,
-           machine.used, machine.processors, machine.load);
+    print_machine(timer);
+}
+
+void frame_timer_print_pans(FrameTimer *timer) {
+    print_frames(timer, "the view is moved");
+    print_machine(timer);
 }
 
 void frame_timer_clear(FrameTimer *timer) {

@@ -44,4 +44,6 @@ FrameMachine frame_timer_machine(const FrameTimer *timer);
 /* Prints frames per second, median and 99th percentile of their durations (of those in which something moves), and the
  * share of simulating, and how busy the machine is; `what` is the title of what is shown. */
 void frame_timer_print(FrameTimer *timer, const char *what, int width, int height);
+/* Prints the frames per second and their durations while the view was moved. */
+void frame_timer_print_pans(FrameTimer *timer);
 void frame_timer_clear(FrameTimer *timer);

@@ -9,10 +9,10 @@
 #include "window/act.h"
 #include "window/autosave.h"
 #include "window/bars.h"
+#include "window/benchmark.h"
 #include "window/canvas.h"
 #include "window/dialog_gallery.h"
 #include "window/dialogs.h"
-#include "window/edit_benchmark.h"
 #include "window/files.h"
 #include "window/lesson.h"
 #include "window/menu.h"
@@ -329,8 +329,7 @@ static void draw(Window *window, double seconds) {
 static bool is_lively(Window *window) {
     const Tab *tab = window_tab(window);
     bool draws = window->dialog == DIALOG_GALLERY && !gallery_complete(window->gallery);
-    bool measures = window->frame_timer.counting && window->options->benchmark > 0;
-    return window->dirty || ui_is_busy(window->ui) || measures || window->export || draws ||
+    return window->dirty || ui_is_busy(window->ui) || benchmark_hurries(window) || window->export || draws ||
            (tab->session && window->plays) || plan_input_animation(tab);
 }
 
@@ -429,7 +428,7 @@ static void update(Window *window, double seconds) {
 static void turn(Window *window, Scripted *scripted) {
     bool busy = scripted_is_busy(scripted), lively = is_lively(window);
     bool framed = busy && !scripted->until && !sdl_window_is_seen(window->sdl_window);
-    bool hurried = (window->frame_timer.counting && window->options->benchmark > 0) || framed;
+    bool hurried = benchmark_hurries(window) || framed;
     bool rests = !lively && !busy, awaits = rests && tab_awaits_answer(window_tab(window));
     double seconds = frame_timer_wait(&window->frame_timer, hurried || awaits), begun = stopwatch_now();
     plan_input_animate(window, seconds);
@@ -446,7 +445,7 @@ static void turn(Window *window, Scripted *scripted) {
         return;
     sdl_window_swap(window->sdl_window);
     frame_timer_note(&window->frame_timer, stopwatch_now() - begun, window_tab(window)->worked - worked,
-                     window_tab(window)->player.time != time || window->options->benchmark_edit > 0);
+                     window_tab(window)->player.time != time || benchmark_moves(window));
 }
 
 /* Beginning and end ------------------------------------------------------------------------------------------------ */
@@ -526,22 +525,16 @@ static void close_all(Window *window) {
     folder_clear(&window->folder);
     arena_clear(&window->arena);
     frame_timer_clear(&window->frame_timer);
-    edit_benchmark_clear(window);
+    benchmark_clear(window);
 }
 
 static void loop(Window *window, Scripted *scripted) {
     double begun = stopwatch_now();
     while (!window->quit) {
         turn(window, scripted);
-        if (window->options->benchmark_edit > 0 && edit_benchmark_advance(window, begun))
-            window->quit = true;
-        if (window->options->benchmark > 0 &&
-            frame_timer_advance(&window->frame_timer, stopwatch_now() - begun, window->options->benchmark))
+        if (benchmark_advance(window, begun))
             window->quit = true;
     }
-    if (window->options->benchmark > 0 && window->frame_timer.counting)
-        frame_timer_print(&window->frame_timer, window_tab(window)->laboratory->title(window_tab(window)->session),
-                          window->width, window->height);
 }
 
 /* Opens the requested file, or the default one. */

@@ -197,6 +197,8 @@ typedef struct Window {
 
     FrameTimer frame_timer;
     EditBenchmark edit_benchmark;
+    bool pans;         /* --benchmark-window moves the view, */
+    double panned;     /* s, for which it has done so */
     size_t inputs;     /* presses and releases of keys and buttons that were handled, without repeated keys */
     double work_begun; /* s of wall time, since when the answer has been grey; 0: it is not */
     bool dirty;        /* a new frame must be drawn */

@@ -67,6 +67,8 @@ done = subprocess.run([stage.program, "open", stage.house("corner-0.90-0.90"), "
                       env=stage.environment(stage.folder / "busy", SDL_VIDEODRIVER="offscreen"))
 check(re.search(r"used [0-9.]+ of [0-9]+ processors, load [0-9.]+$", done.stdout.strip()), "a benchmark says how busy the machine was",
       done.stdout + done.stderr)
+check(re.search(r"\n[0-9.]+ frames/s while the view is moved", done.stdout), "and those in which the view is moved",
+      done.stdout + done.stderr)
 check(re.search(r"the first that moves after [0-9.]+ s, [0-9.]+ frames/s while something moves", done.stdout),
       "and counts the frames in which something moves", done.stdout + done.stderr)
 

@@ -1,4 +1,4 @@
-#include "window/edit_benchmark.h"
+#include "window/benchmark.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -14,6 +14,9 @@
 #define RADIUS 0.15  /* m */
 #define ROUND 40     /* steps */
 #define MILLI 1000.0
+#define NEARER 2.0     /* 1, times the size of the view, while it is moved */
+#define PAN_ROUND 4.0  /* s, for a circle */
+#define PAN_RADIUS 0.1 /* 1, of the view's width */
 
 /* Dragging --------------------------------------------------------------------------------------------------------- */
 
@@ -67,7 +70,7 @@ static void push(Window *window, Vec2 floor, SdlWindowKind kind, bool down) {
 }
 
 /* Grabs the piece; false: there is nothing to drag. */
-static bool begin(Window *window) {
+static bool begin_edits(Window *window) {
     EditBenchmark *benchmark = &window->edit_benchmark;
     Tab *tab = window_tab(window);
     if (!tab_editor(tab) || !find_middle(tab, &benchmark->middle))
@@ -95,7 +98,7 @@ static double part_of(const double *sorted, size_t count, double part) {
     return count ? sorted[(size_t)(part * (double)(count - 1))] : NAN;
 }
 
-static void print(Window *window) {
+static void print_edits(Window *window) {
     EditBenchmark *benchmark = &window->edit_benchmark;
     FrameTimer *frames = &window->frame_timer;
     qsort(benchmark->answers, benchmark->count, sizeof *benchmark->answers, order_rising);
@@ -143,21 +146,69 @@ static void look(Window *window) {
     }
 }
 
-bool edit_benchmark_advance(Window *window, double begun) {
+static bool advance_edits(Window *window, double begun) {
     EditBenchmark *benchmark = &window->edit_benchmark;
     double now = stopwatch_now();
     if (benchmark->begun <= 0)
-        return now - begun > WARM && !begin(window);
+        return now - begun > WARM && !begin_edits(window);
     if (benchmark->waits)
         look(window);
     if (!benchmark->waits && now - benchmark->begun <= window->options->benchmark_edit)
         step(window);
     if (now - benchmark->begun <= window->options->benchmark_edit)
         return false;
-    print(window);
+    print_edits(window);
     return true;
 }
 
-void edit_benchmark_clear(Window *window) {
+/* The window ------------------------------------------------------------------------------------------------------- */
+
+static Vec2 view_size(const Window *window) {
+    return vec2_sub(window->frame.view.high, window->frame.view.low);
+}
+
+/* Moves the view on along its circle. */
+static void pan(Window *window) {
+    Tab *tab = window_tab(window);
+    Vec2 side = vec2(view_size(window).x, 0);
+    double width =
+        vec2_distance(view_layers_floor(&tab->view_layers, vec2(0, 0)), view_layers_floor(&tab->view_layers, side));
+    double now = stopwatch_now() - window->frame_timer.begun, before = window->panned;
+    Vec2 from = vec2_heading(2 * M_PI * before / PAN_ROUND), to = vec2_heading(2 * M_PI * now / PAN_ROUND);
+    tab_pan(tab, vec2_scale(vec2_sub(to, from), PAN_RADIUS * width));
+    window->panned = now;
+}
+
+static bool advance_window(Window *window, double begun) {
+    FrameTimer *timer = &window->frame_timer;
+    Tab *tab = window_tab(window);
+    bool done = frame_timer_advance(timer, stopwatch_now() - begun, window->options->benchmark);
+    if (!done && window->pans)
+        pan(window);
+    if (done && window->pans)
+        frame_timer_print_pans(timer);
+    if (!done || window->pans)
+        return done;
+    frame_timer_print(timer, tab->laboratory->title(tab->session), window->width, window->height);
+    tab_zoom(tab, NEARER, vec2_scale(view_size(window), 0.5));
+    window->pans = true;
+    frame_timer_count(timer);
+    return false;
+}
+
+bool benchmark_hurries(const Window *window) {
+    return window->frame_timer.counting && window->options->benchmark > 0;
+}
+
+bool benchmark_moves(const Window *window) {
+    return window->pans || window->options->benchmark_edit > 0;
+}
+
+bool benchmark_advance(Window *window, double begun) {
+    return (window->options->benchmark_edit > 0 && advance_edits(window, begun)) ||
+           (window->options->benchmark > 0 && advance_window(window, begun));
+}
+
+void benchmark_clear(Window *window) {
     memory_free(window->edit_benchmark.answers);
 }
