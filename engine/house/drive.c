@@ -35,6 +35,8 @@ static const double PUSHED_BACK = 2 * PLACE_RETREAT;
 /* s and number: when a touching person without progress backs off, by PLACE_RETREAT, and how often. */
 static const double RETRY_AFTER = 2;
 enum { RETRIES_MOST = 3 };
+/* m: the longest retreat, and the clearance that it keeps. */
+static const double FARTHEST_RETREAT = 3, BEHIND = 0.05;
 /* s: in which a driver who stands and changes direction turns to the heading of the path. */
 static const double ALIGNING = 0.3;
 /* m: lower bound of R, the denominator in the paper's F4. */
@@ -47,23 +49,48 @@ static void watch_progress(Drive *drive, double dt) {
         drive->best_s = drive->s;
     if (drive->s > drive->best_s + PROGRESS) {
         drive->best_s = drive->s;
-        drive->stalled = 0;
+        drive->stalled = drive->makes_room = 0;
         drive->retries = 0;
     }
 }
 
+/* Returns the way, up to `most` m, for which the chair can go straight back from where it goes in a direction. */
+static double way_back(const World *world, size_t i, int direction, double most) {
+    Rectangle rectangle = search_body(world->house->people[i].profile);
+    Vec2 axis = world->axis[i];
+    double way = 0;
+    for (; way < most; way += PLACE_RETREAT) {
+        Vec2 at = vec2_along(world->centre[i], -direction * (way + PLACE_RETREAT), axis);
+        if (way + PLACE_RETREAT > world->drive[i].behind ||
+            freespace_clearance(&world->house->space, at, axis, rectangle.half_length, rectangle.half_width, BEHIND,
+                                NULL) < BEHIND)
+            break;
+    }
+    return real_min(way, most);
+}
+
+static void begin_retreat(const World *world, size_t i, Drive *drive, double due) {
+    int direction = place_direction(&world->journeys[i].track, drive->index);
+    double way = drive->meets ? way_back(world, i, direction, real_min(drive->way_round, FARTHEST_RETREAT)) : 0;
+    double takes = way / world->house->people[i].profile->reversing_speed;
+    drive->retreats = true;
+    drive->retreat_to = drive->s - real_max(way, PLACE_RETREAT);
+    drive->retreat_by = real_max(due + 2 * RETRY_AFTER, drive->stalled + RETRY_AFTER + takes);
+    drive->makes_room = way > PLACE_RETREAT ? drive->retreat_by + takes : 0;
+    drive->retries++;
+}
+
 /* Lets a person who has run into something back off a little and try again; one for whom others wait tries as often as
- * needed. Returns true during the retreat, which does not leave the present part of the path, but goes straight on
- * behind the beginning of a path that was planned where the person got stuck. */
-static bool retreats(const Track *track, Drive *drive, bool touches) {
+ * needed, and goes back as far as it takes to swerve round who comes the other way. Returns true during the retreat,
+ * which does not leave the present part of the path, but goes straight on behind the beginning of a path that was
+ * planned where the person got stuck. */
+static bool retreats(const World *world, size_t i, Drive *drive, bool touches) {
+    const Track *track = &world->journeys[i].track;
     bool yields = drive->gives_way || drive->heeded < 0;
     double due = RETRY_AFTER * (drive->retries + (drive->gives_way ? 1 : 2));
-    if (!drive->retreats && touches && drive->stalled > due && (yields || drive->retries < RETRIES_MOST)) {
-        drive->retreats = true;
-        drive->retreat_to = drive->s - PLACE_RETREAT;
-        drive->retries++;
-    }
-    bool ended = drive->s <= drive->retreat_to || drive->stalled > due + RETRY_AFTER ||
+    if (!drive->retreats && touches && drive->stalled > due && (yields || drive->retries < RETRIES_MOST))
+        begin_retreat(world, i, drive, due);
+    bool ended = drive->s <= drive->retreat_to || drive->stalled > drive->retreat_by ||
                  (drive->index > 0 && track->points[drive->index].direction != place_direction(track, drive->index));
     if (drive->retreats && ended) {
         drive->retreats = false;
@@ -479,7 +506,7 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
     int sense = 1; /* forwards or backwards along the path */
     bool held = world->sense[i].body_force > 0 || world->sense[i].ring > 0 || target < 0;
     target = real_max(target, 0);
-    if (retreats(&world->journeys[i].track, drive, held)) {
+    if (retreats(world, i, drive, held)) {
         target = profile->reversing_speed;
         sense = -1;
     }

@@ -131,7 +131,7 @@ Place place_find(const Track *track, const Profile *profile, Vec2 at, double spe
         if (done < 0) /* before the beginning of a part */
             place.curvature = place.bending = place.even = place.even_bending = 0;
         find_speed(track, drive->index, part, &place);
-        double behind = drive->retreats && drive->index == 0 ? PLACE_RETREAT : 0;
+        double behind = drive->retreats && drive->index == 0 ? place.here->s - drive->retreat_to : 0;
         drive->s = place.here->s + real_max(done, -behind);
         drive->offset = vec2_cross(place.along, vec2_sub(at, place.here->at)) - bulge(&place, direction, length, part);
         return place;

@@ -48,14 +48,17 @@ size_t replan_next_point(const World *world, size_t i) {
 void replan_set_out(World *world, size_t i, bool strayed) {
     RouteAnswer answer = world->journeys[i].route.answer;
     Drive *drive = &world->drive[i];
-    if (world->journeys[i].kept) /* back off and try again */
-        drive->stalled = drive->retries = 0;
-    else
+    if (world->journeys[i].kept) { /* try again */
+        drive->stalled = drive->makes_room = 0;
+        drive->retreats = false;
+        drive->retries = 0;
+    } else {
         *drive = (Drive){.best_turn = HUGE_VAL,
                          .heeded = HUGE_VAL,
                          .free_way = HUGE_VAL,
                          .gone = drive->gone,
                          .plans = drive->plans};
+    }
     drive->plans += strayed;
     world->walk[i].leg = 0;
     world->walk[i].best = HUGE_VAL;

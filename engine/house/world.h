@@ -64,13 +64,18 @@ typedef struct Drive {
     double stalled;    /* s, without progress */
     double handle;     /* s, spent at a shut door's handle */
     bool retreats;     /* backs off before another attempt, */
-    double retreat_to; /* m, along the track: to there */
+    double retreat_to; /* m, along the track: to there, */
+    double retreat_by; /* s: or until it is stalled for this long */
+    double makes_room; /* s: while it is stalled for less, the chair for which it makes room waits; 0: for none */
     int retries;       /* attempts since the last progress */
     int plans;         /* number of new plans after having been pushed off the path */
     double heeded;     /* m/s, speed limit due to the people ahead, when last updated */
     double around;     /* m, offset at which they are passed */
+    double way_round;  /* m, of way that it takes to come to that offset */
+    double behind;     /* m, to the nearest person straight behind; infinite: none in sight */
     bool barred;       /* True if it is in the way of the plan itself */
-    bool gives_way;    /* True if it stands in the way of a chair that goes first */
+    bool gives_way;    /* True if it stands in the way of a chair that goes first, */
+    bool meets;        /* and that faces it */
 } Drive;
 
 typedef struct World {

@@ -19,6 +19,8 @@ static const double BACK_OFF = -1;
 static const double LEVEL = 0.05;
 /* 1: slope of a swerve relative to the path. */
 static const double SWERVE = 0.22;
+/* m: of way in which a chair that has swerved comes to lie along its path again. */
+static const double SETTLING = 1;
 /* 1: cosine of the largest angle to the path at which a person goes along it. */
 static const double STRAIGHT = 0.7;
 /* m/s: speed of passing closely, and the speed below which a person counts as standing. */
@@ -65,6 +67,11 @@ typedef struct Sight {
     double gap;     /* m, between the two bodies across the path */
     double abreast; /* m, between the two middles when both go straight and pass with space */
 } Sight;
+
+/* True if chair j faces those who come along the path. */
+static bool faces(const World *world, size_t j, const Sight *sight) {
+    return world_rides(world, j) && vec2_dot(world->axis[j], sight->way) < -STRAIGHT;
+}
 
 static Sight look_at(const World *world, size_t i, size_t j) {
     const Track *track = &world->journeys[i].track;
@@ -131,6 +138,12 @@ static double apart(const World *world, size_t i, size_t j) {
            extent(world, j, vec2_scale(to, -1));
 }
 
+/* True if a chair j that lets this one go first backs off to make room, or comes back from there. */
+static bool makes_room(const World *world, size_t i, size_t j, const Sight *sight) {
+    return faces(world, j, sight) && sight->gap <= PASSING_LEAST && sight->ahead >= -STAND_OFF &&
+           world->drive[j].stalled < world->drive[j].makes_room && precedes(world, i, j);
+}
+
 static double speed_past(const World *world, size_t i, size_t j, const Sight *sight, double speed) {
     const Profile *profile = world->house->people[i].profile;
     if (lets_go_first(world, i, j, sight))
@@ -146,7 +159,8 @@ static double speed_past(const World *world, size_t i, size_t j, const Sight *si
         braking = SLOW_PASSING;
     else if (both_wait && chair && !room && !precedes(world, i, j))
         return BACK_OFF;
-    return real_min(speed, braking + real_max(sight->coming, 0));
+    double away = faces(world, j, sight) ? 0 : real_max(sight->coming, 0); /* who rolls back is not pressed */
+    return real_min(speed, braking + away);
 }
 
 /* True if person i, who stands, is in the way of a chair j with precedence. */
@@ -156,37 +170,55 @@ static bool gives_way(const World *world, size_t i, size_t j) {
     return apart(world, i, j) < STAND_OFF && !precedes(world, i, j);
 }
 
-/* Lowers the speed to what the other person allows, at most `speed`, and updates the offset at which that person is
- * passed. */
-static void heed(const World *world, size_t i, size_t j, Vec2 travel, double *speed, double *around, bool *gives) {
+/* Notes a person straight behind. */
+static void look_behind(const World *world, size_t i, size_t j, Vec2 travel, Drive *drive) {
+    Vec2 to = vec2_sub(world->centre[j], world->centre[i]), left = vec2_left(travel), back = vec2_scale(travel, -1);
+    double across = fabs(vec2_dot(to, left)), behind = vec2_dot(to, back);
+    if (across < extent(world, i, left) + extent(world, j, left))
+        drive->behind = real_min(drive->behind, behind - extent(world, i, back) - extent(world, j, travel));
+}
+
+/* Lowers the speed to what the other person allows, and updates the offset at which that person is passed. */
+static void heed(const World *world, size_t i, size_t j, Vec2 travel, Drive *drive) {
     if (j == i || world->phase[j] == PHASE_OUT)
         return;
-    *gives = *gives || gives_way(world, i, j);
     Vec2 to = vec2_sub(world->centre[j], world->centre[i]);
-    double passed = -extent(world, i, vec2_scale(travel, -1)) - extent(world, j, travel);
-    if (vec2_dot(to, to) > SIGHT * SIGHT || vec2_dot(to, travel) < passed)
+    double ahead = vec2_dot(to, travel), passed = -extent(world, i, vec2_scale(travel, -1)) - extent(world, j, travel);
+    if (vec2_dot(to, to) > SIGHT * SIGHT)
+        return;
+    if (ahead < 0)
+        look_behind(world, i, j, travel, drive);
+    if (ahead < passed)
         return;
     Sight sight = look_at(world, i, j);
     if (fabs(sight.lateral) > SIGHT / 2 || !yield_sees(world, i, j))
         return;
+    bool meets = faces(world, j, &sight);
+    if (ahead > 0 && sight.gap <= PASSING_LEAST && gives_way(world, i, j)) {
+        drive->gives_way = true;
+        drive->meets = drive->meets || meets;
+    }
     /* A chair that faces this person and makes way by rolling back is passed, not followed. */
-    bool facing = world_rides(world, j) && vec2_dot(world->axis[j], sight.way) < -STRAIGHT;
-    double offset = sight.coming < STANDING || facing ? pass_offset(world, i, &sight) : 0;
-    *around = fabs(offset) > fabs(*around) ? offset : *around;
-    *speed = speed_past(world, i, j, &sight, *speed);
+    double offset = sight.coming < STANDING || meets ? pass_offset(world, i, &sight) : 0;
+    drive->around = fabs(offset) > fabs(drive->around) ? offset : drive->around;
+    drive->heeded = speed_past(world, i, j, &sight, drive->heeded);
+    if (makes_room(world, i, j, &sight)) {
+        drive->heeded = real_min(drive->heeded, 0);
+        drive->stalled = 0;
+    }
 }
 
 /* Considers all people in sight, in the order of the cells. */
 static void look_around(const World *world, size_t i, Drive *drive, Vec2 travel) {
     const CellGrid *grid = &world->walkers.cells;
     CellRange range = cell_grid_around(grid, world->centre[i], SIGHT + WALKERS_SKIN);
-    drive->heeded = HUGE_VAL;
+    drive->heeded = drive->behind = HUGE_VAL;
     drive->around = 0;
-    drive->gives_way = false;
+    drive->gives_way = drive->meets = false;
     for (int y = range.y0; y <= range.y1; y++) {
         uint32_t end;
         for (uint32_t s = cell_grid_row(grid, &range, y, &end); s < end; s++)
-            heed(world, i, grid->who[s], travel, &drive->heeded, &drive->around, &drive->gives_way);
+            heed(world, i, grid->who[s], travel, drive);
     }
 }
 
@@ -205,6 +237,7 @@ double yield_speed(const World *world, size_t i, Drive *drive, Vec2 travel, doub
     double moved = vec2_length(world->velocity[i]) * world->clock.dt, before = drive->aside;
     /* The front edge swerves no farther than is wanted. */
     double missing = wanted_swerve(drive) - before;
+    drive->way_round = fabs(drive->around - drive->offset) / SWERVE + SETTLING;
     double slope = fabs(missing) / real_max(profile->length - profile->axle, 0.1);
     double change = real_min(SWERVE, slope) * moved;
     drive->aside += real_clamp(missing, -change, change);
