@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "plan/plan_geometry.h"
+#include "result/census.h"
 #include "result/names.h"
 #include "result/tight.h"
 #include "visual/house/blockage_scene.h"
@@ -93,6 +94,20 @@ static void name_furniture(const Furniture *piece, char *name, size_t size) {
     snprintf(name, size, "%s", *piece->name ? piece->name : "furniture");
 }
 
+/* "A is caught under cupboard", "A starts inside wall", "A stops at porch door". */
+static void name_stop(const House *house, const Observation *observation, size_t person, char *name, size_t size) {
+    Arena arena = {0};
+    const Blockage *blockage = &observation->people[person].blockage;
+    const char *who = names_person(house, person, &arena), *start = census_start(blockage);
+    if (house->people[person].under)
+        snprintf(name, size, "%s is caught %s", who, names_text(house, blockage->what, &arena));
+    else if (start)
+        snprintf(name, size, "%s starts %s", who, names_text(house, start, &arena));
+    else
+        snprintf(name, size, "%s stops at %s", who, names_text(house, blockage->what, &arena));
+    arena_clear(&arena);
+}
+
 void house_item_name(const House *house, const Observation *observation, Item item, char *name, size_t size) {
     *name = 0;
     if (item.index >= house_item_count(house, observation, item.kind))
@@ -103,8 +118,7 @@ void house_item_name(const House *house, const Observation *observation, Item it
                  names_thing(house, house_item_hazard(observation, item.index)->what,
                              house_item_hazard(observation, item.index)->at, &arena));
     else if (item.kind == HOUSE_STOP)
-        snprintf(name, size, "%s stops at %s", names_person(house, item.index, &arena),
-                 names_text(house, observation->people[item.index].blockage.what, &arena));
+        name_stop(house, observation, item.index, name, size);
     else if (item.kind == HOUSE_FURNITURE)
         name_furniture(&house->plan.furniture[item.index], name, size);
     else if (item.kind == HOUSE_DOOR)

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "house/touch.h"
+#include "result/census.h"
 
 static const char *exit_id(const House *house, size_t exit) {
     return exit < house->plan.exit_count ? house->plan.exits[exit].id : NULL;
@@ -80,9 +81,18 @@ static void add_identity(ResultTable *table, const House *house, size_t i, const
     result_add(table, (ResultRow){.key = "exit", .label = "exit", .text = exit_id(house, person->exit)});
 }
 
-static void add_outcome(ResultTable *table, const PersonObservation *person) {
+/* Returns why a person is not out, in a word or two; "" for one who still may get out. */
+static const char *outcome(const Inhabitant *inhabitant, const PersonObservation *person) {
+    if (person->reason == REASON_CANNOT_PASS && inhabitant->under)
+        return "caught";
+    if (person->reason == REASON_CANNOT_PASS && census_start(&person->blockage))
+        return "no room at start";
+    return observation_reason(person->reason);
+}
+
+static void add_outcome(ResultTable *table, const Inhabitant *inhabitant, const PersonObservation *person) {
     bool stopped = !person->completed && (person->reason == REASON_CANNOT_PASS || person->reason == REASON_BLOCKED);
-    const char *reason = observation_reason(person->reason);
+    const char *reason = outcome(inhabitant, person);
     result_add(table, (ResultRow){.key = "completed",
                                   .label = "result",
                                   .kind = RESULT_FLAG,
@@ -99,7 +109,8 @@ static void add_outcome(ResultTable *table, const PersonObservation *person) {
                                   .decimals = 2,
                                   .unknown = !(person->time > 0),
                                   .difference = DIFFERENCE_IF_BOTH});
-    result_add(table, (ResultRow){.key = "reason", .text = reason, .omitted = person->completed});
+    result_add(table,
+               (ResultRow){.key = "reason", .text = observation_reason(person->reason), .omitted = person->completed});
     result_house_add_blockage(table, stopped ? &person->blockage : NULL);
 }
 
@@ -189,7 +200,7 @@ void result_house_add_person(ResultTable *table, const House *house, const Obser
     const Profile *profile = house->people[i].profile;
     bool moved = person->time > 0, touched = person->contacts > 0;
     add_identity(table, house, i, person);
-    add_outcome(table, person);
+    add_outcome(table, &house->people[i], person);
     result_add(table, (ResultRow){.key = "driving", .text = profile_driving_name(profile->driving)});
     result_add(table, (ResultRow){.key = "trace_person", .kind = RESULT_COUNT, .number = (double)i});
     result_add(table, (ResultRow){.key = "reversals",

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "plan/plan_geometry.h"
+#include "result/census.h"
 #include "result/names.h"
 #include "visual/house/silhouette.h"
 
@@ -45,10 +46,13 @@ static const Door *named_door(const Plan *plan, const char *what) {
     return NULL;
 }
 
-/* Returns the pose of a person who cannot pass: across the door's line, otherwise on the route from the start. */
+/* Returns the pose of a person who cannot pass: at the start of one who is caught or has no room there, across a door's
+ * line, otherwise on the route from the start. */
 static Pose pose_before(const Plan *plan, const Inhabitant *person, const Blockage *blockage) {
     Vec2 way = vec2_sub(blockage->at, person->at);
     const Door *door = named_door(plan, blockage->what);
+    if (person->under || census_start(blockage))
+        return (Pose){.at = person->at, .heading = person->heading};
     if (door) {
         Vec2 from, to;
         plan_geometry_door_ends(plan, door, &from, &to);
