@@ -20,6 +20,7 @@ LaboratoryPlot beam_picture_plot(const void *context, size_t index) {
     } else {
         shown.plot = &session->traces.plots[index];
         shown.revision = session->traces.revisions[index];
+        shown.still = index == BEAM_TRACE_SPECTRUM;
     }
     shown.name = plot_names[index];
     shown.title = plot_titles[index];

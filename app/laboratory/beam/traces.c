@@ -141,14 +141,15 @@ static void note_step(BeamTraces *traces, const BeamPart *part, double time) {
     }
 }
 
-/* Turns to the page of a cycle. A page has `length` drawn cycles and includes the last `kept` ones of the page
- * before. True: the page is new, and its curves are empty. */
+/* Turns to the page of a cycle. A page has `length` drawn cycles and includes the last `kept` ones of the page before,
+ * but none from before a change of the beam or its drive. True: the page is new, and its curves are empty. */
 static bool turn_page(BeamTraces *traces, BeamTrace plot, const BeamTape *tape, size_t cycle, size_t length,
                       size_t kept) {
     const BeamPart *part = beam_tape_part(tape, cycle);
     size_t stride = traces->strides[plot], number = (cycle - part->first) / (stride * length);
     size_t begin = part->first + number * length * stride, back = kept * stride;
     begin = begin > back + tape->first ? begin - back : tape->first;
+    begin = begin > part->first ? begin : part->first;
     bool cut = begin < traces->cleared && traces->cleared <= cycle;
     BeamPage *page = &traces->pages[plot];
     if (page->next < tape->first)
@@ -216,10 +217,8 @@ static void include_point(BeamTraces *traces, Vec2 at) {
 
 static void show_points(BeamTraces *traces, const BeamTape *tape, size_t cycle) {
     BeamPage *page = &traces->pages[BEAM_TRACE_POINCARE];
-    const BeamPart *part = beam_tape_part(tape, cycle);
     if (turn_page(traces, BEAM_TRACE_POINCARE, tape, cycle, POINTS_PAGE, POINTS_PAGE)) {
         machine_curve_reset(&traces->points);
-        page->next = page->next < part->first ? part->first : page->next;
         traces->plane = box_empty();
         traces->plots[BEAM_TRACE_POINCARE].x = (PlotAxis){.title = "displacement at phase 0", .unit = "mm"};
         traces->plots[BEAM_TRACE_POINCARE].y = (PlotAxis){.title = "velocity at phase 0", .unit = "m/s"};
