@@ -142,7 +142,8 @@ static void show_track(Window *window, Tab *tab, Box box) {
 void timeline_show(Window *window) {
     Tab *tab = window_tab(window);
     Row row = {window, window->frame.timeline, MARGIN, window->frame.timeline.high.x - MARGIN, false};
-    row.stale = tab->session && tab->laboratory->answer(tab->session).stale;
+    /* a record that grows by itself can be played before its answer is known */
+    row.stale = tab->session && tab->laboratory->answer(tab->session).stale && !tab_span(tab).endless;
     bool compact = window->frame.compact;
     ui_pane_begin(window->ui, &(UiPane){.name = "timeline", .box = row.bar, .ground = ROLE_SHADE, .stop = true});
     if (tab->session) {
