@@ -66,6 +66,13 @@ void notice_edit(Window *window) {
     window->message_before = last ? last->number : 0;
 }
 
+void notice_search(Window *window) {
+    const Editor *editor = window_tab(window)->session ? tab_editor(window_tab(window)) : NULL;
+    size_t searched = editor ? 2 * editor_proposal_tries(editor) + editor_seeks_proposals(editor) : 0;
+    window->dirty |= searched != window->searched;
+    window->searched = searched;
+}
+
 void notice_fault(Window *window, Fault *fault, double time) {
     if (fault->count)
         messages_add_fault(&window->messages, fault, time);

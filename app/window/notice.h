@@ -18,6 +18,9 @@ bool notice_dismiss(Window *window);
 /* Says what was edited, with a button that undoes it; called once a frame. */
 void notice_edit(Window *window);
 
+/* Has a search for fixes drawn again when it has got farther; called once a frame. */
+void notice_search(Window *window);
+
 /* Posts the lines of a fault, if there are any, which stay until they are dismissed, and releases it; `time`: the
  * simulated moment they are about, s, or NAN. */
 void notice_fault(Window *window, Fault *fault, double time);

@@ -232,6 +232,9 @@ static void show_proposals(Window *window, Editor *editor) {
     }
     if (doing)
         ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT, doing);
+    if (editor_seeks_proposals(editor) &&
+        ui_button(window->ui, &(UiButton){.label = "Stop", .help = "Stop (Escape): End the search for a fix"}))
+        editor_drop_proposals(editor);
 }
 
 static void show_way_out(Window *window, Tab *tab, Editor *editor) {

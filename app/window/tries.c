@@ -5,6 +5,7 @@
 #include "laboratory/house_items.h"
 #include "window/act.h"
 #include "window/lesson.h"
+#include "window/notice.h"
 
 /* Design points. */
 #define HEIGHT 46.0
@@ -74,8 +75,12 @@ static void select_door(Window *window, Tab *tab) {
             chosen = door;
         least = named ? -HUGE_VAL : fmin(least, parameters[i].value);
     }
-    if (chosen.kind)
-        tab_select(tab, chosen);
+    if (!chosen.kind) {
+        notice_post(window, "This house has no door: add one with the door tool (D), or open the default house");
+        ui_focus(window->ui, "view");
+        return;
+    }
+    tab_select(tab, chosen);
     window->panel = true;
     ui_focus_number(window->ui, "panel");
 }

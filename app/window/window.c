@@ -419,6 +419,7 @@ static void update(Window *window, double seconds) {
     if (tab->session)
         show_title(window);
     notice_edit(window);
+    notice_search(window);
     autosave_update(window);
     dismiss_old_note(window);
 }

@@ -199,6 +199,7 @@ typedef struct Window {
     EditBenchmark edit_benchmark;
     bool pans;         /* --benchmark-window moves the view, */
     double panned;     /* s, for which it has done so */
+    size_t searched;   /* how far the search for fixes had got in the last frame: twice the tries, and 1 while it goes */
     size_t inputs;     /* presses and releases of keys and buttons that were handled, without repeated keys */
     double work_begun; /* s of wall time, since when the answer has been grey; 0: it is not */
     bool dirty;        /* a new frame must be drawn */

@@ -199,7 +199,7 @@ const Proposal *edit_propose_list(Editor *edit, size_t *count, const char **doin
         return NULL;
     if (!is_over(search)) {
         pthread_mutex_lock(&search->mutex);
-        snprintf(edit->proposing, sizeof edit->proposing, "%zu tried", search->tries);
+        snprintf(edit->proposing, sizeof edit->proposing, "Searching: %zu tried", search->tries);
         pthread_mutex_unlock(&search->mutex);
         *doing = edit->proposing;
         return NULL;

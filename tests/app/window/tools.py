@@ -311,6 +311,15 @@ first.keys("ctrl+F1")
 check(first.until(lambda s: s["frame"]["tries"][2] > 0)["tried"] == 0, "21: Help brings it back")
 first.end()
 
+first.log.unlink()
+first = Plan("tries", stage.house("two-chairs-corridor"))
+state = first.until(lambda s: s.get("complete") and s["frame"]["tries"][2] > 0)
+first.click(*middle_of(state["frame"]["tries"], 0.5))
+state = first.until(lambda s: s["message"])
+check(state["message"].startswith("This house has no door") and state["focus"] == "view",
+      "21: a house without doors says so, and nothing of it is typed over", (state["message"], state["focus_help"]))
+first.end()
+
 # a new user: a flat of two rooms with a door, an exit, a wardrobe and a person in at most 25 actions
 user = Plan("user")
 done = 0
