@@ -32,7 +32,7 @@ static void add_detail(Document *document, const House *house, const Observation
 
 static const char *format_hold(Document *document, const House *house, const Hold *hold) {
     const Blockage *blockage = &hold->blockage;
-    char widths[64], who[96];
+    char widths[ROUTE_WIDTHS], who[96];
     route_widths(blockage, widths, sizeof widths);
     snprintf(who, sizeof who, "%zu people", hold->people);
     if (hold->people == 1)

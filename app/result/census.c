@@ -193,7 +193,7 @@ static const char *other_reason(Reason reason) {
 /* Prints "29 blocked at door d2", "p1 cannot pass door d2 (needs at least 0.80 m, has 0.75 m)". */
 static void format_hold(const House *house, const Hold *hold, bool with_widths, char *text, size_t size) {
     const char *what = hold->blockage.what;
-    char widths[64] = "", who[64];
+    char widths[ROUTE_WIDTHS] = "", who[64];
     if (with_widths)
         route_widths(&hold->blockage, widths, sizeof widths);
     snprintf(who, sizeof who, "%zu", hold->people);

@@ -126,7 +126,7 @@ static bool blocked_on_a_path(Reason reason, const Blockage *blockage) {
 
 static Headline one_stuck(const House *house, const Observation *observation, const Census *census, Arena *arena) {
     const PersonObservation *person = &observation->people[census->stuck];
-    char widths[64], skids[64];
+    char widths[ROUTE_WIDTHS], skids[64];
     route_widths(&person->blockage, widths, sizeof widths);
     route_skids(&person->blockage, skids, sizeof skids);
     const char *title = why(house, person, census->stuck, arena);

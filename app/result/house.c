@@ -31,6 +31,9 @@ void result_house_add_blockage(ResultTable *table, const Blockage *blockage) {
                                   .omitted = omitted});
     result_add(table, (ResultRow){
                           .key = "blocked_at.what", .label = "stopped at", .text = blockage->what, .omitted = omitted});
+    result_add(
+        table,
+        (ResultRow){.key = "blocked_at.beside", .text = blockage->beside, .omitted = omitted || !*blockage->beside});
     result_add(table, (ResultRow){.key = "blocked_at.has",
                                   .label = "width there",
                                   .head = "has",

@@ -181,7 +181,7 @@ ResultTable result_rules_stops(const Inspection *inspection) {
     ResultTable table = {.numbers = RESULT_MICRO};
     for (size_t p = 0; p < inspection->place_count; p++) {
         const RulePlace *place = &inspection->places[p];
-        char widths[64];
+        char widths[ROUTE_WIDTHS];
         if (!place->stopped)
             continue;
         route_widths(&place->blockage, widths, sizeof widths);

@@ -227,7 +227,7 @@ static size_t first_stuck(const Observation *observation) {
 static const char *stuck_words(const House *house, const Observation *observation, Arena *arena) {
     size_t i = first_stuck(observation);
     const PersonObservation *person = &observation->people[i];
-    char widths[64];
+    char widths[ROUTE_WIDTHS];
     route_widths(&person->blockage, widths, sizeof widths);
     const char *reason = observation_reason(person->reason), *between = person->reason == REASON_BLOCKED ? "at " : "";
     return text_in_arena(arena, "%s: %s %s%s%s%s", house->people[i].id, reason, between, person->blockage.what,

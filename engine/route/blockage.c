@@ -1,6 +1,7 @@
 #include "route/blockage.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "base/memory.h"
 #include "plan/plan_geometry.h"
@@ -17,6 +18,8 @@
 #define RAY_REACH 20.0      /* m: a passage wider than this has no width worth reporting */
 #define DEEPEST_OVERLAP 0.2 /* m, of a track */
 #define CHORD_SPACING 0.05  /* m, along the body's axis */
+
+enum { NECK_FACES = 16 };
 
 /* Cost per metre through free space, through a locked door and through any other solid, 1: a locked door is better than
  * any detour in a house, and a wall is worse than any number of doors. */
@@ -269,12 +272,26 @@ static bool find_breach(const RouteQuery *query, Vec2 *at) {
     return found;
 }
 
+/* Names a piece of furniture among the faces beside the place, where that is named after something else. */
+static void name_beside(Blockage *blockage, const RouteQuery *query, const int *faces, int count) {
+    for (int f = 0; f < count && !*blockage->beside; f++) {
+        if (faces[f] < 0 || query->space->outline->faces[faces[f]].owner != OWNER_FURNITURE)
+            continue;
+        char name[sizeof blockage->beside];
+        outline_name(query->plan, OWNER_FURNITURE, query->space->outline->faces[faces[f]].index, name, sizeof name);
+        if (strcmp(name, blockage->what) != 0)
+            snprintf(blockage->beside, sizeof blockage->beside, "%s", name);
+    }
+}
+
 void blockage_of_fit(Blockage *blockage, const RouteQuery *query, const Rectangle *body, const FitPlace *place) {
     double missing = fmax(-place->margin, 0), own = 2 * body->half_width;
     Chord chord = chord_at(query, body, place);
     *blockage = (Blockage){.at = chord.middle, .has = chord.width, .estimated = true};
     blockage->needs = blockage->has > 0 ? fmax(blockage->has + 2 * missing, own) : own;
     outline_place_name(query->space->outline, query->plan, blockage->at, blockage->what, sizeof blockage->what);
+    if (blockage->has > 0)
+        name_beside(blockage, query, (const int[]){chord.left, chord.right}, 2);
 }
 
 bool blockage_of_disc(Blockage *blockage, const RouteQuery *query, double radius, const Goal *goals,
@@ -292,6 +309,11 @@ bool blockage_of_disc(Blockage *blockage, const RouteQuery *query, double radius
         blockage->needs = 2 * radius;
     }
     outline_place_name(query->space->outline, query->plan, blockage->at, blockage->what, sizeof blockage->what);
+    int faces[NECK_FACES];
+    double reach = blockage->has / 2 + query->space->cell;
+    if (blockage->has > 0 && reach < FREESPACE_FARTHEST)
+        name_beside(blockage, query, faces,
+                    freespace_faces(query->space, blockage->at, vec2(1, 0), 0, 0, reach, faces, NECK_FACES));
     return true;
 }
 

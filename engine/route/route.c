@@ -572,7 +572,8 @@ void route_widths(const Blockage *blockage, char *text, size_t size) {
     double needs = ceil(blockage->needs * centimetres - slack) / centimetres;
     double has = floor(blockage->has * centimetres + slack) / centimetres;
     if (blockage->has > 0 && blockage->needs > blockage->has)
-        snprintf(text, size, "needs %s %.2f m, has %.2f m", blockage->estimated ? "about" : "at least", needs, has);
+        snprintf(text, size, "needs %s %.2f m, has %.2f m%s%s", blockage->estimated ? "about" : "at least", needs, has,
+                 *blockage->beside ? " beside " : "", blockage->beside);
     else
         snprintf(text, size, "%s", "");
 }

@@ -39,12 +39,13 @@ typedef struct Pose {
 
 /* Place and cause of a missing path. */
 typedef struct Blockage {
-    Vec2 at;        /* m */
-    char what[96];  /* "door d2", "wardrobe (f3)", "start", "exit e1" */
-    double has;     /* m, existing width; 0 if the cause is not a width */
-    double needs;   /* m: tried for a chair at a door, or else estimated; of a disc, its own width */
-    bool estimated; /* True if `needs` is an estimate */
-    double skid;    /* m, with which the chair gets out if its drive wheels skid sideways, in all; 0: none is known */
+    Vec2 at;         /* m */
+    char what[96];   /* "door d2", "wardrobe (f3)", "start", "exit e1" */
+    double has;      /* m, existing width; 0 if the cause is not a width */
+    double needs;    /* m: tried for a chair at a door, or else estimated; of a disc, its own width */
+    bool estimated;  /* True if `needs` is an estimate */
+    double skid;     /* m, with which the chair gets out if its drive wheels skid sideways, in all; 0: none is known */
+    char beside[96]; /* the piece of furniture that narrows the place, where `what` does not name it; "": none */
 } Blockage;
 
 typedef enum RouteAnswer {
@@ -100,8 +101,10 @@ typedef struct RouteQuery {
     Reads *times;             /* (via_count + 1) with `watched`: notes which times to each goal are read */
 } RouteQuery;
 
-/* Writes "needs at least 0.80 m, has 0.75 m", or "needs about 0.80 m, has 0.75 m" of an estimate, the required width
- * rounded up and the existing one down to a centimetre; "" if the cause is not a width. */
+/* Writes "needs at least 0.80 m, has 0.75 m", or "needs about 0.80 m, has 0.75 m beside wardrobe (f3)" of an estimate,
+ * the required width rounded up and the existing one down to a centimetre; "" if the cause is not a width. ROUTE_WIDTHS
+ * characters are enough. */
+enum { ROUTE_WIDTHS = 160 };
 void route_widths(const Blockage *blockage, char *text, size_t size);
 
 /* Writes "could pass with skids of 0.15 m in all", rounded up to a centimetre; "" if the chair cannot. */

@@ -30,8 +30,10 @@ bool blockage_scene_has(const PersonObservation *observed) {
 }
 
 const char *blockage_scene_widths(Scene *scene, const Blockage *blockage) {
-    char widths[64];
-    route_widths(blockage, widths, sizeof widths);
+    char widths[ROUTE_WIDTHS];
+    Blockage alone = *blockage;
+    *alone.beside = 0; /* the piece is seen */
+    route_widths(&alone, widths, sizeof widths);
     return scene_text(scene, "%s", widths);
 }
 

@@ -363,3 +363,21 @@ TEST(a_chair_that_a_jamb_holds_first_goes_back) {
         rooms_free(&fixture);
     }
 }
+
+TEST(furniture_that_narrows_a_door_is_named_beside_it) {
+    Rooms fixture;
+    rooms_make_two(&fixture, 0.63, 0.9, DOOR_OPEN);
+    rooms_free(&fixture);
+    fixture.furniture[0] =
+        (Furniture){.id = "f1", .name = "wardrobe", .centre = {3, 1.8}, .size = {0.6, 0.6}, .height = 2};
+    fixture.plan.furniture_count = 1;
+    rooms_build(&fixture);
+    Route route = route_round(&fixture.query);
+    CHECK(route.answer == ROUTE_CANNOT_PASS && strcmp(route.blockage.what, "door d1") == 0);
+    CHECK(strncmp(route.blockage.beside, "wardrobe", 8) == 0);
+    char widths[ROUTE_WIDTHS];
+    route_widths(&route.blockage, widths, sizeof widths);
+    CHECK(strstr(widths, " m beside wardrobe"));
+    route_free(&route);
+    rooms_free(&fixture);
+}
