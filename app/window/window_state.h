@@ -197,10 +197,10 @@ typedef struct Window {
 
     FrameTimer frame_timer;
     EditBenchmark edit_benchmark;
-    bool pans;         /* --benchmark-window moves the view, */
-    double panned;     /* s, for which it has done so */
-    size_t searched;   /* how far the search for fixes had got in the last frame: twice the tries, and 1 while it goes */
-    size_t inputs;     /* presses and releases of keys and buttons that were handled, without repeated keys */
+    bool pans;       /* --benchmark-window moves the view, */
+    double panned;   /* s, for which it has done so */
+    size_t searched; /* how far the search for fixes had got in the last frame: twice the tries, and 1 while it goes */
+    size_t inputs;   /* presses and releases of keys and buttons that were handled, without repeated keys */
     double work_begun; /* s of wall time, since when the answer has been grey; 0: it is not */
     bool dirty;        /* a new frame must be drawn */
     bool plays;        /* the player moved in the last turn: one that waits for its record needs no frames */
