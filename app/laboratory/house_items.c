@@ -9,6 +9,7 @@
 #include "result/names.h"
 #include "result/tight.h"
 #include "visual/house/blockage_scene.h"
+#include "visual/house/people_scene.h"
 #include "visual/house/silhouette.h"
 
 #define LEAST_DEPTH 0.10  /* m, least depth of the outline of a thin item, so that it can be clicked */
@@ -27,7 +28,7 @@ size_t house_item_count(const House *house, const Observation *observation, int 
     case HOUSE_PERSON:
         return house->person_count;
     case HOUSE_HAZARD:
-        return observation ? tight_places(observation, (Tight[TIGHT_MOST]){{0}}) : 0;
+        return observation ? tight_places(house, observation, (Tight[TIGHT_MOST]){{0}}) : 0;
     case HOUSE_DOOR:
         return house->plan.door_count;
     case HOUSE_FURNITURE:
@@ -63,9 +64,9 @@ Item house_item_find(const House *house, int kind, const char *id) {
     return (Item){0, 0};
 }
 
-const Hazard *house_item_hazard(const Observation *observation, size_t place) {
+const Hazard *house_item_hazard(const House *house, const Observation *observation, size_t place) {
     Tight tight[TIGHT_MOST];
-    size_t count = tight_places(observation, tight);
+    size_t count = tight_places(house, observation, tight);
     return place < count ? &observation->hazards[tight[place].hazard] : NULL;
 }
 
@@ -75,7 +76,8 @@ void house_item_key(const House *house, const Observation *observation, Item ite
         return;
     const char *id = house_item_id(house, item);
     if (item.kind == HOUSE_HAZARD)
-        snprintf(key, size, "tight place %zu: %s", item.index + 1, house_item_hazard(observation, item.index)->what);
+        snprintf(key, size, "tight place %zu: %s", item.index + 1,
+                 house_item_hazard(house, observation, item.index)->what);
     else if (item.kind == HOUSE_STOP)
         snprintf(key, size, "%s stops at %s", house->people[item.index].id,
                  observation->people[item.index].blockage.what);
@@ -114,9 +116,10 @@ void house_item_name(const House *house, const Observation *observation, Item it
         return;
     Arena arena = {0};
     if (item.kind == HOUSE_HAZARD)
-        snprintf(name, size, "tight place %zu: %s", item.index + 1,
-                 names_thing(house, house_item_hazard(observation, item.index)->what,
-                             house_item_hazard(observation, item.index)->at, &arena));
+        snprintf(name, size, "%s %zu: %s", house->person_count > PEOPLE_SCENE_INDIVIDUALS ? "jam" : "tight place",
+                 item.index + 1,
+                 names_thing(house, house_item_hazard(house, observation, item.index)->what,
+                             house_item_hazard(house, observation, item.index)->at, &arena));
     else if (item.kind == HOUSE_STOP)
         name_stop(house, observation, item.index, name, size);
     else if (item.kind == HOUSE_FURNITURE)
@@ -206,7 +209,8 @@ size_t house_item_outline(const HouseScenery *scenery, Item item, double time, V
     case HOUSE_PERSON:
         return outline_person(scenery, item.index, time, points);
     case HOUSE_HAZARD:
-        return outline_circle(house_item_hazard(scenery->observation, item.index)->at, HAZARD_SHOWN, points);
+        return outline_circle(house_item_hazard(scenery->house, scenery->observation, item.index)->at, HAZARD_SHOWN,
+                              points);
     case HOUSE_STOP:
         if (!blockage_scene_has(&scenery->observation->people[item.index]))
             return 0;

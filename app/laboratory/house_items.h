@@ -49,7 +49,7 @@ Item house_item_at(const HouseScenery *scenery, Vec2 at, double time, Item below
 Item house_item_next(const HouseScenery *scenery, Item item, int step);
 
 /* Returns the worst dangerous point of a tight place, whose index is that of its item. */
-const Hazard *house_item_hazard(const Observation *observation, size_t place);
+const Hazard *house_item_hazard(const House *house, const Observation *observation, size_t place);
 
 /* Writes the kind and id of an item, "door d2", as files have it; house_item_name writes its name. */
 void house_item_key(const House *house, const Observation *observation, Item item, char *key, size_t size);

@@ -391,7 +391,7 @@ ResultTable result_house_routes(const House *house, const Observation *observati
 /* Dangerous points --------------------------------------------------------------------------------------------------
  */
 
-void result_house_add_hazard(ResultTable *table, const Observation *observation, size_t h) {
+static void add_hazard(ResultTable *table, const Observation *observation, size_t h) {
     const Hazard *hazard = &observation->hazards[h];
     const char *at = text_in_arena(&table->arena, "(%.2f, %.2f)", hazard->at.x, hazard->at.y);
     result_add(table, (ResultRow){.label = "rank", .text = text_in_arena(&table->arena, "%zu", h + 1)});
@@ -428,7 +428,7 @@ void result_house_add_hazard(ResultTable *table, const Observation *observation,
 ResultTable result_house_hazards(const Observation *observation) {
     ResultTable table = {0};
     for (size_t h = 0; h < observation->hazard_count; h++)
-        result_house_add_hazard(&table, observation, h);
+        add_hazard(&table, observation, h);
     return table;
 }
 

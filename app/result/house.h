@@ -17,8 +17,7 @@ ResultTable result_house_parties(const House *house, const Census *census, bool 
  * ((c) - (a)) / (a). */
 ResultTable result_house_routes(const House *house, const Observation *observation);
 
-/* Adds a record of one dangerous point; or of all, the worst first. */
-void result_house_add_hazard(ResultTable *table, const Observation *observation, size_t hazard);
+/* A record for each dangerous point, the worst first. */
 ResultTable result_house_hazards(const Observation *observation);
 
 /* One record of the whole run: how many people are out, when, and how near they came to anything. */

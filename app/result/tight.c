@@ -4,6 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
+#include "result/census.h"
+#include "result/names.h"
+
 static int compare(const void *a, const void *b) {
     const Tight *p = a, *q = b;
     if (p->lost_time != q->lost_time)
@@ -12,13 +16,21 @@ static int compare(const void *a, const void *b) {
                                           : (p->hazard > q->hazard) - (p->hazard < q->hazard);
 }
 
-size_t tight_places(const Observation *observation, Tight places[TIGHT_MOST]) {
-    Tight all[HAZARDS_MOST];
+/* True if two dangerous points are one place: at the same thing, and in a crowd also of the same name. */
+static bool is_same(const House *house, const Hazard *a, const Hazard *b, Arena *arena) {
+    if (strcmp(a->what, b->what) != 0)
+        return false;
+    return house->person_count <= CENSUS_FEW ||
+           strcmp(names_thing(house, a->what, a->at, arena), names_thing(house, b->what, b->at, arena)) == 0;
+}
+
+static size_t gather(const House *house, const Observation *observation, Tight all[HAZARDS_MOST]) {
+    Arena arena = {0};
     size_t count = 0;
     for (size_t h = 0; h < observation->hazard_count; h++) {
         const Hazard *hazard = &observation->hazards[h];
         size_t i = 0;
-        while (i < count && strcmp(observation->hazards[all[i].hazard].what, hazard->what) != 0)
+        while (i < count && !is_same(house, &observation->hazards[all[i].hazard], hazard, &arena))
             i++;
         if (i == count)
             all[count++] = (Tight){.hazard = h, .clearance = HUGE_VAL};
@@ -26,8 +38,28 @@ size_t tight_places(const Observation *observation, Tight places[TIGHT_MOST]) {
         all[i].peak_force = fmax(all[i].peak_force, hazard->peak_force);
         all[i].lost_time += hazard->lost_time;
     }
+    arena_clear(&arena);
+    return count;
+}
+
+size_t tight_places(const House *house, const Observation *observation, Tight places[TIGHT_MOST]) {
+    Tight all[HAZARDS_MOST];
+    size_t count = gather(house, observation, all);
     qsort(all, count, sizeof *all, compare);
     count = count < TIGHT_MOST ? count : TIGHT_MOST;
     memcpy(places, all, count * sizeof *all);
     return count;
+}
+
+size_t tight_count(const House *house, const Observation *observation) {
+    Tight all[HAZARDS_MOST];
+    return gather(house, observation, all);
+}
+
+const char *tight_to_spare(double clearance, Arena *arena) {
+    if (clearance <= 0)
+        return "touches";
+    if (isinf(clearance))
+        return NULL;
+    return clearance < 1 ? text_in_arena(arena, "%.1f cm", 100 * clearance) : text_in_arena(arena, "%.2f m", clearance);
 }

@@ -1,7 +1,9 @@
 /* The tight places of a run in the order in which pictures and the window list them: one for each thing, whichever
- * costs most time first. */
+ * costs most time first. In a crowd a wall along several rooms is one place
+ * for each room. */
 #pragma once
 
+#include "base/memory.h"
 #include "house/observation.h"
 
 enum { TIGHT_MOST = 3 /* places that are listed and marked */ };
@@ -13,5 +15,11 @@ typedef struct Tight {
     double lost_time;  /* s, of all */
 } Tight;
 
-/* Writes the places, the first ones first; returns their number. */
-size_t tight_places(const Observation *observation, Tight places[TIGHT_MOST]);
+/* Writes the places that are listed, the first ones first; returns their number. */
+size_t tight_places(const House *house, const Observation *observation, Tight places[TIGHT_MOST]);
+
+/* Returns the number of all places, also of those that are not listed. */
+size_t tight_count(const House *house, const Observation *observation);
+
+/* Returns a clearance as people read it: "4.4 cm", "touches", or NULL if nothing came near. */
+const char *tight_to_spare(double clearance, Arena *arena);

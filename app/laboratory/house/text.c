@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/stopwatch.h"
+#include "base/text.h"
 #include "laboratory/house/runs.h"
 #include "result/headline.h"
 #include "result/house.h"
@@ -93,11 +94,21 @@ static void add_door(HouseSession *session, const Door *door) {
     add_pair(session, "in wall", arena_text(&scene->arena, door->wall));
 }
 
-static void add_hazard(HouseSession *session, size_t hazard) {
-    ResultTable table = {0};
-    result_house_add_hazard(&table, session->observation,
-                            (size_t)(house_item_hazard(session->observation, hazard) - session->observation->hazards));
-    add_record(session, &table, 1); /* the rank is in the heading */
+/* Adds the numbers of a tight place, as its row in the list has them. */
+static void add_hazard(HouseSession *session, size_t place) {
+    Tight tight[TIGHT_MOST];
+    Arena *arena = &session->texts.moment.arena;
+    if (place >= tight_places(&session->runs[RUN_SHOWN]->house, session->observation, tight))
+        return;
+    const char *gap = tight_to_spare(tight[place].clearance, arena);
+    Vec2 at = session->observation->hazards[tight[place].hazard].at;
+    add_pair(session, is_crowd(session) ? "time lost by all" : "time lost",
+             headline_duration(tight[place].lost_time, arena));
+    if (gap && !is_crowd(session))
+        add_pair(session, "room to spare", gap);
+    if (tight[place].peak_force > 0)
+        add_pair(session, "hardest touch", text_in_arena(arena, "%.0f N", tight[place].peak_force));
+    add_pair(session, "worst at", text_in_arena(arena, "(%.2f, %.2f) m", at.x, at.y));
 }
 
 static void add_selected(HouseSession *session, double time) {
@@ -221,7 +232,7 @@ static void add_now(HouseSession *session, double time) {
 static void find_times(HouseSession *session) {
     const Observation *observation = session->observation;
     Tight tight[TIGHT_MOST];
-    size_t count = tight_places(observation, tight);
+    size_t count = tight_places(&session->runs[RUN_SHOWN]->house, observation, tight);
     double least[TIGHT_MOST], *before = session->texts.before;
     for (size_t h = 0; h < count; h++)
         least[h] = HUGE_VAL;

@@ -237,7 +237,7 @@ static void add_hold_label(Scene *scene, const Hold *hold) {
     tag->bold = tag->leader = true;
 }
 
-void crowd_scene_labels(Scene *scene, const Observation *observation, const Census *census) {
+void crowd_scene_labels(Scene *scene, const House *house, const Observation *observation, const Census *census) {
     size_t shown = 0;
     for (size_t h = 0; h < census->hold_count && shown < CROWD_SCENE_HOLDS; h++) {
         const Hold *hold = &census->holds[h];
@@ -246,7 +246,7 @@ void crowd_scene_labels(Scene *scene, const Observation *observation, const Cens
         add_hold_label(scene, hold);
         shown++;
     }
-    people_scene_hazards(scene, observation);
+    people_scene_hazards(scene, house, observation);
 }
 
 /* The primitives of one profile. */

@@ -23,7 +23,7 @@ Primitive *crowd_scene_chair(Scene *scene, Box box, const Profile *profile, Pose
 
 /* In painting order; the scene's box must be set. The labels must be added behind all other primitives. */
 void crowd_scene_ways(Scene *scene, const House *house, const Observation *observation, const Census *census);
-void crowd_scene_labels(Scene *scene, const Observation *observation, const Census *census);
+void crowd_scene_labels(Scene *scene, const House *house, const Observation *observation, const Census *census);
 
 /* Adds the key: a row per profile, with its symbol, its line and how many of its people are out. */
 void crowd_scene_list(Scene *scene, const House *house, const Census *census);

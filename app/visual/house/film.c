@@ -162,7 +162,7 @@ static void make_still(Film *film) {
     if (!film->options.rests && tells)
         add_blockages(film);
     if (!(hidden & FILM_DANGER))
-        people_scene_hazards(scene, film->observation);
+        people_scene_hazards(scene, film->options.observed ? film->options.observed : house, film->observation);
     if (film->options.before.observation && !(hidden & FILM_GHOST))
         people_scene_ghost_label(scene, film->options.before.observation, film->trails, house->person_count,
                                  house_scene_before_name(film->options.before));

@@ -17,7 +17,6 @@
 #include "result/tight.h"
 
 #define MOST 0.95       /* share of a crowd that is most of it */
-#define LOST_LONG 600.0 /* s: more time lost by all is told in minutes alone */
 #define LOST_LEAST 0.05 /* s: less lost time is not told */
 
 /* The word in the note of a plan that was not measured: such a note must be shown wherever the plan is. */
@@ -26,19 +25,10 @@ static bool is_crowd(const Census *census) {
     return census->people > PEOPLE_SCENE_INDIVIDUALS;
 }
 
-/* Returns a clearance as people read it: "4.4 cm to spare". */
-static const char *to_spare(Scene *scene, double clearance) {
-    if (clearance <= 0)
-        return "touches";
-    if (isinf(clearance))
-        return NULL;
-    return clearance < 1 ? scene_text(scene, "%.1f cm", 100 * clearance) : scene_text(scene, "%.2f m", clearance);
-}
-
 /* Returns what the first tight place costs: the same place and number as its row and its disc. */
 static const char *most_lost(Scene *scene, const House *house, const Observation *observation) {
     Tight tight[TIGHT_MOST];
-    if (!tight_places(observation, tight))
+    if (!tight_places(house, observation, tight))
         return "no tight place";
     const char *name = names_thing(house, observation->hazards[tight->hazard].what,
                                    observation->hazards[tight->hazard].at, &scene->arena);
@@ -46,8 +36,8 @@ static const char *most_lost(Scene *scene, const House *house, const Observation
         return scene_text(scene, "touches %s%s, %.0f N", name[0] && name[1] ? "the " : "", name, /* "B": a person */
                           tight->peak_force);
     if (tight->lost_time >= LOST_LEAST)
-        return scene_text(scene, "most time lost: %s, %.1f s", name, tight->lost_time);
-    const char *gap = to_spare(scene, tight->clearance);
+        return scene_text(scene, "most time lost: %s, %s", name, headline_duration(tight->lost_time, &scene->arena));
+    const char *gap = tight_to_spare(tight->clearance, &scene->arena);
     return gap ? scene_text(scene, "tightest: %s, %s to spare", name, gap) : "no tight place";
 }
 
@@ -120,23 +110,19 @@ static const char *value_of(Scene *scene, const ResultTable *table, size_t recor
     return value ? arena_text(&scene->arena, value) : "-";
 }
 
-/* Distances mean nothing in a crowd, and the names need the room. */
+/* In a crowd distances mean nothing, and the places are ranked by the time that is lost there. */
 static void list_hazards(Scene *scene, const House *house, const Observation *observation, bool crowd) {
     Tight tight[TIGHT_MOST];
-    size_t count = tight_places(observation, tight);
+    size_t count = tight_places(house, observation, tight);
     if (count)
         scene_add_row(scene, ROW_HEADING, crowd ? "Jams: time lost by all" : "Tight places");
     for (size_t i = 0; i < count; i++) {
         const Hazard *hazard = &observation->hazards[tight[i].hazard];
-        const RunSettings *run = &house->plan.run;
-        bool pushed = crowd ? tight[i].peak_force * run->loss_warning > tight[i].lost_time * run->force_warning
-                            : tight[i].peak_force > 0;
+        bool pushed = !crowd && tight[i].peak_force > 0;
         const char *mark = scene_text(scene, "%zu", i + 1);
-        double lost = tight[i].lost_time;
-        const char *cost = pushed             ? scene_text(scene, "%.0f N", tight[i].peak_force)
-                           : lost < LOST_LONG ? headline_duration(lost, &scene->arena)
-                                              : scene_text(scene, "%.0f min", lost / 60);
-        const char *gap = to_spare(scene, tight[i].clearance);
+        const char *cost = pushed ? scene_text(scene, "%.0f N", tight[i].peak_force)
+                                  : headline_duration(tight[i].lost_time, &scene->arena);
+        const char *gap = tight_to_spare(tight[i].clearance, &scene->arena);
         SceneRow *row = scene_add_row(scene, ROW_DISC, names_thing(house, hazard->what, hazard->at, &scene->arena));
         row->role = people_scene_danger(hazard);
         row->mark = mark;
@@ -255,7 +241,7 @@ static void add_house(Scene *scene, const House *house, const Observation *obser
         people_scene_ways(scene, house, observation);
     plan_scene_tags(scene, house, crowd ? census->left : NULL);
     if (crowd)
-        crowd_scene_labels(scene, observation, census);
+        crowd_scene_labels(scene, house, observation, census);
     else
         people_scene_labels(scene, house, observation);
     if (before)

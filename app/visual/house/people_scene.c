@@ -297,9 +297,9 @@ void people_scene_ways(Scene *scene, const House *house, const Observation *obse
     trail_free_list(trails);
 }
 
-void people_scene_hazards(Scene *scene, const Observation *observation) {
+void people_scene_hazards(Scene *scene, const House *house, const Observation *observation) {
     Tight tight[TIGHT_MOST];
-    size_t count = tight_places(observation, tight);
+    size_t count = tight_places(house, observation, tight);
     for (size_t i = 0; i < count; i++) {
         const Hazard *hazard = &observation->hazards[tight[i].hazard];
         Primitive *disc = scene_add_label(scene, ROLE_TEXT, DISC_TEXT, hazard->at, scene_text(scene, "%zu", i + 1));
@@ -362,7 +362,7 @@ void people_scene_labels(Scene *scene, const House *house, const Observation *ob
     for (size_t i = 0; i < house->person_count; i++)
         if (observation->people[i].took_part)
             add_person_labels(scene, house, i);
-    people_scene_hazards(scene, observation);
+    people_scene_hazards(scene, house, observation);
     for (size_t i = 0; i < house->person_count; i++)
         if (trails[i].count > 1 && house->people[i].route)
             add_route_label(scene, house, &trails[i], i);

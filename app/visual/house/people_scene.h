@@ -57,7 +57,7 @@ void people_scene_ahead(Scene *scene, const House *house, const Trail *trails);
 void people_scene_ticks(Scene *scene, const Trail *trail, Role role, double from, double to);
 
 /* Adds the discs of the worst dangerous points. */
-void people_scene_hazards(Scene *scene, const Observation *observation);
+void people_scene_hazards(Scene *scene, const House *house, const Observation *observation);
 
 /* In painting order; the labels of the second function must be added behind all other primitives. */
 void people_scene_ways(Scene *scene, const House *house, const Observation *observation);
