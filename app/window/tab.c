@@ -14,6 +14,7 @@
 #define ZOOM_LEAST 0.2
 #define ZOOM_MOST 64.0
 #define ZOOM_NEAR 3.0   /* times the size of the selection that zooming to it shows */
+#define NEAR_SEEN 5.0   /* m, that zooming to a selection shows at least: what is around it explains it */
 #define TRIAL_SEEN 4.5  /* m, about the tight place, while a fix is shown beside it */
 #define SAME_PLACE 1.0  /* design points: a plan that fits exactly stands still */
 #define FOLLOW_FREE 0.2 /* of the view, within which a followed person moves freely */
@@ -357,7 +358,7 @@ bool tab_show_item(Tab *tab, Item item) {
     tab->fits = false;
     const Scene *still = tab->laboratory->still(tab->session);
     Vec2 all = vec2_scale(vec2_add(still->box.low, still->box.high), 0.5);
-    double size = ZOOM_NEAR * fmax(fmax(box_width(box), box_height(box)), 0.25);
+    double size = fmax(ZOOM_NEAR * fmax(box_width(box), box_height(box)), NEAR_SEEN);
     tab->camera.pan = vec2_sub(vec2_scale(vec2_add(box.low, box.high), 0.5), all);
     tab->camera.zoom = fmin(fmax(fmin(box_width(still->box), box_height(still->box)) / size, 1), ZOOM_MOST);
     tab_apply_camera(tab);

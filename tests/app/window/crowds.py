@@ -60,5 +60,27 @@ for width, height in ((1920, 1080), (1280, 720)):
     view = state["frame"]["view"]
     blue = sum(count for count, colour in stage.colours(shot, view) if colour == (0x00, 0x68, 0xA8))
     check(blue > 200, f"27: {size}: chairs lie on top of the crowd, in their full colour", blue)
+
+# a jam has one number, in its row and beside its details, and is shown with what is around it
+def amount(duration):
+    minutes, _, seconds = duration.removesuffix(" s").rpartition(":")
+    return 60 * float(minutes or 0) + float(seconds)
+
+
+row_at = {row[0]: row[1] for row in state["rows"]}
+names = [row[0] for row in state["rows"]]
+jams = names[names.index("Jams: time lost by all") + 1:names.index("People: out/all, last")]
+check(len(jams) == 3 and [amount(row_at[jam]) for jam in jams] == sorted((amount(row_at[jam]) for jam in jams), reverse=True),
+      "jams are ranked by the number that is shown", [(jam, row_at[jam]) for jam in jams])
+x, y, right, foot = state["frame"]["answer"]
+screen.click(right - 80, (y + foot) / 2)
+state, shown = screen.state(), {}
+for row in state["rows"][1:]:
+    if not row[1]:
+        break
+    shown[row[0]] = row[1]
+check(state["rows"][0][0] == f"Jam 1: {jams[0]}" and shown.get("time lost by all") == row_at[jams[0]] and "score" not in shown,
+      "the details of a jam have the number of its row", (state["rows"][0], shown, row_at[jams[0]]))
+check(4 < state["zoom"] < 12, "a jam is shown nearer, with some metres around it", state["zoom"])
 screen.end()
 stage.end()
