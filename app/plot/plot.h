@@ -47,6 +47,7 @@ typedef struct PlotGuide {
     bool band;    /* covers `at` to `to`, which may be infinite: up to the edge of the plot */
     double at, to;
     const char *name; /* or NULL */
+    bool listed;      /* a line whose name stands among those of the series, where these stand above the plot */
     Role role;
     LineStyle style;
 } PlotGuide;

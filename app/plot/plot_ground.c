@@ -9,7 +9,6 @@
 
 /* Design points. */
 #define AXIS_WIDTH 2.0
-#define GUIDE_WIDTH 2.0
 #define TICK_LENGTH 5.0
 
 static void use_role(cairo_t *cairo, Theme theme, Role role) {
@@ -88,7 +87,7 @@ static void paint_guide(cairo_t *cairo, const PlotLayout *layout, const PlotGuid
     if (!plot_frame_guide(layout, guide, ends))
         return;
     path_segment(cairo, ends[0], ends[1]);
-    paint_cairo_line(cairo, guide->style, GUIDE_WIDTH);
+    paint_cairo_line(cairo, guide->style, PLOT_LAYOUT_GUIDE);
     use_role(cairo, theme, guide->role);
     cairo_stroke(cairo);
 }

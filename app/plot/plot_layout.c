@@ -17,6 +17,7 @@
 #define SOURCE_HEIGHT 16.0
 #define MARGIN 6.0
 #define ROW_HEIGHT 23.0 /* of titles and names */
+#define LOW_ROW 21.0    /* of further rows of a low plot */
 #define ROW_GAP 7.0     /* below the titles: half of the topmost label */
 #define LABEL_HEIGHT 18.0
 #define LABEL_GAP 7.0    /* between an axis and its labels; the tick is within */
@@ -109,7 +110,8 @@ static Caption *add_text(PlotLayout *layout, const char *text, double size, bool
 
 /* The parts of the rows above the frame, besides title and note. */
 typedef struct Above {
-    bool names;  /* of the series */
+    bool names;  /* of the series, */
+    bool listed; /* and of those guides that are to stand among them */
     bool across; /* the title of the x axis, */
     bool bare;   /* which shares the first row, or is left out but for its unit */
 } Above;
@@ -122,7 +124,7 @@ typedef struct Rows {
 
 static void begin_row(Rows *rows) {
     rows->left = MARGIN;
-    rows->middle += ROW_HEIGHT;
+    rows->middle += rows->layout->sheet.page.y < LOW ? LOW_ROW : ROW_HEIGHT;
 }
 
 /* Returns a text, or what stands before its colon or before "of the" if only that fits. */
@@ -157,12 +159,19 @@ static double name_width(const char *name, double before) {
     return name ? before + SAMPLE_LENGTH + SAMPLE_GAP + text_extent(name, NAME_TEXT, false).x : 0;
 }
 
-static double names_width(const Plot *plot) {
+static bool is_listed(const PlotGuide *guide, Above wanted) {
+    return wanted.listed && guide->listed && guide->name;
+}
+
+static double names_width(const Plot *plot, Above wanted) {
     double width = 0;
     for (size_t a = 0; a < plot->area_count; a++)
         width += name_width(plot->areas[a].name, width > 0 ? ITEM_GAP : 0);
     for (size_t s = 0; s < plot->series_count; s++)
         width += name_width(plot->series[s].name, width > 0 ? ITEM_GAP : 0);
+    for (size_t g = 0; g < plot->guide_count; g++)
+        if (is_listed(&plot->guides[g], wanted))
+            width += name_width(plot->guides[g].name, width > 0 ? ITEM_GAP : 0);
     return width;
 }
 
@@ -172,15 +181,20 @@ static Vec2 add_name(Rows *rows, const char *name) {
     return vec2(caption->centre.x - caption->extent.x / 2 - SAMPLE_GAP - SAMPLE_LENGTH / 2, caption->centre.y);
 }
 
+/* Adds a sample of a line around a middle. */
+static void add_line_sample(Layout *sheet, Vec2 middle, Role role, LineStyle style, double width) {
+    layout_add_sample(sheet, (Sample){.from = vec2(middle.x - SAMPLE_LENGTH / 2, middle.y),
+                                      .to = vec2(middle.x + SAMPLE_LENGTH / 2, middle.y),
+                                      .role = role,
+                                      .style = style,
+                                      .width = width});
+}
+
 static void add_series_name(Rows *rows, const PlotSeries *series) {
     PlotLayout *layout = rows->layout;
     Vec2 middle = add_name(rows, series->name);
     if (series->width > 0)
-        layout_add_sample(&layout->sheet, (Sample){.from = vec2(middle.x - SAMPLE_LENGTH / 2, middle.y),
-                                                   .to = vec2(middle.x + SAMPLE_LENGTH / 2, middle.y),
-                                                   .role = series->role,
-                                                   .style = series->style,
-                                                   .width = series->width});
+        add_line_sample(&layout->sheet, middle, series->role, series->style, series->width);
     if (series->symbol != SYMBOL_NONE)
         layout->marks[layout->mark_count++] = (PlotMark){series, middle};
 }
@@ -195,23 +209,25 @@ static double right_width(const PlotLayout *layout, const Plot *plot) {
 }
 
 /* Adds the names at the right end of a row if one row holds them all. */
-static void add_names(Rows *rows, const Plot *plot) {
+static void add_names(Rows *rows, const Plot *plot, Above wanted) {
     Layout *sheet = &rows->layout->sheet;
-    double right = sheet->page.x - MARGIN, width = names_width(plot);
+    double right = sheet->page.x - MARGIN, width = names_width(plot, wanted);
     if (rows->left > MARGIN && rows->left + width > right)
         begin_row(rows);
     rows->left = fmax(rows->left, right - width);
     for (size_t a = 0; a < plot->area_count; a++)
         if (plot->areas[a].name) {
             Vec2 middle = add_name(rows, plot->areas[a].name);
-            layout_add_sample(sheet, (Sample){.from = vec2(middle.x - SAMPLE_LENGTH / 2, middle.y),
-                                              .to = vec2(middle.x + SAMPLE_LENGTH / 2, middle.y),
-                                              .role = plot->areas[a].role,
-                                              .width = AREA_SAMPLE});
+            add_line_sample(sheet, middle, plot->areas[a].role, LINE_SOLID, AREA_SAMPLE);
         }
     for (size_t s = 0; s < plot->series_count; s++)
         if (plot->series[s].name)
             add_series_name(rows, &plot->series[s]);
+    for (size_t g = 0; g < plot->guide_count; g++) {
+        const PlotGuide *guide = &plot->guides[g];
+        if (is_listed(guide, wanted))
+            add_line_sample(sheet, add_name(rows, guide->name), guide->role, guide->style, PLOT_LAYOUT_GUIDE);
+    }
 }
 
 /* Adds the titles and, if they stand above, the names of the series; returns how far down they reach. */
@@ -237,17 +253,18 @@ static double add_rows(PlotLayout *layout, const Plot *plot, Above wanted) {
     }
     if (plot->note)
         add_item(&rows, plot->note, AXIS_TEXT, false, 0)->role = ROLE_DIM_TEXT;
-    bool above = names && plot->right_factor != 0 && names_width(plot) > 0; /* both titles stand in the last row */
+    bool above =
+        names && plot->right_factor != 0 && names_width(plot, wanted) > 0; /* both titles stand in the last row */
     if (above) {
         begin_row(&rows);
-        add_names(&rows, plot);
+        add_names(&rows, plot, wanted);
     }
     if ((*title || above) && !low && plot->title) {
         begin_row(&rows);
         add_item(&rows, title, AXIS_TEXT, false, 0);
     }
     if (names && !above)
-        add_names(&rows, plot);
+        add_names(&rows, plot, wanted);
     return rows.middle + ROW_HEIGHT / 2;
 }
 
@@ -391,17 +408,21 @@ static void lay_out(PlotLayout *layout, const Plot *plot, Vec2 page, Above above
     add_right_labels(layout, plot);
     plot_key_add(layout, plot);
     plot_names_classes(layout, plot);
-    plot_names_guides(layout, plot);
+    plot_names_guides(layout, plot, above.listed);
     if (plot->source)
         add_source(layout, plot);
 }
 
 void plot_layout_make(PlotLayout *layout, const Plot *plot, Vec2 page, PlotNames names) {
     *layout = (PlotLayout){0};
-    bool several = plot->series_count + plot->area_count > 1;
+    bool several = plot->series_count + plot->area_count > 1, listed = false;
     bool beside = names == PLOT_NAMES_BESIDE && has_lines_only(plot);
-    lay_out(layout, plot, page, (Above){.names = several && !beside});
+    for (size_t g = 0; g < plot->guide_count; g++)
+        listed = listed || (several && plot->guides[g].listed);
+    lay_out(layout, plot, page, (Above){.names = several && !beside, .listed = listed && !beside});
     if (several && beside && !plot_names_series(layout, plot))
+        lay_out(layout, plot, page, (Above){.names = true, .listed = listed});
+    if (listed && box_height(layout->sheet.frame) < LEAST_FRAME * page.y)
         lay_out(layout, plot, page, (Above){.names = true});
     if (box_height(layout->sheet.frame) < LEAST_FRAME * page.y)
         lay_out(layout, plot, page, (Above){.names = false});

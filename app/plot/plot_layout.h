@@ -8,6 +8,8 @@
 #include "plot/plot.h"
 #include "plot/plot_ticks.h"
 
+#define PLOT_LAYOUT_GUIDE 2.0 /* design points, width of a guide's line */
+
 /* A symbol in the list of names, as in the series. */
 typedef struct PlotMark {
     const PlotSeries *series;

@@ -185,7 +185,7 @@ static bool hits_a_caption(const Layout *sheet) {
     return false;
 }
 
-void plot_names_guides(PlotLayout *layout, const Plot *plot) {
+void plot_names_guides(PlotLayout *layout, const Plot *plot, bool listed) {
     Mask mask;
     if (!plot->guide_count)
         return;
@@ -195,7 +195,7 @@ void plot_names_guides(PlotLayout *layout, const Plot *plot) {
         Vec2 ends[2];
         Box band;
         bool shown = guide->band ? plot_frame_band(layout, guide, &band) : plot_frame_guide(layout, guide, ends);
-        if (!guide->name || !shown)
+        if (!guide->name || !shown || (listed && guide->listed))
             continue;
         Caption *caption = caption_add(&layout->sheet, guide->name, TEXT_SIZE, false, vec2(0, 0));
         caption->centre = guide->band ? best_within_band(&mask, band, guide->upright, caption->extent)

@@ -3,8 +3,8 @@
 
 #include "plot/plot_layout.h"
 
-/* Adds the names of the guides, each at its line, where it hides least. */
-void plot_names_guides(PlotLayout *layout, const Plot *plot);
+/* Adds the names of the guides, each at its line, where it hides least; not of those that are listed above the plot. */
+void plot_names_guides(PlotLayout *layout, const Plot *plot, bool listed);
 
 /* Adds the marks of a raster's classes, each in the largest square of the class. */
 void plot_names_classes(PlotLayout *layout, const Plot *plot);

@@ -11,7 +11,7 @@
 #define THIN_WIDTH 1.6
 
 #define WINDOW 10.0      /* s, over which the flow is a mean */
-#define SAMPLES 400.0    /* of the flow, at most */
+#define SAMPLES 400.0    /* of a curve, at most, besides its steps */
 #define LEAST_STEP 0.5   /* s, between two of them */
 #define FLOW_OF_EXIT 1.3 /* 1/(m s), specific flow of a crowd through an exit (Fruin; SFPE handbook: 1.32) */
 #define CLOCK_FROM 100.0 /* s: from here on times are minutes and seconds */
@@ -52,21 +52,35 @@ static const char *when(const char *what, double time, Arena *arena) {
 
 /* People out ------------------------------------------------------------------------------------------------------- */
 
-/* Adds the steps of people leaving, up to the end of the run. */
+static double end_of(const Observation *observation, const double *times, size_t count) {
+    return fmax(observation->time, count ? times[count - 1] : 0);
+}
+
+/* Returns the time between two samples, s. */
+static double sample_of(double end) {
+    return fmax(LEAST_STEP, end / SAMPLES);
+}
+
+/* Adds the steps of people leaving, up to the end of the run. Samples between them let the line go on while nobody
+ * leaves. */
 static PlotSeries *add_steps(Plot *plot, const Observation *observation, const double *times, size_t count,
                              Arena *arena) {
-    double *x = arena_allocate(arena, (2 * count + 2) * sizeof *x),
-           *y = arena_allocate(arena, (2 * count + 2) * sizeof *y);
-    size_t points = 0;
+    double end = end_of(observation, times, count), sample = sample_of(end);
+    size_t most = 2 * count + (size_t)(end / sample) + 2, points = 0;
+    double *x = arena_allocate(arena, most * sizeof *x), *y = arena_allocate(arena, most * sizeof *y);
     x[points] = 0;
     y[points++] = 0;
-    for (size_t i = 0; i < count; i++)
-        for (size_t step = 0; step < 2; step++) {
-            x[points] = times[i];
+    for (size_t i = 0; i <= count; i++) {
+        double next = i < count ? times[i] : end;
+        for (; x[points - 1] + sample < next; points++) {
+            x[points] = x[points - 1] + sample;
+            y[points] = (double)i;
+        }
+        for (size_t step = 0; step < (i < count ? 2 : 1); step++) {
+            x[points] = next;
             y[points++] = (double)(i + step);
         }
-    x[points] = fmax(observation->time, count ? times[count - 1] : 0);
-    y[points++] = (double)count;
+    }
     PlotSeries *series = &plot->series[plot->series_count++];
     *series = (PlotSeries){.x = x, .y = y, .count = points, .stride = 1, .role = ROLE_CHAIR, .width = LINE_WIDTH};
     return series;
@@ -117,7 +131,7 @@ void crowd_plots_out(Plot *plot, const House *house, const Observation *observat
 /* Adds how many people a second leave by an exit, a mean over the last WINDOW. */
 static void add_flow(Plot *plot, const House *house, const Observation *observation, size_t exit, const double *times,
                      size_t count, Arena *arena) {
-    double end = fmax(observation->time, count ? times[count - 1] : 0), step = fmax(LEAST_STEP, end / SAMPLES);
+    double end = end_of(observation, times, count), step = sample_of(end);
     size_t samples = (size_t)(end / step) + 1, low = 0, high = 0;
     double *x = arena_allocate(arena, samples * sizeof *x), *y = arena_allocate(arena, samples * sizeof *y);
     for (size_t i = 0; i < samples; i++) {
@@ -154,11 +168,11 @@ static void add_capacities(Plot *plot, const Plan *plan, Arena *arena) {
         count = same == count ? count + 1 : count;
     }
     for (size_t i = 0; i < count && i < 2; i++)
-        plot->guides[plot->guide_count++] =
-            (PlotGuide){.at = FLOW_OF_EXIT * widths[i],
-                        .name = text_in_arena(arena, "capacity of %.2f m, %.1f / (m s)", widths[i], FLOW_OF_EXIT),
-                        .role = ROLE_DIM_TEXT,
-                        .style = LINE_DASHED};
+        plot->guides[plot->guide_count++] = (PlotGuide){.at = FLOW_OF_EXIT * widths[i],
+                                                        .name = text_in_arena(arena, "capacity of %.2f m", widths[i]),
+                                                        .listed = true,
+                                                        .role = ROLE_DIM_TEXT,
+                                                        .style = LINE_DASHED};
 }
 
 void crowd_plots_flow(Plot *plot, const House *house, const Observation *observation, Arena *arena) {

@@ -163,3 +163,25 @@ TEST(a_long_title_ends_before_what_it_is_of) {
         plot_layout_clear(&narrow);
     }
 }
+
+TEST(a_listed_guide_is_named_above_the_plot_with_a_sample_of_its_line) {
+    double x[100], low[100], high[100];
+    sample_fill_wave(x, low, 100);
+    for (int i = 0; i < 100; i++)
+        high[i] = low[i] + 0.1;
+    PlotSeries series[] = {sample_line("e1", x, low, 100), sample_line("e2", x, high, 100)};
+    PlotGuide guide = {.at = 0.5, .name = "capacity", .listed = true, .role = ROLE_DIM_TEXT, .style = LINE_DASHED};
+    Plot plot = sample_plot(series, 2);
+    plot.guides = &guide;
+    plot.guide_count = 1;
+    for (size_t p = 1; p < sizeof pages / sizeof *pages; p++) {
+        PlotLayout layout;
+        plot_layout_make(&layout, &plot, pages[p], PLOT_NAMES_ABOVE);
+        sample_check_layout(&layout);
+        CHECK(layout.sheet.sample_count == 3 && sample_has_text(&layout, "capacity"));
+        for (size_t i = 0; i < layout.sheet.caption_count; i++)
+            if (strcmp(layout.sheet.captions[i].text, "capacity") == 0)
+                CHECK(layout.sheet.captions[i].centre.y < layout.sheet.frame.low.y);
+        plot_layout_clear(&layout);
+    }
+}

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "case.h"
+#include "visual/house/crowd_plots.h"
 #include "visual/house/house_plots.h"
 #include "visual/house/people_scene.h"
 
@@ -216,8 +217,31 @@ TEST(the_people_out_are_counted_at_their_times_and_by_their_exits) {
             people += step * plot_value(flow, i).y;
     }
     CHECK(people <= 2 && people >= 0);
-    CHECK(house_plots_until(&plots, 0, 0, first / 2) == 1);
+    size_t before = house_plots_until(&plots, 0, 0, first / 2);
+    CHECK(before > 0 && before < out->count && plot_value(out, before - 1).y == 0);
     house_plots_free(&plots);
     observation_free(&observation);
     house_free(&house);
+}
+
+/* The curve has a point at most a sample before any time, also while nobody leaves. */
+TEST(people_out_go_on_with_the_clock_while_nobody_leaves) {
+    enum { PEOPLE = 3 };
+    PersonObservation people[PEOPLE] = {{.took_part = true, .completed = true, .time = 1},
+                                        {.took_part = true, .completed = true, .time = 100},
+                                        {.took_part = true, .time = 400}};
+    Observation observation = {.people = people, .person_count = PEOPLE, .time = 400};
+    House house = {.person_count = PEOPLE};
+    Plot plot = {.title = NULL};
+    Arena arena = {0};
+    crowd_plots_out(&plot, &house, &observation, NULL, NULL, &arena);
+    const PlotSeries *series = &plot.series[0];
+    CHECK(plot.series_count == 1 && series->count > 300);
+    for (size_t i = 0; i < series->count; i++) {
+        Vec2 value = plot_value(series, i), before = i ? plot_value(series, i - 1) : value;
+        CHECK(value.x - before.x >= 0 && value.x - before.x <= 1.001);
+        CHECK(value.y >= (value.x > 1) + (value.x > 100) && value.y <= (value.x >= 1) + (value.x >= 100));
+    }
+    CHECK(plot_value(series, series->count - 1).x == 400);
+    arena_clear(&arena);
 }
