@@ -56,6 +56,11 @@ size_t tight_count(const House *house, const Observation *observation) {
     return gather(house, observation, all);
 }
 
+const char *tight_number(const House *house, const Observation *observation, size_t listed, Arena *arena) {
+    bool all = observation->hazard_count < HAZARDS_MOST;
+    return text_in_arena(arena, all ? "%zu" : "at least %zu", tight_count(house, observation) - listed);
+}
+
 const char *tight_to_spare(double clearance, Arena *arena) {
     if (clearance <= 0)
         return "touches";

@@ -21,5 +21,9 @@ size_t tight_places(const House *house, const Observation *observation, Tight pl
 /* Returns the number of all places, also of those that are not listed. */
 size_t tight_count(const House *house, const Observation *observation);
 
+/* Returns that number without the first `listed` ones as people read it: "2", or "at least 2" if a run has more
+ * dangerous points than are kept. */
+const char *tight_number(const House *house, const Observation *observation, size_t listed, Arena *arena);
+
 /* Returns a clearance as people read it: "4.4 cm", "touches", or NULL if nothing came near. */
 const char *tight_to_spare(double clearance, Arena *arena);

@@ -144,6 +144,15 @@ static void add_selected(HouseSession *session, double time) {
 
 /* Before and now -------------------------------------------------------------------------------------------------- */
 
+/* Adds how many tight places there are before and now, counted as they are listed. */
+static void compare_places(HouseSession *session, const Before *ghost) {
+    Arena *arena = &session->texts.moment.arena;
+    bool known = ghost->observation->time > 0, moved = session->observation->time > 0;
+    SceneRow *row = &add_row(session, ROW_PLAIN, is_crowd(session) ? "jams" : "tight places")->row;
+    row->cells[1] = known ? tight_number(ghost->house, ghost->observation, 0, arena) : "-";
+    row->cells[2] = moved ? tight_number(&session->runs[RUN_SHOWN]->house, session->observation, 0, arena) : "-";
+}
+
 /* Adds the facts of the whole run before and now. */
 static void compare(HouseSession *session) {
     Before ghost = house_runs_compared(session);
@@ -155,13 +164,16 @@ static void compare(HouseSession *session) {
     add_row(session, ROW_HEADING, scene_text(scene, "Compare: %s, now", house_scene_before_name(ghost)));
     for (size_t r = 0; r < now.row_count; r++) {
         SceneRow line;
-        if (result_panel_pair(&line, result_at(&before, 0, r), result_at(&now, 0, r), &scene->arena)) {
+        const ResultRow *row = result_at(&now, 0, r);
+        if (strcmp(row->label, "dangerous points") != 0 && /* several may be at one place */
+            result_panel_pair(&line, result_at(&before, 0, r), row, &scene->arena)) {
             line.cells[0] = names_number(line.cells[0]);
             add_row(session, line.kind, NULL)->row = line;
         }
     }
     result_clear(&before);
     result_clear(&now);
+    compare_places(session, &ghost);
 }
 
 /* Many drivers --------------------------------------------------------------------------------------------------- */
@@ -256,6 +268,15 @@ static size_t first_stopped(const Observation *observation) {
     return i;
 }
 
+/* Adds a row below the list of tight places, if there are more than are listed. */
+static void add_more(HouseSession *session, size_t listed) {
+    const House *house = &session->runs[RUN_SHOWN]->house;
+    if (tight_count(house, session->observation) == listed)
+        return;
+    const char *number = tight_number(house, session->observation, listed, &session->texts.moment.arena);
+    add_pair(session, is_crowd(session) ? "more jams" : "more tight places", number);
+}
+
 /* Adds the rows of the scene's list with their items: the n-th row below a heading is the n-th item of its kind. */
 static void add_listed(HouseSession *session) {
     const Scene *scene = &session->texts.run;
@@ -271,6 +292,8 @@ static void add_listed(HouseSession *session) {
             row->item = (Item){HOUSE_HAZARD, hazard};
             row->place = stops ? row->place : row->item;
             row->time = session->texts.before[hazard++];
+            if (i + 1 == scene->row_count || scene->rows[i + 1].kind != ROW_DISC)
+                add_more(session, hazard);
         } else if (row->row.kind == ROW_LINE && house->person_count <= PEOPLE_SCENE_INDIVIDUALS) {
             while (person < house->person_count && !session->observation->people[person].took_part)
                 person++;

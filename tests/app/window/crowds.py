@@ -69,7 +69,7 @@ def amount(duration):
 
 row_at = {row[0]: row[1] for row in state["rows"]}
 names = [row[0] for row in state["rows"]]
-jams = names[names.index("Jams: time lost by all") + 1:names.index("People: out/all, last")]
+jams = names[names.index("Jams: time lost by all") + 1:names.index("more jams")]
 check(len(jams) == 3 and [amount(row_at[jam]) for jam in jams] == sorted((amount(row_at[jam]) for jam in jams), reverse=True),
       "jams are ranked by the number that is shown", [(jam, row_at[jam]) for jam in jams])
 x, y, right, foot = state["frame"]["answer"]

@@ -33,6 +33,28 @@ TEST(a_parameter_makes_another_run_and_reset_the_first) {
     laboratory->close(session);
 }
 
+/* Several dangerous points at one wall are one tight place, in the list as in the comparison. */
+TEST(tight_places_are_counted_as_they_are_listed) {
+    void *session = running_house_open("corner-1.20-0.80", NULL, 0, NULL);
+    running_house_finish(session, 0);
+    CHECK(running_house_set(session, "profile.manual-chair.body.width", 0.64));
+    running_house_finish(session, 0);
+    size_t count, listed = 0, compared = 0;
+    const PanelRow *rows = laboratory->rows(session, &count);
+    for (size_t i = 0; i < count; i++) {
+        const SceneRow *row = &rows[i].row;
+        listed += row->kind == ROW_DISC;
+        if (strcmp(row->cells[0], "tight places") == 0) {
+            compared++;
+            CHECK_TEXT(row->cells[1], "1");
+            CHECK_TEXT(row->cells[2], "1");
+        }
+        CHECK(strcmp(row->cells[0], "dangerous points") != 0);
+    }
+    CHECK(listed == 1 && compared == 1);
+    laboratory->close(session);
+}
+
 TEST(a_bad_value_changes_nothing) {
     void *session = running_house_open("ube-techno-house", NULL, 0, NULL);
     running_house_finish(session, 0);
