@@ -9,12 +9,10 @@
 
 static const double CLOSE = 0.1; /* m: smaller clearances are printed to the millimetre */
 
-static const double LONG = 99.95; /* s: longer times are told in minutes */
-
 const char *headline_duration(double seconds, Arena *arena) {
     long whole = lround(seconds);
-    return seconds < LONG ? text_in_arena(arena, "%.1f s", seconds)
-                          : text_in_arena(arena, "%ld:%02ld", whole / 60, whole % 60);
+    return seconds < HEADLINE_LONG ? text_in_arena(arena, "%.1f s", seconds)
+                                   : text_in_arena(arena, "%ld:%02ld", whole / 60, whole % 60);
 }
 
 const char *headline_clearance(double clearance, Arena *arena) {
@@ -77,9 +75,11 @@ static Headline all_out(const House *house, const Observation *observation, cons
     const char *detail = people > CENSUS_FEW ? mean_times(census, arena) : findings(house, observation, census, arena);
     Headline headline = {.role = ROLE_TEXT, .detail = detail};
     if (people == 1) {
-        headline.sentence = headline.title = text_in_arena(arena, "Out in %.1f s", time);
+        headline.title = text_in_arena(arena, "Out in %s", headline_duration(time, arena));
+        headline.sentence = text_in_arena(arena, "Out in %.1f s", time);
     } else {
-        headline.sentence = headline.title = text_in_arena(arena, "All %zu out in %.1f s", people, time);
+        headline.title = text_in_arena(arena, "All %zu out in %s", people, headline_duration(time, arena));
+        headline.sentence = text_in_arena(arena, "All %zu out in %.1f s", people, time);
     }
     if (people > 1 && alone) {
         headline.sentence = text_in_arena(arena, "All %zu out, each route alone, in at most %.1f s", people, time);

@@ -4,6 +4,8 @@
 #include "draw/palette.h"
 #include "result/census.h"
 
+#define HEADLINE_LONG 99.95 /* s: longer times are read in minutes and seconds */
+
 /* A window and a picture show title and detail, terminal and report only the sentence: tables follow there. */
 typedef struct Headline {
     const char *title;    /* "Out in 18.4 s", "2 of 4 are not out" */

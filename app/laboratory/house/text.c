@@ -373,7 +373,7 @@ static void make_marks(HouseSession *session) {
 
 /* The answer ------------------------------------------------------------------------------------------------------ */
 
-/* Compares a value with the saved run: "before 24.1 s, -5.7 s (-24 %)". */
+/* Compares the time with that of the saved run: "before 24.1 s, -5.7 s (-24 %)". */
 static const char *against(HouseSession *session, const Observation *now) {
     Before ghost = house_runs_compared(session);
     Scene *scene = &session->texts.moment;
@@ -384,10 +384,11 @@ static const char *against(HouseSession *session, const Observation *now) {
     if (!ghost.observation->completed)
         return scene_text(scene, "%s: not everybody gets out", word);
     if (!now->completed || before <= 0)
-        return scene_text(scene, "%s %.1f s", word, before);
+        return scene_text(scene, "%s %s", word, headline_duration(before, &scene->arena));
     if (fabs(more) < ALIKE)
-        return scene_text(scene, "%s %.1f s, the same", word, before);
-    return scene_text(scene, "%s %.1f s, %+.1f s (%+.0f %%)", word, before, more, 100 * more / before);
+        return scene_text(scene, "%s %s, the same", word, headline_duration(before, &scene->arena));
+    return scene_text(scene, "%s %s, %c%s (%+.0f %%)", word, headline_duration(before, &scene->arena),
+                      more < 0 ? '-' : '+', headline_duration(fabs(more), &scene->arena), 100 * more / before);
 }
 
 static void make_answer(HouseSession *session) {

@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "result/census.h"
+#include "result/headline.h"
 #include "visual/house/people_scene.h"
 
 #define LINE_WIDTH 3.0 /* design points */
@@ -14,7 +15,6 @@
 #define SAMPLES 400.0    /* of a curve, at most, besides its steps */
 #define LEAST_STEP 0.5   /* s, between two of them */
 #define FLOW_OF_EXIT 1.3 /* 1/(m s), specific flow of a crowd through an exit (Fruin; SFPE handbook: 1.32) */
-#define CLOCK_FROM 100.0 /* s: from here on times are minutes and seconds */
 
 enum { GUIDES = 3 };
 
@@ -41,13 +41,6 @@ static size_t taking_part(const Observation *observation) {
     for (size_t i = 0; i < observation->person_count; i++)
         count += observation->people[i].took_part;
     return count;
-}
-
-static const char *when(const char *what, double time, Arena *arena) {
-    if (time < CLOCK_FROM)
-        return text_in_arena(arena, "%s %.1f s", what, time);
-    long seconds = lround(time);
-    return text_in_arena(arena, "%s %ld:%02ld", what, seconds / 60, seconds % 60);
 }
 
 /* People out ------------------------------------------------------------------------------------------------------- */
@@ -95,11 +88,12 @@ static void add_marks(Plot *plot, const double *times, size_t count, size_t peop
     for (int m = 0; m < GUIDES && people > CENSUS_ROWS; m++) {
         size_t needed = (size_t)ceil(marks[m].part * (double)people - 1e-9);
         if (count >= needed)
-            plot->guides[plot->guide_count++] = (PlotGuide){.upright = true,
-                                                            .at = times[needed - 1],
-                                                            .name = when(marks[m].name, times[needed - 1], arena),
-                                                            .role = ROLE_DIM_TEXT,
-                                                            .style = LINE_DASHED};
+            plot->guides[plot->guide_count++] = (PlotGuide){
+                .upright = true,
+                .at = times[needed - 1],
+                .name = text_in_arena(arena, "%s %s", marks[m].name, headline_duration(times[needed - 1], arena)),
+                .role = ROLE_DIM_TEXT,
+                .style = LINE_DASHED};
     }
 }
 

@@ -94,11 +94,12 @@ static void format_answer(Scene *scene, const House *house, const Observation *o
     bool alone = few && census->people > 1 && house->plan.run.routes == ROUTES_ALONE && house->plan.route_count > 1;
     scene->title =
         alone ? scene_text(scene, "All %zu get out", census->people) : names_text(house, headline.title, &scene->arena);
-    scene->detail = !few    ? scene_text(scene, "%s%s", most_out(scene, observation, census),
-                                         names_text(house, headline.detail, &scene->arena))
-                    : alone ? scene_text(scene, "each alone, slowest %.1f s \u00b7 %s", observation->time,
-                                         most_lost(scene, house, observation))
-                            : most_lost(scene, house, observation);
+    scene->detail =
+        !few    ? scene_text(scene, "%s%s", most_out(scene, observation, census),
+                             names_text(house, headline.detail, &scene->arena))
+        : alone ? scene_text(scene, "each alone, slowest %s \u00b7 %s",
+                             headline_duration(observation->time, &scene->arena), most_lost(scene, house, observation))
+                : most_lost(scene, house, observation);
     scene->title_role = headline.role;
     if (is_crowd(census))
         format_crowd(scene, house, observation, census);
@@ -156,8 +157,8 @@ static void list_person(Scene *scene, const House *house, const Observation *obs
     const char *who = !room ? profile : house->profile_count > 1 ? scene_text(scene, "%s, %s", room, profile) : room;
     ResultTable table = {0};
     result_house_add_person(&table, house, observation, i);
-    const char *result =
-        observed->completed ? scene_text(scene, "%.1f s", observed->time) : value_of(scene, &table, 0, "completed");
+    const char *result = observed->completed ? headline_duration(observed->time, &scene->arena)
+                                             : value_of(scene, &table, 0, "completed");
     result_clear(&table);
     LocusLook look = people_scene_look(house, i);
     SceneRow *row = scene_add_row(scene, ROW_LINE, who);

@@ -52,6 +52,23 @@ static ResultTable sample(void) {
     return table;
 }
 
+TEST(long_times_are_read_in_minutes_in_the_panel) {
+    static const struct {
+        double seconds;
+        const char *text;
+    } times[] = {{18.4, "18.40 s"}, {99.9, "99.90 s"}, {99.96, "1:40"}, {411.9, "6:52"}};
+    Arena arena = {0};
+    for (size_t i = 0; i < sizeof times / sizeof *times; i++) {
+        ResultRow row = {
+            .label = "last out", .kind = RESULT_NUMBER, .number = times[i].seconds, .unit = "s", .decimals = 2};
+        SceneRow line, pair;
+        CHECK(result_panel_row(&line, &row, &arena) && result_panel_pair(&pair, &row, &row, &arena));
+        CHECK_TEXT(line.cells[1], times[i].text);
+        CHECK_TEXT(pair.cells[2], times[i].text);
+    }
+    arena_clear(&arena);
+}
+
 TEST(a_record_is_an_object_whose_keys_with_points_are_objects_within) {
     ResultTable table = sample();
     json_t *object = result_json_record(&table, 0);
