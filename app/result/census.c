@@ -54,18 +54,18 @@ static size_t find_party(Census *census, const Crowd *crowd, size_t i, const Inh
     return census->party_count++;
 }
 
-static void count_person(Census *census, size_t party_index, const PersonObservation *person) {
+static void count_person(Census *census, size_t party_index, const PersonObservation *person, bool out) {
     Party *party = &census->parties[party_index];
     party->people++;
-    party->out += person->completed;
+    party->out += out;
     party->lost += person->lost_time;
     party->contacts += person->contacts;
     party->peak_force = fmax(party->peak_force, person->peak_force);
     census->people++;
-    census->out += person->completed;
+    census->out += out;
     census->contacts += person->contacts;
     census->peak_force = fmax(census->peak_force, person->peak_force);
-    if (!person->completed)
+    if (!out)
         return;
     party->mean += person->time;
     party->last = fmax(party->last, person->time);
@@ -142,7 +142,11 @@ static int compare_holds(const void *a, const void *b) {
 }
 
 Census census_make(const House *house, const Observation *observation) {
-    Census census = {.interrupted = observation->interrupted,
+    return census_until(house, observation, HUGE_VAL);
+}
+
+Census census_until(const House *house, const Observation *observation, double time) {
+    Census census = {.interrupted = observation->interrupted || isfinite(time),
                      .stuck = SIZE_MAX,
                      .left = memory_zeroed(house->plan.exit_count, sizeof *census.left),
                      .party_of = memory_zeroed(house->person_count, sizeof *census.party_of)};
@@ -153,10 +157,11 @@ Census census_make(const House *house, const Observation *observation) {
             continue;
         crowd = crowd_of(&house->plan, house->people[i].id, crowd);
         census.party_of[i] = find_party(&census, crowd, i, &house->people[i]);
-        count_person(&census, census.party_of[i], person);
-        if (person->completed && person->exit < house->plan.exit_count)
+        bool out = person->completed && person->time <= time;
+        count_person(&census, census.party_of[i], person, out);
+        if (out && person->exit < house->plan.exit_count)
             census.left[person->exit]++;
-        if (person->completed)
+        if (out)
             continue;
         hold_person(&census, i, person);
         census.stuck = census.stuck == SIZE_MAX ? i : census.stuck;

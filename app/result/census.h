@@ -32,7 +32,8 @@ typedef struct Hold {
 } Hold;
 
 typedef struct Census {
-    bool interrupted;   /* True if the run was interrupted: people who are not out are still inside */
+    bool interrupted;   /* True if the run was interrupted or is counted until a time: people who are not out are
+                           still inside */
     size_t people, out; /* of those who took part */
     size_t stuck;       /* the first person who is not out, or SIZE_MAX */
     double last;        /* s, when the last person left; 0: nobody did */
@@ -47,6 +48,10 @@ typedef struct Census {
 
 /* Counts an observation; house and observation must outlive the census. census_clear releases it. */
 Census census_make(const House *house, const Observation *observation);
+
+/* Counts it as it was at a time: people who left later, and those who never did, are still inside. */
+Census census_until(const House *house, const Observation *observation, double time);
+
 void census_clear(Census *census);
 
 /* Prints "27 cannot pass door d2 (needs at least 0.39 m, has 0.30 m), 2 stopped by the time limit": the holds of the

@@ -17,7 +17,6 @@
 #include "visual/house/people_scene.h"
 
 #define MOMENT 0.1 /* s, of a steady clock, between two updates of the texts of the moment */
-#define LEAP 1.0   /* s: after a jump in time the texts follow at once */
 #define ALIKE 0.05 /* s: times closer than this count as equal */
 #define AHEAD 2.0  /* s, time before a person reaches a dangerous point at which "go to" begins */
 
@@ -213,29 +212,28 @@ static void add_crew(HouseSession *session) {
 
 /* A crowd now ------------------------------------------------------------------------------------------------------ */
 
-/* Returns how many people are out at a time, by one exit or by any (SIZE_MAX). */
-static size_t count_out(const Observation *observation, size_t exit, double time) {
-    size_t count = 0;
-    for (size_t i = 0; i < observation->person_count; i++) {
-        const PersonObservation *person = &observation->people[i];
-        count += person->completed && person->time <= time && (exit == SIZE_MAX || person->exit == exit);
-    }
-    return count;
-}
-
-/* Adds how many are out, of all and at each exit of those who will leave there. */
+/* Adds how many are out, of all and at each exit; once it is known, also of how many who will leave there. */
 static void add_now(HouseSession *session, double time) {
     const Observation *observation = session->observation;
     const Plan *plan = &session->runs[RUN_SHOWN]->house.plan;
     Scene *scene = &session->texts.moment;
-    if (!session->whole || !is_crowd(session))
+    size_t out = 0, now[EXITS_MOST] = {0}, all[EXITS_MOST] = {0};
+    if (!is_crowd(session))
         return;
+    for (size_t i = 0; i < observation->person_count; i++) {
+        const PersonObservation *person = &observation->people[i];
+        bool gone = person->completed && person->time <= time;
+        out += gone;
+        if (person->completed && person->exit < EXITS_MOST) {
+            now[person->exit] += gone;
+            all[person->exit]++;
+        }
+    }
     add_row(session, ROW_HEADING, "Now");
-    add_pair(session, "out",
-             scene_text(scene, "%zu of %zu", count_out(observation, SIZE_MAX, time), observation->person_count));
+    add_pair(session, "out", scene_text(scene, "%zu of %zu", out, observation->person_count));
     for (size_t e = 0; e < plan->exit_count && e < EXITS_MOST; e++)
         add_pair(session, scene_text(scene, "exit %s", plan->exits[e].id),
-                 scene_text(scene, "%zu of %zu", count_out(observation, e, time), count_out(observation, e, HUGE_VAL)));
+                 session->whole ? scene_text(scene, "%zu of %zu", now[e], all[e]) : scene_text(scene, "%zu", now[e]));
 }
 
 /* Rows of the scene's list: dangerous points and people ----------------------------------------------------------- */
@@ -423,12 +421,18 @@ static void make_answer(HouseSession *session) {
                                    session->crew->said[person]);
 }
 
-/* Makes the texts about the run as a whole. */
-static void make_run_texts(HouseSession *session) {
-    Census census = census_make(&session->runs[RUN_SHOWN]->house, session->observation);
+/* Makes the answer and the lists. Those of a run in progress are of the displayed time: more may be computed. */
+static void make_lists(HouseSession *session, double time) {
+    const House *house = &session->runs[RUN_SHOWN]->house;
+    Census census = census_until(house, session->observation, session->whole ? HUGE_VAL : time);
     scene_clear(&session->texts.run);
-    house_scene_add_answer(&session->texts.run, &session->runs[RUN_SHOWN]->house, session->observation, &census);
+    house_scene_add_answer(&session->texts.run, house, session->observation, &census);
     census_clear(&census);
+}
+
+/* Makes the texts about the run as a whole. */
+static void make_run_texts(HouseSession *session, double time) {
+    make_lists(session, time);
     find_times(session);
     make_marks(session);
     session->texts_are_stale = false;
@@ -441,7 +445,9 @@ void house_text_make(HouseSession *session, double time) {
     texts->time = time;
     session->texts_of = house_runs_identity(session->runs[RUN_SHOWN]);
     if (session->texts_are_stale)
-        make_run_texts(session);
+        make_run_texts(session, time);
+    else if (is_crowd(session) && !session->whole)
+        make_lists(session, time);
     scene_clear(&texts->moment);
     make_answer(session);
     add_selected(session, time);
@@ -462,8 +468,7 @@ void house_text_clear(HouseSession *session) {
 bool house_text_moved(const HouseSession *session, double time) {
     if (!session->runs[RUN_SHOWN] || time == session->texts.time)
         return false;
-    bool later = stopwatch_now() - session->texts.said >= MOMENT || fabs(time - session->texts.time) > LEAP;
-    if (is_crowd(session) && session->whole && later)
+    if (is_crowd(session)) /* its counts stand beside those of the picture */
         return true;
     if (session->selected.kind != HOUSE_PERSON)
         return false;

@@ -23,6 +23,21 @@ times = sorted(person["time"] for person in run["people"] if person.get("complet
 
 screen = stage.Screen("centre", CENTRE, width=1920, height=1080, minutes=30)
 state = screen.until(lambda s: s["complete"] and not s["answer"]["stale"], patience=4 * stage.PATIENCE)
+
+
+# while it is computed and played, the counts of panel and picture are those of the clock, not of all that is computed
+def counts(state):
+    """Returns how many are out by the row, by the exits' rows, by the kinds of people, and by the exits' signs."""
+    out = {row[0]: int(row[1].split(" ")[0]) for row in state["rows"] if row[0] == "out" or row[0].startswith("exit ")}
+    kinds = [row[1] for row in state["rows"] if re.fullmatch(r"\d+/\d+", row[1])]
+    signs = [re.fullmatch(r"(?:EXIT )?(\w+): (\d+)", t["string"]) for t in state["text_in_view"]]
+    return (out.pop("out", 0), sum(out.values()), sum(int(kind.split("/")[0]) for kind in kinds),
+            sum(int(sign[2]) for sign in signs if sign))
+
+
+growing = [s for s in stage.states(screen.log) if s["time"] > 10 and not s["complete"] and s["answer"]["title"] == "On the way"]
+wrong = [(s["time"], counts(s)) for s in growing if len(set(counts(s))) > 1]
+check(growing and not wrong, "while it is computed, the counts are those of the clock", (len(growing), wrong[:3]))
 if state["playing"]:
     screen.keys("space")
 for width, height in ((1920, 1080), (1280, 720)):
