@@ -1,6 +1,5 @@
 /* The tight places of a run in the order in which pictures and the window list them: one for each thing, whichever
- * costs most time first. In a crowd a wall along several rooms is one place
- * for each room. */
+ * costs most time first. In a crowd a wall along several rooms is one place for each room. */
 #pragma once
 
 #include "base/memory.h"
