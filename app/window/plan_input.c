@@ -278,8 +278,10 @@ static bool nudge(Window *window, Tab *tab, Action action, int mods) {
     size_t way = (size_t)(action - ACTION_NUDGE_LEFT);
     double far = mods & SDL_WINDOW_EVENT_CONTROL ? NUDGE_LITTLE : mods & SDL_WINDOW_EVENT_SHIFT ? NUDGE_FAR : NUDGE;
     Fault fault = {0};
-    if (editor_move_gesture(tab_editor(tab), vec2_scale(ways[way], far)))
+    if (editor_move_gesture(tab_editor(tab), vec2_scale(ways[way], far))) {
+        keep_in_view(window, tab);
         return true;
+    }
     if (!is_selected(tab))
         return false;
     report_result(window, editor_nudge(tab_editor(tab), vec2_scale(ways[way], far), &fault), "Nudge", &fault);

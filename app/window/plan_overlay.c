@@ -18,6 +18,7 @@
 #define DASH_GAP 5.0
 #define TICK 6.0
 #define DIAMOND 7.0
+#define CROSS 14.0 /* half of the length of its lines */
 #define HANDLE 6.0 /* half of its side */
 #define PAD 5.0
 #define EDGE 5.0   /* of the view, for the frame of what has the focus */
@@ -134,6 +135,15 @@ static void draw_twice(Window *window, const Vec2 *points, size_t count, bool cl
     ui_draw_polyline(window->ui, points, count, closed, role, width);
 }
 
+/* Draws a cross with a free middle, so that what lies there stays visible. */
+static void draw_cross(Window *window, Vec2 at) {
+    for (int i = 0; i < 4; i++) {
+        Vec2 way = vec2_heading(M_PI / 2 * i);
+        const Vec2 arm[] = {vec2_along(at, CROSS / 4, way), vec2_along(at, CROSS, way)};
+        draw_twice(window, arm, 2, false, ROLE_CHAIR, LINE);
+    }
+}
+
 /* Draws a dimension line with an end mark at each of its points. */
 static void draw_dimension(Window *window, const Vec2 *points, size_t count) {
     for (size_t i = 0; i + 1 < count; i++) {
@@ -196,6 +206,9 @@ static void draw_mark(Window *window, const EditMark *mark, const Vec2 *points, 
         ui_draw_diamond(window->ui, points[0], DIAMOND + 2, ROLE_PAPER);
         ui_draw_diamond(window->ui, points[0], DIAMOND, ROLE_TEXT);
         break;
+    case MARK_PLACE:
+        draw_cross(window, points[0]);
+        break;
     case MARK_HANDLE:
         draw_handle(window, mark, points[0]);
         break;
@@ -232,7 +245,7 @@ static void show_marks(Window *window, Tab *tab, const GestureView *gesture, Lab
     for (int pass = 0; pass < 3; pass++)
         for (size_t i = 0; i < gesture->mark_count; i++) {
             const EditMark *mark = &gesture->marks[i];
-            bool solid = mark->kind == MARK_HANDLE || mark->kind == MARK_SNAP;
+            bool solid = mark->kind == MARK_HANDLE || mark->kind == MARK_SNAP || mark->kind == MARK_PLACE;
             if (!mark->count || (pass < 2 && solid != (pass == 1)) || (pass == 2 && !(mark->text && *mark->text)))
                 continue;
             size_t count = points_of(window, tab, mark, points);
@@ -289,7 +302,7 @@ static Vec2 read_out_at(const Window *window) {
     Box view = window->frame.view;
     if (box_holds(view, at))
         return vec2_add(at, vec2(ASIDE, ASIDE));
-    return vec2((view.low.x + view.high.x) / 2, (view.low.y + view.high.y) / 2);
+    return vec2((view.low.x + view.high.x) / 2 + 2 * CROSS, (view.low.y + view.high.y) / 2 + 2 * CROSS);
 }
 
 static bool has_pointer(const Window *window) {

@@ -28,27 +28,27 @@ typedef struct ChainKind {
 static const EditGesture wall, room, route, measure;
 
 static const ChainKind kinds[EDIT_TOOLS] = {
-    [TOOL_WALL] = {.begin = "Wall from x %.2f m, y %.2f m. Press Enter to begin there.",
-                   .line = "Wall: %.2f m, %g degrees.",
+    [TOOL_WALL] = {.begin = "Wall from x %.2f m, y %.2f m. Arrows move it, Enter begins there.",
+                   .line = "Wall: %.2f m, %.4g degrees.",
                    .name = "Draw walls",
                    .least = 2,
                    .closes = true,
                    .thick = true,
                    .gesture = &wall},
-    [TOOL_AREA] = {.begin = "Room from x %.2f m, y %.2f m. Press Enter to begin there.",
-                   .line = "Room: %.2f m, %g degrees.",
+    [TOOL_AREA] = {.begin = "Room from x %.2f m, y %.2f m. Arrows move it, Enter begins there.",
+                   .line = "Room: %.2f m, %.4g degrees.",
                    .name = "Draw room",
                    .least = 3,
                    .closes = true,
                    .faces = true,
                    .gesture = &room},
-    [TOOL_ROUTE] = {.begin = "Route from x %.2f m, y %.2f m. Press Enter to begin there.",
+    [TOOL_ROUTE] = {.begin = "Route from x %.2f m, y %.2f m. Arrows move it, Enter begins there.",
                     .name = "Draw route",
                     .least = 1,
                     .places = true,
                     .gesture = &route},
-    [TOOL_MEASURE] = {.begin = "Distance from x %.2f m, y %.2f m. Press Enter to begin there.",
-                      .line = "Distance: %.2f m, %g degrees.",
+    [TOOL_MEASURE] = {.begin = "Distance from x %.2f m, y %.2f m. Arrows move it, Enter begins there.",
+                      .line = "Distance: %.2f m, %.4g degrees.",
                       .name = "",
                       .least = 2,
                       .most = 2,
@@ -356,6 +356,20 @@ static bool confirm(Editor *edit, bool keys) {
     return true;
 }
 
+/* Moves the end of the segment that is drawn by keys; a first point, or a place, is moved by its own numbers. */
+static bool nudge(Editor *edit, Vec2 by) {
+    if (is_placed(edit))
+        return false;
+    Vec2 way = vec2_sub(vec2_add(edit->now.at, by), last_point(edit));
+    EditField *length = &edit->fields[FIELD_LENGTH], *angle = &edit->fields[FIELD_ANGLE];
+    length->value = vec2_length(way) < SAME ? 0 : vec2_length(way);
+    if (length->value > 0)
+        angle->value = snap_angle(way);
+    length->typed = angle->typed = true;
+    edit_gesture_update(edit);
+    return true;
+}
+
 static bool back(Editor *edit) {
     EditChain *chain = &edit->chain;
     if (chain->count <= 1) {
@@ -386,6 +400,8 @@ static const char *hint(const Editor *edit) {
     const ChainKind *kind = kind_of(edit);
     if (edit->chain.proposed)
         return "Press Enter to draw it, type a number to change it, or press Escape to end.";
+    if (edit->keys && edit->chain.count < kind->least)
+        return "Arrows move the end, or type the length; Enter draws it; Tab for the angle.";
     if (kind->most)
         return "Click the other end, or type the length.";
     if (edit->chain.count < kind->least)
@@ -408,6 +424,10 @@ static void describe(Editor *edit, Text *text) {
 
 static void show(Editor *edit) {
     const ChainKind *kind = kind_of(edit);
+    if (edit->chain.count)
+        edit_marks_start(edit, edit->chain.points[0]);
+    if (edit->keys)
+        edit_marks_place(edit, edit->now.at);
     for (size_t i = 0; i + 1 < edit->chain.count; i++)
         edit_marks_line(edit, edit->chain.points[i], edit->chain.points[i + 1]);
     if (edit->chain.count && edit->chain.floating) {
@@ -420,8 +440,8 @@ static void show(Editor *edit) {
 
 #define CHAIN(make_)                                                                                                   \
     {                                                                                                                  \
-        .update = update, .make = make_, .confirm = confirm, .back = back, .escape = escape, .release = release,       \
-        .describe = describe, .show = show, .end = edit_chain_clear,                                                   \
+        .update = update, .make = make_, .confirm = confirm, .nudge = nudge, .back = back, .escape = escape,           \
+        .release = release, .describe = describe, .show = show, .end = edit_chain_clear,                               \
     }
 static const EditGesture wall = CHAIN(make_wall), room = CHAIN(make_room), route = CHAIN(make_route),
                          measure = CHAIN(NULL);

@@ -16,6 +16,7 @@ struct EditGesture {
     void (*make)(Editor *edit);                /* NULL: the gesture does not change the draft */
     bool (*limit)(Editor *edit); /* moves a refused target to the nearest valid place; NULL or false: there is none */
     bool (*confirm)(Editor *edit, bool keys);  /* a press, or Enter */
+    bool (*nudge)(Editor *edit, Vec2 by);      /* an arrow, m; NULL or false: it moves the typed place */
     bool (*back)(Editor *edit);                /* Backspace; NULL: cancels the gesture */
     bool (*escape)(Editor *edit);              /* Escape; NULL: cancels the gesture */
     void (*release)(Editor *edit, bool moved); /* of the press that began the gesture, or of a later press */

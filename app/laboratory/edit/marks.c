@@ -50,6 +50,14 @@ void edit_marks_ring(Editor *edit, const Vec2 *points, size_t count, const char 
     add_points(edit, MARK_RING, points, count, text);
 }
 
+void edit_marks_start(Editor *edit, Vec2 at) {
+    add_points(edit, MARK_SNAP, &at, 1, NULL);
+}
+
+void edit_marks_place(Editor *edit, Vec2 at) {
+    add_points(edit, MARK_PLACE, &at, 1, NULL);
+}
+
 static void copy_marks(Editor *edit, const EditMark *marks, size_t count) {
     for (size_t i = 0; i < count; i++)
         *add_mark(edit, marks[i].kind, NULL) = marks[i];

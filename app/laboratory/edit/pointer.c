@@ -194,6 +194,10 @@ bool edit_pointer_type(Editor *edit, const char *characters) {
 
 bool edit_pointer_nudge(Editor *edit, Vec2 by) {
     EditField *fields = edit->fields;
+    if (!edit->gesture && edit->tool != TOOL_SELECT && edit->pointer.nowhere && !edit->id_count && can_begin(edit))
+        begin(edit, true);
+    if (edit->gesture && edit->keys && edit->gesture->nudge && edit->gesture->nudge(edit, by))
+        return true;
     if (!edit->gesture || !edit->keys || edit->field_count < 2 || strcmp(fields[0].name, "x") != 0)
         return false;
     fields[0].value = snap_tidy(fields[0].value + by.x);
