@@ -1,6 +1,7 @@
 #include "widgets/ui_focus.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/digest.h"
 #include "widgets/ui_editor.h"
@@ -279,14 +280,18 @@ static void go_along_rows(Ui *ui, const UiStop *stop, UiKey key) {
     give_by_key(ui, next);
 }
 
+/* Scrolls the pane of a stop by a key that the stop itself does not use; false: it does not scroll. */
+static bool scroll(Ui *ui, const UiStop *stop, UiKey key, bool shift) {
+    const UiPlace *place = stop ? ui_pane_find(ui, stop->pane) : NULL;
+    if (!place || !ui_pane_overflows(place))
+        return false;
+    ui_stop_press(ui, place->id, key, shift);
+    return true;
+}
+
 static bool use_key(Ui *ui, const UiStop *stop, UiKey key, bool shift) {
-    if (!uses(stop->kind, key)) {
-        const UiPlace *place = ui_pane_find(ui, stop->pane);
-        bool scrolls = place && ui_pane_overflows(place) && ((UPWARDS | PAGES) & 1u << key);
-        if (scrolls)
-            ui_stop_press(ui, place->id, key, shift);
-        return scrolls;
-    }
+    if (!uses(stop->kind, key))
+        return ((UPWARDS | PAGES) & 1u << key) && scroll(ui, stop, key, shift);
     bool on_card = stop->kind == UI_IS_CARD;
     if (on_card && (key == UI_KEY_UP || key == UI_KEY_DOWN))
         go_between_cards(ui, stop, key);
@@ -299,11 +304,22 @@ static bool use_key(Ui *ui, const UiStop *stop, UiKey key, bool shift) {
     return true;
 }
 
+/* Closes a field by Escape. In a dialog, one that was changed opens again with what it held, and one that was not is
+ * left to the dialog, which closes. */
+static bool escape_field(Ui *ui) {
+    UiId id = ui->editor.id;
+    const UiStop *stop = ui_stop_find(ui, id);
+    bool changed = strcmp(ui->editor.text, ui->editor.original) != 0;
+    bool in_dialog = ui->modal && stop && stop->kind == UI_IS_FIELD && ui->focus == id;
+    ui_editor_close(ui, UI_END_ESCAPED);
+    if (in_dialog && changed)
+        ui_editor_open(ui, id, ui->typed[ui->typed_count - 1].text);
+    return !in_dialog || changed;
+}
+
 static bool escape(Ui *ui) {
-    if (ui->editor.id) {
-        ui_editor_close(ui, UI_END_ESCAPED);
-        return true;
-    }
+    if (ui->editor.id)
+        return escape_field(ui);
     if (ui_editor_draft(ui, ui->focus)) {
         ui_editor_drop_draft(ui, ui->focus);
         return true;
@@ -343,6 +359,8 @@ bool ui_key(Ui *ui, UiKey key, bool shift, bool control) {
     if (ui->editor.id) {
         if (key == UI_KEY_ENTER)
             enter(ui);
+        else if ((KEY(UP) | KEY(DOWN) | PAGES) & 1u << key)
+            scroll(ui, ui_stop_find(ui, ui->editor.id), key, shift);
         else
             ui_editor_key(ui, key, shift, control);
         return true;

@@ -60,6 +60,8 @@ static const char *all_keys(Window *window, size_t index) {
     for (size_t i = index + 1; i < keys_count() && !keys_at(i).name && row.action != ACTION_LAYER && !nudges; i++)
         if (keys_at(i).place == row.place && !strstr(keys_at(i).key, "Keypad") && !strstr(keys_at(i).key, "Shift+="))
             text = text_in_arena(&window->arena, "%s, %s", text, keys_at(i).key);
+    if (row.action == ACTION_COPY_COMMAND) /* which shares its key with the selection's */
+        return text_in_arena(&window->arena, "%s, nothing selected", text);
     return row.action == ACTION_LAYER ? "1 ... 9" : text;
 }
 

@@ -24,7 +24,7 @@ static const KeyRow table[] = {
     {ACTION_EXPORT, KEY_ANYWHERE, "Ctrl+E", MENU_FILE, "Export ...", "Write pictures, plots, data, a film or a report",
      NULL},
     {ACTION_COPY_COMMAND, KEY_ANYWHERE, "Ctrl+C", MENU_FILE, "Copy command",
-     "Copy the command line that reproduces this run", NULL},
+     "Copy the command line that reproduces this run, if nothing is selected", NULL},
     {ACTION_QUIT, KEY_ANYWHERE, "Ctrl+Q", MENU_FILE, "Quit", "Close the window", NULL},
 
     {ACTION_EDIT_PLAN, KEY_ANYWHERE, "Ctrl+J", MENU_EDIT, "Edit plan",
@@ -35,8 +35,7 @@ static const KeyRow table[] = {
     {ACTION_HISTORY, KEY_ANYWHERE, "Ctrl+Shift+H", MENU_EDIT, "Undo history ...",
      "List the last edits, and go back to just after one of them", NULL},
     {ACTION_CUT, KEY_PLAN, "Ctrl+X", MENU_EDIT, "Cut", "Copy the selection and remove it", NULL},
-    {ACTION_COPY, KEY_PLAN, "Ctrl+C", MENU_EDIT, "Copy",
-     "Copy the selection, or the command line if nothing is selected", NULL},
+    {ACTION_COPY, KEY_PLAN, "Ctrl+C", MENU_EDIT, "Copy", "Copy the selection", NULL},
     {ACTION_PASTE, KEY_PLAN, "Ctrl+V", MENU_EDIT, "Paste", "Paste at the pointer", NULL},
     {ACTION_DUPLICATE, KEY_PLAN, "Ctrl+D", MENU_EDIT, "Duplicate", "Duplicate the selection", NULL},
     {ACTION_DELETE, KEY_PLAN, "Delete", MENU_EDIT, "Delete", "Remove the selection", NULL},
