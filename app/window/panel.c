@@ -133,6 +133,15 @@ static size_t list_end(const PanelRow *rows, size_t count, size_t heading) {
     return end;
 }
 
+/* Returns the row behind what describes the selection, whose list comes first. What compares two runs follows the
+ * numbers of the selection: it comes with the first change of one of them, which must not move from under the hand. */
+static size_t find_comparison(const Tab *tab) {
+    size_t count, lists = find_lists(tab);
+    const PanelRow *rows = tab->laboratory->rows(tab->session, &count);
+    size_t end = count && rows[0].row.kind == ROW_HEADING ? list_end(rows, count, 0) : 0;
+    return end < lists ? end : lists;
+}
+
 static void show_rows(Window *window, Tab *tab, size_t from, size_t to) {
     size_t count;
     const PanelRow *rows = tab->laboratory->rows(tab->session, &count);
@@ -385,7 +394,7 @@ void panel_show(Window *window) {
                   &(UiPane){.name = "panel", .box = window->frame.panel, .ground = ROLE_PANEL, .scrolls = true});
     if (tab->session) {
         bool selected = tab->laboratory->selected(tab->session).kind;
-        size_t lists = tab->laboratory->numbers_first ? 0 : selected ? find_lists(tab) : SIZE_MAX;
+        size_t lists = tab->laboratory->numbers_first ? 0 : selected ? find_comparison(tab) : SIZE_MAX;
         panel_edit_show(window);
         if (!selected)
             panel_edit_show_way_out(window);

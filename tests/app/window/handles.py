@@ -24,12 +24,12 @@ HOUSE = {
 class Hand(Plan):
     """A paused window with the house."""
 
-    def __init__(self, name, house=HOUSE):
+    def __init__(self, name, house=HOUSE, texts=False):
         place = stage.folder / name
         place.mkdir()
         self.house = place / "house.json"
         self.house.write_text(json.dumps(house))
-        super().__init__(name, self.house, minutes=9)
+        super().__init__(name, self.house, minutes=9, texts=texts)
         self.until(lambda s: s["complete"] and s["floor"] and not s["answer"]["stale"])
         self.keys("space")
         self.settle()
@@ -186,7 +186,26 @@ plan.shot("place")
 plan.end()
 
 # 19: before and now, compared as the command line compares the two files
-plan = Hand("compare")
+plan = Hand("compare", texts=True)
+plan.choose(3, 2)
+plan.keys("Return")
+plan.until(lambda s: s["focus"] == "panel")
+plan.tab_to("width")
+
+
+def slider(plan):
+    """Returns the box of the label of the door's width in the panel."""
+    panel = plan.state()["frame"]["panel"]
+    return next(t["box"] for t in plan.texts() if t["string"] == "width" and t["box"][0] > panel[0])
+
+
+was = slider(plan)
+plan.keys("Left")
+plan.settle()
+check(plan.until(lambda s: any("Compare" in row[0] for row in s["rows"])) and slider(plan)[1] == was[1],
+      "19: what compares with the run before moves no slider from under the hand", (was, slider(plan)))
+plan.choose(-0.8, 3.5)
+plan.undo_to(None)
 first = plan.place / "first.json"
 first.write_bytes(plan.saved())
 plan.width_of_door("1.1")
