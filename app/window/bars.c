@@ -21,6 +21,7 @@
 #define SHOW_HEIGHT 38.0
 #define PROGRESS_HEIGHT 4.0
 #define MESSAGE_HEIGHT 34.0
+#define SIGNS 90.0 /* of a fault: its sign, and how many there are */
 #define KEY_PAD 5.0
 #define STOP_AFTER 1.0 /* s */
 
@@ -113,6 +114,53 @@ void bars_show_menu(Window *window) {
     ui_pane_end(window->ui);
 }
 
+/* The place of messages -------------------------------------------------------------------------------------------- */
+
+/* True while a tool is in hand, whose next step the strip says. */
+static bool has_tool(Window *window) {
+    Editor *editor = tab_editor(window_tab(window));
+    return editor && editor_tool(editor) != TOOL_SELECT;
+}
+
+/* Returns the width that a message needs, with its buttons. */
+static double message_width(Window *window) {
+    size_t faults;
+    const Message *shown = notice_shown(window, &faults);
+    double undo = ui_extent(window->ui, UI_BODY, "Undo").x + BUTTON_PAD;
+    return shown ? MARGIN + ui_extent(window->ui, UI_BODY, shown->text).x + 2 * GAP + undo + 40 : HUGE_VAL;
+}
+
+/* Returns the box of messages: the strip, or what the message needs of its right half while a tool is in hand. Without
+ * a strip it is the row of the menu, or of the menu and the answer for two lines; in a presentation, above the
+ * timeline. */
+static Box message_box(Window *window, bool fault) {
+    Box box = window->frame.strip, menu = window->frame.menu;
+    size_t faults;
+    if (box_height(box) <= 0 && box_height(menu) <= 0)
+        return (Box){{window->frame.view.low.x, window->frame.timeline.low.y - MESSAGE_HEIGHT},
+                     {window->frame.page.x, window->frame.timeline.low.y}};
+    if (box_height(box) <= 0) {
+        bool brief = !notice_shown(window, &faults) || message_width(window) + (fault ? SIGNS : 0) < box_width(menu);
+        return brief ? menu : (Box){menu.low, window->frame.answer.high};
+    }
+    if (!fault && has_tool(window))
+        box.low.x = fmax(middle_of(box).x, box.high.x - message_width(window));
+    return box;
+}
+
+/* True where there is no strip, but a menu: then what a tool does stands in the place of the answer. */
+static bool tells_above(const Window *window) {
+    return box_height(window->frame.strip) <= 0 && box_height(window->frame.menu) > 0;
+}
+
+/* True while something else stands in the place of the answer. */
+static bool answer_is_covered(Window *window) {
+    size_t faults;
+    bool says = notice_shown(window, &faults);
+    return tells_above(window) && (plan_input_listens(window) || (says && box_height(message_box(window, faults > 0)) >
+                                                                              box_height(window->frame.menu)));
+}
+
 /* The answer ------------------------------------------------------------------------------------------------------- */
 
 /* Shows a button that goes on to what is missing. */
@@ -173,24 +221,25 @@ static void show_work(Window *window, Tab *tab, const Result *answer, double lef
 }
 
 /* Shows the clauses of a detail, which " \u00b7 " divides, each in a line of its own: as many as fit, whole ones from
- * the first on. False: one of the first two is too long. */
-static bool show_clauses(Window *window, const char *detail, Role role, double left, double right, double y) {
+ * the first on. Returns their box; an empty one: one of the first two is too long. */
+static Box show_clauses(Window *window, const char *detail, Role role, double left, double right, double y) {
     static const char between[] = " \u00b7 ";
     enum { LINES = 2 };
     const char *lines[LINES], *second = strstr(detail, between);
     double height = ui_extent(window->ui, UI_DETAIL, detail).y;
     if (!second || LINES * height > box_height(window->frame.answer))
-        return false;
+        return box_empty();
     lines[0] = text_in_arena(&window->arena, "%.*s", (int)(second - detail), detail);
     second += strlen(between);
     const char *end = strstr(second, between);
     lines[1] = end ? text_in_arena(&window->arena, "%.*s", (int)(end - second), second) : second;
     for (int i = 0; i < LINES; i++)
         if (left + ui_extent(window->ui, UI_DETAIL, lines[i]).x > right)
-            return false;
+            return box_empty();
     for (int i = 0; i < LINES; i++)
         show_text(window, UI_DETAIL, role, left, right, y + (i - 0.5) * height, lines[i]);
-    return true;
+    double width = fmax(ui_extent(window->ui, UI_DETAIL, lines[0]).x, ui_extent(window->ui, UI_DETAIL, lines[1]).x);
+    return (Box){{left, y - height}, {left + width, y + height}};
 }
 
 /* Names the background work behind the numbers, so that nothing moves when it ends; where it does not fit, in the line
@@ -231,13 +280,14 @@ static const char *some_clauses(Window *window, UiTextStyle size, const char *te
     return *whole ? whole : text;
 }
 
-/* Shows the result's numbers in one line, or small in two. */
-static void show_detail(Window *window, const Result *answer, double left, double right, double y) {
+/* Shows the result's numbers in one line, or small in two. Returns their box. */
+static Box show_detail(Window *window, const Result *answer, double left, double right, double y) {
     const char *detail = first_line(window, answer->detail);
     Role role = answer->stale ? ROLE_DIM_TEXT : ROLE_TEXT;
     UiTextStyle size = left + ui_extent(window->ui, UI_DETAIL, detail).x > right ? UI_BODY : UI_DETAIL;
-    if (size == UI_BODY && show_clauses(window, detail, role, left, right, y))
-        return;
+    Box clauses = size == UI_BODY ? show_clauses(window, detail, role, left, right, y) : box_empty();
+    if (box_width(clauses) > 0)
+        return clauses;
     detail = whole_clauses(window, size, detail, TWO_LINES * (right - left));
     Vec2 extent = ui_extent(window->ui, size, detail);
     y -= NOTE_ROOM;
@@ -245,11 +295,12 @@ static void show_detail(Window *window, const Result *answer, double left, doubl
         double half = fmax(extent.y, ui_text_height(window->ui, size, detail, right - left) / 2);
         ui_at(window->ui, (Box){{left, y - half}, {right, y + half}});
         ui_text(window->ui, size, role, detail);
-        return;
+        return (Box){{left, y - half}, {right, y + half}};
     }
     show_text(window, size, role, left, right, y, detail);
     if (answer->doing)
         show_doing_note(window, answer->doing, left, left + (*detail ? extent.x + GAP : 0), right, y);
+    return (Box){{left, y - extent.y / 2}, {fmin(right, left + extent.x), y + extent.y / 2}};
 }
 
 /* Shows the numbers in one line below the title. */
@@ -287,11 +338,14 @@ static void show_wrapped(Window *window, UiTextStyle size, double left, double r
     ui_text(window->ui, size, ROLE_TEXT, text);
 }
 
-/* Shows the remark of a presentation at the upper right of the answer, where it covers nothing of the plan. */
-static void show_remark(Window *window, const Tab *tab, Box bar) {
+/* Shows the remark of a presentation at the upper right of the answer, where it covers nothing of the plan; not where
+ * it would cover the detail. */
+static void show_remark(Window *window, const Tab *tab, Box bar, Box detail) {
     const char *note = tab->laboratory->note(tab->session);
-    double y = bar.low.y + ui_extent(window->ui, UI_SMALL, note).y / 2 + 2;
-    if (!window->present || window->answer_tall || !*note)
+    Vec2 extent = ui_extent(window->ui, UI_SMALL, note);
+    double y = bar.low.y + extent.y / 2 + 2;
+    bool covers = detail.high.x + GAP > bar.high.x - MARGIN - extent.x && detail.low.y < y + extent.y / 2;
+    if (!window->present || window->answer_tall || !*note || covers)
         return;
     ui_draw_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, vec2(bar.high.x - MARGIN, y), 1, note);
     window->noted_in_bar = true;
@@ -301,10 +355,11 @@ void bars_show_answer(Window *window) {
     Box bar = window->frame.answer;
     Tab *tab = window_tab(window);
     ui_pane_begin(window->ui, &(UiPane){.name = "answer", .box = bar, .ground = ROLE_PAPER});
-    if (tab->session) {
+    if (tab->session && !answer_is_covered(window)) {
         Result answer = tab->laboratory->answer(tab->session);
         if (lesson_hides_words(window))
             answer = (Result){.title = lesson_question(window), .role = ROLE_TEXT};
+        Box detail = box_empty();
         bool hides = answer.stale || lesson_hides_words(window);
         bool lacks = answer.cure && tab_editor(tab) && !answer.stale;
         double right = lacks ? show_cure_button(window, tab, bar, &answer) : show_place_button(window, tab, bar, hides);
@@ -328,10 +383,10 @@ void bars_show_answer(Window *window) {
             if (window->answer_tall)
                 show_detail_below(window, &answer, right, below);
             else
-                show_detail(window, &answer, left, right, below);
+                detail = show_detail(window, &answer, left, right, below);
         }
         if (!answer.doing && !lesson_hides_words(window))
-            show_remark(window, tab, bar);
+            show_remark(window, tab, bar, detail);
         show_progress(window, bar, &answer);
     }
     ui_pane_end(window->ui);
@@ -351,6 +406,18 @@ static void show_export(Window *window, Box box) {
         export_cancel(window->export);
 }
 
+/* Shows a text in a box up to `right`, in two lines where one is too short and the box is high enough. */
+static void show_lines(Window *window, Role role, Box box, double right, const char *text) {
+    enum { LINES = 2 };
+    double left = box.low.x + MARGIN, y = middle_of(box).y, half = LINES * ui_extent(window->ui, UI_BODY, text).y / 2;
+    if (left + ui_extent(window->ui, UI_BODY, text).x <= right || 2 * half > box_height(box)) {
+        show_text(window, UI_BODY, role, left, right, y, text);
+        return;
+    }
+    ui_at(window->ui, (Box){{left, y - half}, {right, y + half}});
+    ui_text(window->ui, UI_BODY, role, text);
+}
+
 /* Shows why the gesture cannot be completed, or, where there is no strip, its description. */
 static bool show_gesture(Window *window, Box box) {
     const Tab *tab = window_tab(window);
@@ -360,47 +427,27 @@ static bool show_gesture(Window *window, Box box) {
     const GestureView *gesture = editor_gesture(editor);
     if (!gesture->refusal && box_height(window->frame.strip) > 0)
         return false;
+    if (tells_above(window)) /* the plan, where one draws, stays free */
+        box = window->frame.answer;
     ui_pane_begin(window->ui, &(UiPane){.name = "gesture", .box = box, .ground = ROLE_PANEL});
     ui_draw_frame(window->ui, box, gesture->refusal ? ROLE_ERROR : ROLE_ROOM, 2);
-    double width = box_width(box) - 2 * MARGIN;
+    double width = box_width(box) - 2 * MARGIN, lines = box_height(box) > MESSAGE_HEIGHT ? TWO_LINES : 1;
     const char *text = gesture->refusal ? text_in_arena(&window->arena, "\u26a0 %s", gesture->refusal)
-                                        : some_clauses(window, UI_BODY, gesture->doing, width);
-    show_text(window, UI_BODY, gesture->refusal ? ROLE_ERROR : ROLE_TEXT, box.low.x + MARGIN, box.high.x - MARGIN,
-              middle_of(box).y, text);
+                                        : some_clauses(window, UI_BODY, gesture->doing, lines * width);
+    show_lines(window, gesture->refusal ? ROLE_ERROR : ROLE_TEXT, box, box.high.x - MARGIN, text);
     ui_pane_end(window->ui);
     return true;
 }
 
-/* True while a tool is in hand, whose next step the strip says. */
-static bool has_tool(Window *window) {
-    Editor *editor = tab_editor(window_tab(window));
-    return editor && editor_tool(editor) != TOOL_SELECT;
-}
-
-/* Returns the width that a message needs, with its buttons. */
-static double message_width(Window *window) {
-    size_t faults;
-    const Message *shown = notice_shown(window, &faults);
-    double undo = ui_extent(window->ui, UI_BODY, "Undo").x + BUTTON_PAD;
-    return shown ? MARGIN + ui_extent(window->ui, UI_BODY, shown->text).x + 2 * GAP + undo + 40 : HUGE_VAL;
-}
-
-/* Returns the box of messages: the strip, or what the message needs of its right half while a tool is in hand; above
- * the timeline if there is no strip. */
-static Box message_box(Window *window, bool fault) {
-    Box box = window->frame.strip;
-    if (box_height(box) <= 0)
-        return (Box){{window->frame.view.low.x, window->frame.timeline.low.y - MESSAGE_HEIGHT},
-                     {window->frame.page.x, window->frame.timeline.low.y}};
-    if (!fault && has_tool(window))
-        box.low.x = fmax(middle_of(box).x, box.high.x - message_width(window));
-    return box;
+/* Returns half the height of a button of a message. */
+static double button_half(Box box) {
+    return fmin(SHOW_HEIGHT, box_height(box) - 4) / 2;
 }
 
 /* Shows the button that undoes the edit which the message tells of; returns the left edge of what is taken. */
 static double show_undo(Window *window, Box box, double right) {
-    double width = ui_extent(window->ui, UI_BODY, "Undo").x + BUTTON_PAD;
-    ui_at(window->ui, (Box){{right - width, box.low.y + 2}, {right, box.high.y - 2}});
+    double width = ui_extent(window->ui, UI_BODY, "Undo").x + BUTTON_PAD, y = middle_of(box).y, half = button_half(box);
+    ui_at(window->ui, (Box){{right - width, y - half}, {right, y + half}});
     if (ui_button(window->ui, &(UiButton){.label = "Undo", .help = keys_help(&window->arena, ACTION_UNDO)}))
         act_do(window, ACTION_UNDO, 0, 0);
     return right - width - GAP;
@@ -429,8 +476,9 @@ void bars_show_message(Window *window) {
         }
         if (undoes)
             right = show_undo(window, box, right);
-        show_text(window, UI_BODY, fault ? ROLE_ERROR : ROLE_TEXT, box.low.x + MARGIN, right, middle_of(box).y, text);
-        ui_at(window->ui, (Box){{box.high.x - 34, box.low.y + 2}, {box.high.x - 6, box.high.y - 2}});
+        show_lines(window, fault ? ROLE_ERROR : ROLE_TEXT, box, right, text);
+        double y = middle_of(box).y, half = button_half(box);
+        ui_at(window->ui, (Box){{box.high.x - 34, y - half}, {box.high.x - 6, y + half}});
         if (ui_button(window->ui, &(UiButton){.id = "dismiss",
                                               .label = "\u00d7",
                                               .help = "Dismiss (Escape): Hide this message; F7 shows all messages"}))

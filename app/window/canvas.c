@@ -156,34 +156,6 @@ static Box picture_box(const Window *window, Tab *tab) {
     return (Box){vec2_add(window->frame.view.low, box.low), vec2_add(window->frame.view.low, box.high)};
 }
 
-/* Shows a line of a note, broken between words where a large text has the plan beside it; returns its height. */
-static double show_note_line(Window *window, Box picture, double left, double top, const char *line) {
-    Vec2 extent = ui_extent(window->ui, UI_BODY, line);
-    bool covers = window->frame.compact && top + extent.y > picture.low.y && left + extent.x > picture.low.x;
-    Box box = {{left, top}, {left + extent.x + 1, top + extent.y}};
-    if (covers)
-        box.high.x = fmax(picture.low.x - MARGIN, left + LEAST_NOTE);
-    box.high.y = top + ui_text_height(window->ui, UI_BODY, line, box_width(box));
-    ui_draw_box(window->ui, (Box){{left - 4, top}, {box.high.x + 4, box.high.y}}, ROLE_PAPER, 0.8);
-    ui_at(window->ui, box);
-    ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT, line);
-    return box_height(box);
-}
-
-/* Shows a note line by line at the top of the view, where the title bar has no room for it. */
-static void show_note(Window *window, Tab *tab, const char *note) {
-    Box view = window->frame.view, picture = tab->view_layers.painted ? picture_box(window, tab) : view;
-    double left = note_left(window), top = view.low.y + MARGIN / 2;
-    double most = fmax(view.high.x - SCALE_WIDTH - left, SCALE_WIDTH);
-    for (const char *at = note; *at;) {
-        const char *end = strstr(at, "; ");
-        bool fits = ui_extent(window->ui, UI_BODY, at).x <= most || !end;
-        const char *line = fits ? at : text_in_arena(&window->arena, "%.*s", (int)(end - at), at);
-        top += show_note_line(window, picture, left, top, line);
-        at = fits ? "" : end + 2;
-    }
-}
-
 /* Shows the name of an animation at the middle of the upper edge. */
 static void show_animation(Window *window, const char *text) {
     if (!text || !*text)
@@ -214,6 +186,49 @@ static bool has_label(const Window *window, const Tab *tab, Box box) {
            (stands_in(window, &tab->view_layers.still, box) || stands_in(window, &tab->view_layers.moving, box));
 }
 
+/* Returns the box of a line of a note, broken between words where a large text has the plan beside it. */
+static Box note_line(Window *window, Box picture, Vec2 low, const char *line) {
+    Vec2 extent = ui_extent(window->ui, UI_BODY, line);
+    bool covers = window->frame.compact && low.y + extent.y > picture.low.y && low.x + extent.x > picture.low.x;
+    double width = covers ? fmax(picture.low.x - MARGIN - low.x, LEAST_NOTE) : extent.x + 1;
+    return (Box){low, {low.x + width, low.y + ui_text_height(window->ui, UI_BODY, line, width)}};
+}
+
+/* Lays a note out line by line below a place, and draws it if that is wanted. Returns its box. */
+static Box lay_note(Window *window, Box picture, Vec2 low, const char *note, bool draws) {
+    double most = fmax(window->frame.view.high.x - SCALE_WIDTH - low.x, SCALE_WIDTH);
+    Box all = {low, low};
+    for (const char *at = note; *at;) {
+        const char *end = strstr(at, "; ");
+        bool fits = ui_extent(window->ui, UI_BODY, at).x <= most || !end;
+        const char *line = fits ? at : text_in_arena(&window->arena, "%.*s", (int)(end - at), at);
+        Box box = note_line(window, picture, vec2(low.x, all.high.y), line);
+        if (draws) {
+            ui_draw_box(window->ui, (Box){{low.x - 4, box.low.y}, {box.high.x + 4, box.high.y}}, ROLE_PAPER, 0.8);
+            ui_at(window->ui, box);
+            ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT, line);
+        }
+        all.high = vec2(fmax(all.high.x, box.high.x), box.high.y);
+        at = fits ? "" : end + 2;
+    }
+    return all;
+}
+
+/* Shows a note at the top of the view, where the title bar has no room for it. With large letters it goes to the foot
+ * if it would cover a label of the plan, and is left out if it would do so there, too. */
+static void show_note(Window *window, Tab *tab, const char *note) {
+    Box view = window->frame.view, picture = tab->view_layers.painted ? picture_box(window, tab) : view;
+    Vec2 low = {note_left(window), view.low.y + MARGIN / 2};
+    Box box = lay_note(window, picture, low, note, false);
+    if (window->frame.compact && has_label(window, tab, box)) {
+        low.y = view.high.y - MARGIN / 2 - box_height(box);
+        box = lay_note(window, picture, low, note, false);
+        if (low.y < view.low.y || has_label(window, tab, box))
+            return;
+    }
+    lay_note(window, picture, low, note, true);
+}
+
 static void show_view_text(Window *window, Tab *tab) {
     Box view = window->frame.view;
     if (!window->noted_in_bar)
@@ -228,8 +243,10 @@ static void show_view_text(Window *window, Tab *tab) {
     Box tag = {{view.high.x - size.x - 3 * MARGIN, view.low.y + MARGIN},
                {view.high.x - MARGIN, view.low.y + MARGIN + size.y + 6}};
     Vec2 down = {0, size.y + 6 + MARGIN};
-    while (has_label(window, tab, tag) && tag.high.y + down.y < middle_of(view).y)
+    while (has_label(window, tab, tag) && tag.high.y + down.y < view.high.y)
         tag = (Box){vec2_add(tag.low, down), vec2_add(tag.high, down)};
+    if (window->frame.compact && has_label(window, tab, tag))
+        return; /* no place is free: Play says it */
     ui_draw_box(window->ui, tag, ROLE_TEXT, 1);
     ui_draw_text(window->ui, UI_HEADING, ROLE_PAPER, vec2(tag.low.x + MARGIN, middle_of(tag).y), 0, "PAUSED");
 }

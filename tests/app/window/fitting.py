@@ -104,6 +104,27 @@ tool = [t["box"] for t in texts[3] if "Place people" in t["string"]]
 check(len(row) == 1 and row[0][2] < 416 and tool and tool[0][0] > 190 and tool[0][3] < 512,
       "a tool tip of a low column lies beside it, above the timeline", (row, tool))
 
+# with the largest letters there is no strip: messages and what a tool does are whole, above the view
+for size in ("1920x1080", "1280x720"):
+    lines = ["until answered", "pause", "key Shift+T", "wait 5", "texts STATE", "state STATE", "key Shift+P", "wait 5",
+             "texts STATE", "key Escape", "key W", "wait 5", "texts STATE"]
+    shaken, state, plots, tool = stage.act(f"largest-{size}", *lines, arguments=[FILES["house"], "--size", size, "--text", "3"])
+    top = state["frame"]["view"][1]
+    for texts, begin, last in ((shaken, "Shake 1:", "24"), (plots, "No room for plots", "(Ctrl+-)"),
+                               (tool, "Click where the wall", "place.")):
+        above = [t for t in texts if t["box"][3] <= top + 1]
+        words = " ".join(t["string"] for t in above)
+        check(begin in words and last in words.split(begin)[-1], f"{size}: {begin} ... is whole above the view", words)
+
+# the remark of a presentation lies over no detail, however long that is
+texts, *_ = stage.act("remark", "until answered", "pause", 'select "door d7"', "key Return", "key Left", "wait 5",
+                      "until answered", "key F5", "wait 30", "texts STATE",
+                      arguments=[FILES["house"], "--size", "1280x720"])
+remark = [t["box"] for t in texts if t["string"].startswith("assumed")]
+covered = [t["string"] for t in texts for box in remark if t["box"] != box and t["box"][0] < box[2] and
+           box[0] < t["box"][2] and t["box"][1] < box[3] - 1 and box[1] < t["box"][3] - 1]
+check(remark and not covered, "a presentation's remark lies over no detail", (remark, covered))
+
 # the plan stands still while the tools come and go
 for size in ("1280x720", "1920x1080"):
     states = stage.act(f"still-{size}", "until answered", "pause", "wait 3", "state STATE", "key Ctrl+J", "wait 4",
