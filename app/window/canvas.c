@@ -215,16 +215,16 @@ static Box lay_note(Window *window, Box picture, Vec2 low, const char *note, boo
 }
 
 /* Shows a note at the top of the view, where the title bar has no room for it. With large letters it goes to the foot
- * if it would cover a label of the plan, and is left out if it would do so there, too. */
+ * if it would cover a label of the plan only at the top. */
 static void show_note(Window *window, Tab *tab, const char *note) {
     Box view = window->frame.view, picture = tab->view_layers.painted ? picture_box(window, tab) : view;
-    Vec2 low = {note_left(window), view.low.y + MARGIN / 2};
+    Vec2 top = {note_left(window), view.low.y + MARGIN / 2}, low = top;
     Box box = lay_note(window, picture, low, note, false);
     if (window->frame.compact && has_label(window, tab, box)) {
         low.y = view.high.y - MARGIN / 2 - box_height(box);
         box = lay_note(window, picture, low, note, false);
         if (low.y < view.low.y || has_label(window, tab, box))
-            return;
+            low = top;
     }
     lay_note(window, picture, low, note, true);
 }
