@@ -14,7 +14,7 @@
 #define ZOOM_LEAST 0.2
 #define ZOOM_MOST 64.0
 #define ZOOM_NEAR 3.0   /* times the size of the selection that zooming to it shows */
-#define NEAR_SEEN 5.0   /* m, that zooming to a selection shows at least: what is around it explains it */
+#define NEAR_SEEN 4.0   /* m, that zooming to a selection shows at least: what is around it explains it */
 #define TRIAL_SEEN 4.5  /* m, about the tight place, while a fix is shown beside it */
 #define SAME_PLACE 1.0  /* design points: a plan that fits exactly stands still */
 #define FOLLOW_FREE 0.2 /* of the view, within which a followed person moves freely */

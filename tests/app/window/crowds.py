@@ -97,6 +97,6 @@ for row in state["rows"][1:]:
     shown[row[0]] = row[1]
 check(state["rows"][0][0] == f"Jam 1: {jams[0]}" and shown.get("time lost by all") == row_at[jams[0]] and "score" not in shown,
       "the details of a jam have the number of its row", (state["rows"][0], shown, row_at[jams[0]]))
-check(4 < state["zoom"] < 12, "a jam is shown nearer, with some metres around it", state["zoom"])
+check(4 < state["zoom"] < 16, "a jam is shown nearer, with some metres around it", state["zoom"])
 screen.end()
 stage.end()
