@@ -164,6 +164,35 @@ static void scroll_by_key(Ui *ui, UiPlace *place) {
         }
 }
 
+/* Returns the stop of the pane that is held by the mouse, or that was and is still below it, or that has the focus;
+ * NULL: none. `top` is where the content begins. */
+static const UiStop *stop_in_use(const Ui *ui, const UiPlace *place, double top) {
+    const UiStop *focused = NULL;
+    for (size_t i = ui->first_stop; i < ui->stop_count; i++) {
+        const UiStop *stop = &ui->stops[i];
+        UiId track = stop->kind == UI_IS_SLIDER ? stop->id ^ 1 : stop->id;
+        Vec2 was = {ui->mouse.x, ui->mouse.y + stop->box.low.y - top - place->anchor_y};
+        bool stays = stop->id == place->anchor && box_holds(stop->box, was);
+        if (stop->kind == UI_IS_PANE)
+            continue;
+        if (stays || (ui->held && (ui->held == stop->id || ui->held == track)))
+            return stop;
+        if (ui->focus == stop->id)
+            focused = stop;
+    }
+    return focused;
+}
+
+/* Scrolls with the content where it grows or shrinks above the stop in use, which stays under the hand. */
+static void keep_in_place(const Ui *ui, UiPlace *place) {
+    double top = place->box.low.y - place->seen_scroll, was = place->anchor_y + top;
+    const UiStop *stop = place->scrolls ? stop_in_use(ui, place, top) : NULL;
+    if (stop && stop->id == place->anchor && was >= place->box.low.y && was < place->box.high.y)
+        place->scroll += stop->box.low.y - was;
+    place->anchor = stop ? stop->id : 0;
+    place->anchor_y = stop ? stop->box.low.y - top : 0;
+}
+
 /* Requests another frame if the content was resized or scrolled: it moves in the next frame. */
 static void handle_change(Ui *ui, UiPlace *place, double content) {
     bool wider = memcmp(place->columns[0], place->columns[1], sizeof place->columns[0]) != 0;
@@ -181,6 +210,7 @@ void ui_pane_end(Ui *ui) {
         draw_bar(ui, place);
         scroll_by_key(ui, place);
     }
+    keep_in_place(ui, place);
     if (ui->stop_count == ui->first_stop && (place->modal || ui_pane_overflows(place)))
         ui_stop_make(ui, place->id, UI_IS_PANE, place->box);
     if (ui->focus_pane == place->id && ui->focus_made) {

@@ -125,6 +125,16 @@ covered = [t["string"] for t in texts for box in remark if t["box"] != box and t
            box[0] < t["box"][2] and t["box"][1] < box[3] - 1 and box[1] < t["box"][3] - 1]
 check(remark and not covered, "a presentation's remark lies over no detail", (remark, covered))
 
+# a slider that was clicked stays below the pointer when a list is inserted above it
+texts = stage.act("anchored", "until answered", "pause", "wait 5", "mouse 1100 400", "wheel -4", "wait 10", "click 1100 214",
+                  "wait 10", "texts STATE", "click 1100 330", "wait 3", "until answered", "wait 20", "texts STATE",
+                  arguments=[FILES["house"], "--size", "1280x720"])
+panels = [[t for t in seen if t["box"][0] > 976] for seen in texts]
+places = [next((t["box"][1] for t in panel if t["string"] == "width"), None) for panel in panels]
+inserted = [any(t["string"].startswith("Compare:") for t in panel) for panel in panels]
+check(inserted == [False, True] and places[0] and abs(places[0] - places[1]) < 1,
+      "a list that is inserted above a slider does not move it", (inserted, places))
+
 # the plan stands still while the tools come and go
 for size in ("1280x720", "1920x1080"):
     states = stage.act(f"still-{size}", "until answered", "pause", "wait 3", "state STATE", "key Ctrl+J", "wait 4",
