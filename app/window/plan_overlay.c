@@ -203,6 +203,7 @@ static void draw_mark(Window *window, const EditMark *mark, const Vec2 *points, 
         draw_dimension(window, points, count);
         break;
     case MARK_SNAP:
+    case MARK_START:
         ui_draw_diamond(window->ui, points[0], DIAMOND + 2, ROLE_PAPER);
         ui_draw_diamond(window->ui, points[0], DIAMOND, ROLE_TEXT);
         break;
@@ -245,7 +246,8 @@ static void show_marks(Window *window, Tab *tab, const GestureView *gesture, Lab
     for (int pass = 0; pass < 3; pass++)
         for (size_t i = 0; i < gesture->mark_count; i++) {
             const EditMark *mark = &gesture->marks[i];
-            bool solid = mark->kind == MARK_HANDLE || mark->kind == MARK_SNAP || mark->kind == MARK_PLACE;
+            bool solid = mark->kind == MARK_HANDLE || mark->kind == MARK_SNAP || mark->kind == MARK_START ||
+                         mark->kind == MARK_PLACE;
             if (!mark->count || (pass < 2 && solid != (pass == 1)) || (pass == 2 && !(mark->text && *mark->text)))
                 continue;
             size_t count = points_of(window, tab, mark, points);

@@ -178,10 +178,10 @@ static json_t *ticks_state(const Tab *tab) {
 
 /* Returns the labels of all marks. */
 static json_t *marks_state(const GestureView *gesture) {
-    static const char *const kinds[] = {[MARK_OUTLINE] = "outline",     [MARK_LINE] = "line", [MARK_EXIT] = "exit",
-                                        [MARK_SWING] = "swing",         [MARK_RING] = "ring", [MARK_GUIDE] = "guide",
-                                        [MARK_DIMENSION] = "dimension", [MARK_SNAP] = "snap", [MARK_PLACE] = "place",
-                                        [MARK_HANDLE] = "handle",       [MARK_GAP] = "gap"};
+    static const char *const kinds[] = {
+        [MARK_OUTLINE] = "outline", [MARK_LINE] = "line",   [MARK_EXIT] = "exit",           [MARK_SWING] = "swing",
+        [MARK_RING] = "ring",       [MARK_GUIDE] = "guide", [MARK_DIMENSION] = "dimension", [MARK_SNAP] = "snap",
+        [MARK_START] = "start",     [MARK_PLACE] = "place", [MARK_HANDLE] = "handle",       [MARK_GAP] = "gap"};
     json_t *state = json_array();
     for (size_t i = 0; i < gesture->mark_count; i++) {
         const EditMark *mark = &gesture->marks[i];

@@ -67,6 +67,7 @@ typedef enum EditMarkKind {
     MARK_GUIDE,     /* thin and dashed: the snap target */
     MARK_DIMENSION, /* a line with end ticks, text at its middle */
     MARK_SNAP,      /* a small diamond, text next to it: "end of w3" */
+    MARK_START,     /* a small diamond: the first point of what is drawn */
     MARK_PLACE,     /* a cross: the place that arrows move */
     MARK_HANDLE,    /* a small square that can be grabbed; a disc for rotation */
     MARK_GAP,       /* a misfit or an overlap: bold, text at its middle */

@@ -51,7 +51,7 @@ void edit_marks_ring(Editor *edit, const Vec2 *points, size_t count, const char 
 }
 
 void edit_marks_start(Editor *edit, Vec2 at) {
-    add_points(edit, MARK_SNAP, &at, 1, NULL);
+    add_points(edit, MARK_START, &at, 1, NULL);
 }
 
 void edit_marks_place(Editor *edit, Vec2 at) {

@@ -29,7 +29,7 @@ def length(wall):
 
 
 def gesture_words(state, kind):
-    return [mark["words"] for mark in state["gesture"]["marks"] if mark["kind"] == kind and mark.get("words")]
+    return [mark.get("words") for mark in state["gesture"]["marks"] if mark["kind"] == kind]
 
 
 # 10: a length is typed while the wall is drawn

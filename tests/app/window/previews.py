@@ -115,11 +115,11 @@ moved = [mark["at"] for mark in keys.state()["gesture"]["marks"] if mark["kind"]
 check(len(moved) == 1 and abs(moved[0][0] - cross[0][0] - 0.1) < 1e-6, "19: an arrow moves the cross", (cross, moved))
 keys.keys("Return")
 marks = {mark["kind"]: mark["at"] for mark in keys.state()["gesture"]["marks"]}
-check(marks.get("snap") == moved[0] and marks.get("place") == moved[0], "19: the wall's start stays marked", marks)
+check(marks.get("start") == moved[0] and marks.get("place") == moved[0], "19: the wall's start stays marked", marks)
 keys.keys(*["shift+Up"] * 3, *["shift+Right"] * 4)
 gesture = keys.state()["gesture"]
 marks = {mark["kind"]: mark["at"] for mark in gesture["marks"]}
-check(abs(gesture["fields"]["length"] - 0.5) < 1e-6 and marks["snap"] == moved[0]
+check(abs(gesture["fields"]["length"] - 0.5) < 1e-6 and marks["start"] == moved[0]
       and abs(marks["place"][0] - moved[0][0] - 0.4) < 1e-6 and abs(marks["place"][1] - moved[0][1] - 0.3) < 1e-6,
       "19: then arrows move the wall's end", gesture)
 keys.keys("Return", "Escape", "Escape")
