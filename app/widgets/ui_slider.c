@@ -190,6 +190,8 @@ UiChange ui_slider(Ui *ui, UiSlider *slider) {
     const char *text = parts.draft ? parts.draft->text : parts.text;
     bool focused = ui_stop_make_typed(ui, parts.id, UI_IS_SLIDER, whole, text, slider);
     UiChange typed = use_keys(ui, slider, parts.id);
+    parts.draft = ui_editor_draft(ui, parts.id); /* which keys may have dropped */
+    text = parts.draft ? parts.draft->text : parts.text;
     UiTouch field = ui_state_touch(ui, parts.id, parts.value, false), hand = {0};
     char reason[UI_REASON];
     bool wrong = find_reason(ui, slider, &parts, reason);
