@@ -335,7 +335,6 @@ const char *names_number(const char *label) {
                                            {"contacts", "touches"},
                                            {"hardest contact", "hardest touch"},
                                            {"personal space entered", "personal space pressed for"},
-                                           {"dangerous points", "tight places"},
                                            {"lost time", "time lost"},
                                            {"profile", "who"}};
     for (size_t i = 0; label && i < sizeof words / sizeof *words; i++)

@@ -170,7 +170,7 @@ static const UiStop *stop_in_use(const Ui *ui, const UiPlace *place, double top)
     const UiStop *focused = NULL;
     for (size_t i = ui->first_stop; i < ui->stop_count; i++) {
         const UiStop *stop = &ui->stops[i];
-        UiId track = stop->kind == UI_IS_SLIDER ? stop->id ^ 1 : stop->id;
+        UiId track = stop->kind == UI_IS_SLIDER ? ui_state_track(stop->id) : stop->id;
         Vec2 was = {ui->mouse.x, ui->mouse.y + stop->box.low.y - top - place->anchor_y};
         bool stays = stop->id == place->anchor && box_holds(stop->box, was);
         if (stop->kind == UI_IS_PANE)
@@ -183,7 +183,7 @@ static const UiStop *stop_in_use(const Ui *ui, const UiPlace *place, double top)
     return focused;
 }
 
-/* Scrolls with the content where it grows or shrinks above the stop in use, which stays under the hand. */
+/* Scrolls with the content where it grows or shrinks above the stop in use, which stays under the pointer. */
 static void keep_in_place(const Ui *ui, UiPlace *place) {
     double top = place->box.low.y - place->seen_scroll, was = place->anchor_y + top;
     const UiStop *stop = place->scrolls ? stop_in_use(ui, place, top) : NULL;

@@ -164,7 +164,7 @@ static void draw_head(Ui *ui, const UiSlider *slider, const Parts *parts, UiTouc
 static Parts part(Ui *ui, const UiSlider *slider) {
     Parts parts = {.id = ui_state_id(ui, slider->id ? slider->id : slider->label)};
     Box box = ui_pane_next(ui, LABEL_HEIGHT + TRACK_ROW);
-    parts.hand = parts.id ^ 1;
+    parts.hand = ui_state_track(parts.id);
     parts.draft = ui_editor_draft(ui, parts.id);
     parts.typing = ui->editor.id == parts.id;
     parts.changed = slider->value != slider->initial;

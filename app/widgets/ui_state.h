@@ -163,6 +163,11 @@ typedef struct UiTouch {
 void ui_state_stir(Ui *ui);
 UiId ui_state_id(const Ui *ui, const char *id);
 
+/* Returns the id of a slider's track, which the mouse holds. */
+static inline UiId ui_state_track(UiId slider) {
+    return slider ^ 1;
+}
+
 /* Registers a box for the mouse and returns its state. */
 UiTouch ui_state_touch(Ui *ui, UiId id, Box box, bool canvas);
 

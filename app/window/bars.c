@@ -148,7 +148,7 @@ static Box message_box(Window *window, bool fault) {
     return box;
 }
 
-/* True where there is no strip, but a menu: then what a tool does stands in the place of the answer. */
+/* True in a window with a menu but without a strip: the texts of a tool take the place of the answer. */
 static bool tells_above(const Window *window) {
     return box_height(window->frame.strip) <= 0 && box_height(window->frame.menu) > 0;
 }
@@ -418,7 +418,7 @@ static void show_lines(Window *window, Role role, Box box, double right, const c
     ui_text(window->ui, UI_BODY, role, text);
 }
 
-/* Shows why the gesture cannot be completed, or, where there is no strip, its description. */
+/* Shows why the gesture cannot be completed, or, in a window without a strip, its description. */
 static bool show_gesture(Window *window, Box box) {
     const Tab *tab = window_tab(window);
     Editor *editor = tab_editor(tab);

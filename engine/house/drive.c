@@ -49,7 +49,7 @@ static void watch_progress(Drive *drive, double dt) {
         drive->best_s = drive->s;
     if (drive->s > drive->best_s + PROGRESS) {
         drive->best_s = drive->s;
-        drive->stalled = drive->makes_room = 0;
+        drive->stalled = drive->room_by = 0;
         drive->retries = 0;
     }
 }
@@ -76,7 +76,7 @@ static void begin_retreat(const World *world, size_t i, Drive *drive, double due
     drive->retreats = true;
     drive->retreat_to = drive->s - real_max(way, PLACE_RETREAT);
     drive->retreat_by = real_max(due + 2 * RETRY_AFTER, drive->stalled + RETRY_AFTER + takes);
-    drive->makes_room = way > PLACE_RETREAT ? drive->retreat_by + takes : 0;
+    drive->room_by = way > PLACE_RETREAT ? drive->retreat_by + takes : 0;
     drive->retries++;
 }
 

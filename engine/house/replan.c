@@ -49,7 +49,7 @@ void replan_set_out(World *world, size_t i, bool strayed) {
     RouteAnswer answer = world->journeys[i].route.answer;
     Drive *drive = &world->drive[i];
     if (world->journeys[i].kept) { /* try again */
-        drive->stalled = drive->makes_room = 0;
+        drive->stalled = drive->room_by = 0;
         drive->retreats = false;
         drive->retries = 0;
     } else {

@@ -65,8 +65,8 @@ typedef struct Drive {
     double handle;     /* s, spent at a shut door's handle */
     bool retreats;     /* backs off before another attempt, */
     double retreat_to; /* m, along the track: to there, */
-    double retreat_by; /* s: or until it is stalled for this long */
-    double makes_room; /* s: while it is stalled for less, the chair for which it makes room waits; 0: for none */
+    double retreat_by; /* s: or until it has been stalled for this long */
+    double room_by;    /* s: until it has been stalled for this long, the chair it makes room for waits; 0: for none */
     int retries;       /* attempts since the last progress */
     int plans;         /* number of new plans after having been pushed off the path */
     double heeded;     /* m/s, speed limit due to the people ahead, when last updated */

@@ -141,7 +141,7 @@ static double apart(const World *world, size_t i, size_t j) {
 /* True if a chair j that lets this one go first backs off to make room, or comes back from there. */
 static bool makes_room(const World *world, size_t i, size_t j, const Sight *sight) {
     return faces(world, j, sight) && sight->gap <= PASSING_LEAST && sight->ahead >= -STAND_OFF &&
-           world->drive[j].stalled < world->drive[j].makes_room && precedes(world, i, j);
+           world->drive[j].stalled < world->drive[j].room_by && precedes(world, i, j);
 }
 
 static double speed_past(const World *world, size_t i, size_t j, const Sight *sight, double speed) {
@@ -204,7 +204,8 @@ static void heed(const World *world, size_t i, size_t j, Vec2 travel, Drive *dri
     drive->heeded = speed_past(world, i, j, &sight, drive->heeded);
     if (makes_room(world, i, j, &sight)) {
         drive->heeded = real_min(drive->heeded, 0);
-        drive->stalled = 0;
+        if (!(drive->room_by > 0)) /* otherwise chairs that wait for one another in a circle would wait for ever */
+            drive->stalled = 0;
     }
 }
 

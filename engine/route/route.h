@@ -101,10 +101,10 @@ typedef struct RouteQuery {
     Reads *times;             /* (via_count + 1) with `watched`: notes which times to each goal are read */
 } RouteQuery;
 
+enum { ROUTE_WIDTHS = 160 /* characters that route_widths needs at most */ };
+
 /* Writes "needs at least 0.80 m, has 0.75 m", or "needs about 0.80 m, has 0.75 m beside wardrobe (f3)" of an estimate,
- * the required width rounded up and the existing one down to a centimetre; "" if the cause is not a width. ROUTE_WIDTHS
- * characters are enough. */
-enum { ROUTE_WIDTHS = 160 };
+ * the required width rounded up and the existing one down to a centimetre; "" if the cause is not a width. */
 void route_widths(const Blockage *blockage, char *text, size_t size);
 
 /* Writes "could pass with skids of 0.15 m in all", rounded up to a centimetre; "" if the chair cannot. */

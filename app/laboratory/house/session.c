@@ -225,8 +225,6 @@ static bool show(void *context, double time) {
         return false;
     if (session->fresh)
         film_restart(session->film);
-    if (house_text_moved(session, time))
-        house_text_make(session, time); /* the panel counts what the picture shows */
     bool onwards = film_show(session->film, time) && !session->fresh;
     session->fresh = false;
     return onwards;

@@ -35,11 +35,16 @@ TEST(no_words_overlap_or_leave_the_page_whatever_the_numbers) {
         }
 }
 
-TEST(names_stand_at_lines_that_are_apart_and_above_lines_that_are_not) {
-    double x[100], low[100], high[100];
+/* Fills in a wave of 100 points and another one, `apart` above it. */
+static void fill_two_waves(double *x, double *low, double *high, double apart) {
     sample_fill_wave(x, low, 100);
     for (int i = 0; i < 100; i++)
-        high[i] = low[i] + 2;
+        high[i] = low[i] + apart;
+}
+
+TEST(names_stand_at_lines_that_are_apart_and_above_lines_that_are_not) {
+    double x[100], low[100], high[100];
+    fill_two_waves(x, low, high, 2);
     PlotSeries apart[] = {sample_line("low", x, low, 100), sample_line("high", x, high, 100)};
     PlotSeries same[] = {sample_line("low", x, low, 100), sample_line("high", x, low, 100)};
     for (size_t p = 1; p < sizeof pages / sizeof *pages; p++) {
@@ -166,9 +171,7 @@ TEST(a_long_title_ends_before_what_it_is_of) {
 
 TEST(a_listed_guide_is_named_above_the_plot_with_a_sample_of_its_line) {
     double x[100], low[100], high[100];
-    sample_fill_wave(x, low, 100);
-    for (int i = 0; i < 100; i++)
-        high[i] = low[i] + 0.1;
+    fill_two_waves(x, low, high, 0.1);
     PlotSeries series[] = {sample_line("e1", x, low, 100), sample_line("e2", x, high, 100)};
     PlotGuide guide = {.at = 0.5, .name = "capacity", .listed = true, .role = ROLE_DIM_TEXT, .style = LINE_DASHED};
     Plot plot = sample_plot(series, 2);
