@@ -134,7 +134,8 @@ static size_t list_end(const PanelRow *rows, size_t count, size_t heading) {
 }
 
 /* Returns the row behind what describes the selection, whose list comes first. What compares two runs follows the
- * numbers of the selection: it comes with the first change of one of them, which must not move from under the pointer. */
+ * numbers of the selection: it comes with the first change of one of them, which must not move from under the pointer.
+ */
 static size_t find_comparison(const Tab *tab) {
     size_t count, lists = find_lists(tab);
     const PanelRow *rows = tab->laboratory->rows(tab->session, &count);
