@@ -139,7 +139,8 @@ typedef struct Pace {
 /* Returns the braking, m/s2, that is planned with at a point of the track, as the track's own speeds are. */
 static double braking_at(const Profile *profile, const TrackPoint *point) {
     double braking = pace_braking(profile, point->clearance);
-    return profile->driving == DRIVING_DRIVER ? real_min(braking, pace_in_bend(profile, point->curvature)) : braking;
+    return profile->driving == DRIVING_DRIVER ? real_min(braking, pace_in_bend(pace_turning(profile), point->curvature))
+                                              : braking;
 }
 
 /* Returns the highest speed, up to `most` m/s, at which the person can still stop at `end`, m along the track. */
@@ -290,7 +291,7 @@ static Effort exert(const World *world, size_t i, double speed, double hurry, do
     const TrackPoint *here = &world->journeys[i].track.points[world->drive[i].index];
     bool tucked = here->clearance < profile->hands;
     double bent = real_max(fabs(here->curvature), fabs(bend));
-    double faster = real_min(profile->acceleration, pace_in_bend(profile, bent));
+    double faster = real_min(profile->acceleration, pace_in_bend(pace_turning(profile), bent));
     double most = (tucked ? PACE_TUCKED_PUSH : 1) * profile->push;
     double push = driving_force(profile, most, faster, speed, hurry, vec2_dot(world->velocity[i], axis), others, 1);
     effort.force = vec2_along(effort.force, push, axis);

@@ -59,7 +59,8 @@ static void decelerate(Track *track, const Profile *profile) {
         double end = rest || next->direction == 0 ? 0 : next->speed;
         double braking = profile->deceleration;
         if (profile->driving == DRIVING_DRIVER)
-            braking = fmin(pace_braking(profile, here->clearance), pace_in_bend(profile, here->curvature));
+            braking =
+                fmin(pace_braking(profile, here->clearance), pace_in_bend(pace_turning(profile), here->curvature));
         double reach = sqrt(end * end + 2 * braking * (next->s - here->s));
         if (here->direction != 0 || next->direction != 0)
             here->speed = fmin(here->speed, fmax(reach, next->direction == 0 ? 0 : 1e-3));
@@ -221,12 +222,12 @@ static double own_bending(const Track *track, size_t i) {
     return 2 * (slope - slope_before) / (first + second);
 }
 
-static double driver_speed(const Inhabitant *person, const Track *track, size_t i) {
+static double driver_speed(const Inhabitant *person, const Agility *agility, const Track *track, size_t i) {
     const TrackPoint *point = &track->points[i];
     double own = own_bending(track, i) * (PACE_MOMENT / PACE_OWN_MOMENT);
     double bending = fmax(fabs(point->bending), fabs(own));
-    double pace =
-        pace_at(person->profile, person->speed, point->clearance, sharpest(track, i), bending, point->direction);
+    double pace = pace_at(person->profile, agility, person->speed, point->clearance, sharpest(track, i), bending,
+                          point->direction);
     return fmin(passage_speed(person, point->width), pace);
 }
 
@@ -297,8 +298,9 @@ void track_build_driver(Track *track, const House *house, const Inhabitant *pers
     measure(track, house, profile->length / 2 - profile->axle);
     look_ahead(track);
     bend(track);
+    Agility agility = pace_agility(profile);
     for (size_t i = 0; i < track->count; i++)
-        track->points[i].speed = driver_speed(person, track, i);
+        track->points[i].speed = driver_speed(person, &agility, track, i);
     look_for_necks(track);
     if (house_ring(house) == RING_STEERS)
         measure_sides(track, house, profile);

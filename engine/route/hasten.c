@@ -335,6 +335,7 @@ static void hasten_begin(Hasten *hasten, Way *way, const FreeSpace *space, const
                                   .space = space,
                                   .body = body,
                                   .profile = profile,
+                                  .agility = pace_agility(profile),
                                   .margin = -HUGE_VAL,
                                   .sight = fmax(pace_enough(profile), centring ? profile->space_reach : FIELD_COMFORT),
                                   .centring = centring},

@@ -29,8 +29,7 @@ static double speed_in_gap(const Profile *profile, double free, double clearance
     return real_min(real_max(speed, profile->creep > 0 ? profile->creep : profile->minimum_speed), free);
 }
 
-/* Returns the angular acceleration that is planned with, rad/s2. */
-static double agility(const Profile *profile) {
+double pace_turning(const Profile *profile) {
     double square = profile->radius_of_gyration * profile->radius_of_gyration +
                     profile->mass_centre * profile->mass_centre; /* m2, of the inertia about the axle */
     double inertia = profile->mass * square;
@@ -45,15 +44,20 @@ static double planned_turn(const Profile *profile) {
     return PLANNED_TURN * real_min(profile->turn_rate, held);
 }
 
-double pace_at(const Profile *profile, double free, double clearance, double curvature, double bending, int direction) {
+Agility pace_agility(const Profile *profile) {
+    return (Agility){pace_turning(profile), planned_turn(profile)};
+}
+
+double pace_at(const Profile *profile, const Agility *agility, double free, double clearance, double curvature,
+               double bending, int direction) {
     double speed = speed_in_gap(profile, free, clearance);
     if (direction < 0)
         speed = real_min(speed, profile->reversing_speed);
     double bend = fabs(curvature), change = fabs(bending);
     if (bend > 0)
-        speed = real_min(speed, real_min(sqrt(profile->lateral_acceleration / bend), planned_turn(profile) / bend));
+        speed = real_min(speed, real_min(sqrt(profile->lateral_acceleration / bend), agility->rate / bend));
     if (change > 0)
-        speed = real_min(speed, sqrt(agility(profile) / change));
+        speed = real_min(speed, sqrt(agility->acceleration / change));
     return real_max(speed, real_min(TURNING_CREEP, free));
 }
 
@@ -86,9 +90,9 @@ double pace_sharpest(const Profile *profile) {
     return planned_turn(profile) / TURNING_CREEP;
 }
 
-double pace_in_bend(const Profile *profile, double curvature) {
+double pace_in_bend(double turning, double curvature) {
     double bend = fabs(curvature);
-    return bend > 0 ? real_max(agility(profile) / bend, WEAKEST) : HUGE_VAL;
+    return bend > 0 ? real_max(turning / bend, WEAKEST) : HUGE_VAL;
 }
 
 double pace_error(const Profile *profile) {

@@ -15,8 +15,20 @@
 #define PACE_MOMENT 0.5
 #define PACE_OWN_MOMENT 0.85
 
-/* Returns the speed, m/s, of a driver whose free speed is `free` m/s, where the body has `clearance` m, the path's
- * curvature is `curvature` rad/m and changes by `bending` rad/m2; `direction` is -1 backwards.
+/* How a driver plans to turn. */
+typedef struct Agility {
+    double acceleration; /* rad/s2: PACE_MOMENT of the turning moment over the inertia about the axle */
+    double rate;         /* rad/s: nine tenths of the turn rate, and what half of the push holds the mass centre at */
+} Agility;
+
+Agility pace_agility(const Profile *profile);
+
+/* Returns the agility's acceleration alone, rad/s2. */
+double pace_turning(const Profile *profile);
+
+/* Returns the speed, m/s, of a driver whose free speed is `free` m/s and who is as agile as `agility` says, where the
+ * body has `clearance` m, the path's curvature is `curvature` rad/m and changes by `bending` rad/m2; `direction` is -1
+ * backwards.
  *
  * Clearance: in the middle of a straight passage the clearance on either side is (W - w) / 2; where the body turns, or
  * the path leads close by an obstacle, the same law holds with twice the clearance, with the floor of the paper for
@@ -25,7 +37,8 @@
  * driver who turns as quickly as possible cannot come back to the path, and of the rate w at which half of the push
  * holds the mass centre, c ahead of the axle: m c w^2 <= push / 2. Bending: I v^2 dk/ds <= half of the turning
  * moment. A bend is taken at 0.03 m/s, however narrow it is and however weak the driver. */
-double pace_at(const Profile *profile, double free, double clearance, double curvature, double bending, int direction);
+double pace_at(const Profile *profile, const Agility *agility, double free, double clearance, double curvature,
+               double bending, int direction);
 
 /* 1 and m/s, assumed: the share of the push that is left with the arms tucked in, and the greatest speed then. */
 #define PACE_TUCKED_PUSH 0.3
@@ -39,9 +52,10 @@ double pace_braking(const Profile *profile, double clearance);
 /* Returns the greatest curvature that can be driven at all, rad/m; a sharper bend is a turn on the spot. */
 double pace_sharpest(const Profile *profile);
 
-/* Returns the change of speed, m/s2, that half of the turning moment M allows in a bend of `curvature` k, rad/m, since
- * the turn rate changes with the speed: I k a <= M / 2. Infinite on the straight. */
-double pace_in_bend(const Profile *profile, double curvature);
+/* Returns the change of speed, m/s2, that half of the turning moment M, which causes the angular acceleration `turning`
+ * (rad/s2), allows in a bend of `curvature` k, rad/m, since the turn rate changes with the speed: I k a <= M / 2.
+ * Infinite on the straight. */
+double pace_in_bend(double turning, double curvature);
 
 /* Returns the speed, m/s, below which no gap makes a driver plan. */
 double pace_creep(const Profile *profile);

@@ -100,10 +100,11 @@ static void find_limit(const Course *course, Speeds *speeds, size_t s) {
         double own = (speeds_turn(speeds, s, s + 1) - speeds_turn(speeds, s - 1, s)) / (piece->step * piece->step);
         bending = real_max(fabs(bending), fabs(own) * (PACE_MOMENT / PACE_OWN_MOMENT));
     }
-    double in_bend = pace_in_bend(profile, bend);
+    double in_bend = pace_in_bend(course->agility.acceleration, bend);
     speeds->braking[s] = real_min(speeds->braking[s], in_bend);
     speeds->starting[s] = real_min(speeds->starting[s], in_bend);
-    speeds->limit[s] = pace_at(profile, profile->free_speed, clearance, bend, bending, piece->direction);
+    speeds->limit[s] =
+        pace_at(profile, &course->agility, profile->free_speed, clearance, bend, bending, piece->direction);
 }
 
 /* Fills in the time and the cost of the step from station s to the next one. */
@@ -221,7 +222,6 @@ bool speeds_look(const Course *course, const Speeds *from, Speeds *to, size_t be
                          : body_clearance(course, station, course->sight);
         if (to->own[s] < course->margin)
             return false;
-        to->heading[s] = real_atan2(station->axis.y, station->axis.x);
     }
     /* the curvature at the farthest station whose limit changes takes headings from 2 SPAN beyond it */
     size_t low = before(begin, 4 * SPAN), high = after(way, end, 4 * SPAN);
@@ -243,6 +243,8 @@ bool speeds_look(const Course *course, const Speeds *from, Speeds *to, size_t be
         }
         to->clearance[s] = least;
     }
+    for (size_t s = begin; s <= end; s++)
+        to->heading[s] = real_atan2(way->stations[s].axis.y, way->stations[s].axis.x);
     return true;
 }
 

@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "plan/profile.h"
+#include "route/pace.h"
 #include "route/way.h"
 
 /* A way and who takes it; everything is borrowed. */
@@ -13,9 +14,10 @@ typedef struct Course {
     const FreeSpace *space;
     const Rectangle *body;
     const Profile *profile;
-    double margin; /* m, the least clearance that is allowed */
-    double sight;  /* m: larger clearances are not measured */
-    bool centring; /* True if the personal space has its price */
+    Agility agility; /* of the profile */
+    double margin;   /* m, the least clearance that is allowed */
+    double sight;    /* m: larger clearances are not measured */
+    bool centring;   /* True if the personal space has its price */
 } Course;
 
 /* The numbers of each station; `time` and `cost` are those of the step to the next one. */

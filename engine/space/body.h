@@ -35,15 +35,16 @@ typedef struct Stance {
     const Body *body;
     Vec2 centre, axis; /* m; unit */
     Vec2 middle;       /* m, middle of the core */
-    Vec2 core[4];      /* m, the core's corners relative to the centre */
+    Vec2 core[4];      /* m, (core_count) the core's corners relative to the centre */
 } Stance;
 
-static inline Stance body_stance(const Body *body, Vec2 centre, Vec2 axis) {
-    Stance stance = {.body = body, .centre = centre, .axis = axis};
-    stance.middle = vec2_add(centre, vec2_turn(body->middle, axis));
+static inline void body_stance(Stance *stance, const Body *body, Vec2 centre, Vec2 axis) {
+    stance->body = body;
+    stance->centre = centre;
+    stance->axis = axis;
+    stance->middle = vec2_add(centre, vec2_turn(body->middle, axis));
     for (int i = 0; i < body->core_count; i++)
-        stance.core[i] = vec2_turn(body->core[i], axis);
-    return stance;
+        stance->core[i] = vec2_turn(body->core[i], axis);
 }
 
 /* Returns how far a body with heading `axis` extends from its mass centre along a direction (unit), m. */

@@ -107,7 +107,8 @@ static size_t gap_to_corner(Gap *gaps, size_t count, const Stance *stance, const
 
 size_t gap_to_obstacles(Gap gaps[GAPS_MOST], const Body *body, Vec2 centre, Vec2 axis, const NeighbourList *neighbours,
                         const int *held, size_t held_count) {
-    Stance stance = body_stance(body, centre, axis);
+    Stance stance;
+    body_stance(&stance, body, centre, axis);
     size_t count = 0;
     for (int i = 0; i < neighbours->close_faces; i++)
         count = gaps_to_face(gaps, count, &stance, &neighbours->face[neighbours->close_face[i]], held, held_count);
@@ -179,7 +180,9 @@ static size_t gaps_of_corners(Gap *gaps, size_t count, const Stance *a, const St
 
 size_t gap_to_body(Gap gaps[GAPS_MOST], const Body *a, Vec2 centre_a, Vec2 axis_a, const Body *b, Vec2 centre_b,
                    Vec2 axis_b, double reach) {
-    Stance stance_a = body_stance(a, centre_a, axis_a), stance_b = body_stance(b, centre_b, axis_b);
+    Stance stance_a, stance_b;
+    body_stance(&stance_a, a, centre_a, axis_a);
+    body_stance(&stance_b, b, centre_b, axis_b);
     size_t count = gaps_of_corners(gaps, 0, &stance_a, &stance_b, reach, false);
     if (b->core_count > 1 || a->core_count > 1)
         count = gaps_of_corners(gaps, count, &stance_b, &stance_a, reach, true);

@@ -141,7 +141,8 @@ void neighbour_list_update(NeighbourList *neighbours, const Body *body, Vec2 cen
         vec2_distance(centre, neighbours->slack_centre) + vec2_distance(axis, neighbours->slack_axis) * body->swing;
     if (same_doors && moved < NEIGHBOUR_SLACK)
         return;
-    Stance stance = body_stance(body, centre, axis);
+    Stance stance;
+    body_stance(&stance, body, centre, axis);
     if (!same_doors || vec2_distance(neighbours->centre, stance.middle) > NEIGHBOUR_SKIN)
         gather_all(neighbours, body->outer, stance.middle, outline, plan, door_open);
     neighbours->doors = door_changes + 1;
