@@ -11,7 +11,7 @@
 
 /* The width of a passage is the shortest chord from obstacle to obstacle across both long sides of the body, at most 30
  * degrees from square, or the distance between the two faces at its ends where that is about the same. A body that
- * lacks a margin m on either side needs 2 m more than that, and its own width at least; a disc needs its own width.
+ * lacks a margin m on either side needs 2 m more than that, and its own width at least; a disc needs its own.
  * Without any passage, a wall blocks the path or a door is locked: then the path through the fewest solids, which
  * prefers locked doors to walls, names the place. */
 
@@ -149,7 +149,7 @@ typedef struct Breach {
     const FreeSpace *space;
     unsigned char *locked; /* (ny x nx) 1: in a locked door's opening */
     float *cost;           /* (ny x nx) */
-    int *parent;           /* (ny x nx) neighbour towards the start */
+    int *parent;           /* (ny x nx) neighbour towards the start, or -1 */
     int *heap;
     size_t heap_count, heap_capacity;
 } Breach;
@@ -195,19 +195,27 @@ static void mark_locked(Breach *breach) {
         Vec2 from, to;
         plan_geometry_door_ends(plan, &plan->doors[d], &from, &to);
         double reach = plan->walls[plan->doors[d].wall_index].thickness / 2 + space->cell;
-        freespace_mark(space, box_expand(box_include(box_include(box_empty(), from), to), reach), breach->locked);
+        Vec2 along = vec2_unit(vec2_sub(to, from));
+        for (int point = 0; point < space->nx * space->ny; point++) {
+            Vec2 at = vec2_sub(breach_place(breach, point), from);
+            double gone = vec2_dot(at, along);
+            if (gone > 0 && gone < vec2_distance(from, to) && fabs(vec2_cross(along, at)) <= reach)
+                breach->locked[point] = 1;
+        }
     }
 }
 
-/* Returns the last point of the cheapest path from the start across a usable exit, or -1. */
-static int breach_search(Breach *breach) {
+/* Returns the last point before the exit's line of the cheapest path from the start across a usable exit, or -1; the
+ * point `*behind` follows it. All steps from a point are looked at, as in neck.c. */
+static int breach_search(Breach *breach, int *behind) {
     const FreeSpace *space = breach->space;
     Goal goal = {.exit = breach->query->exit, .time = breach->query->time};
     double x = (breach->query->at.x - space->origin.x) / space->cell + 0.5;
     double y = (breach->query->at.y - space->origin.y) / space->cell + 0.5;
     if (!(x >= 0 && y >= 0 && x < space->nx && y < space->ny))
         return -1;
-    int start = (int)y * space->nx + (int)x;
+    int start = (int)y * space->nx + (int)x, last = -1;
+    float least = HUGE_VALF;
     breach->cost[start] = 0;
     breach->parent[start] = -1;
     breach_put(breach, start);
@@ -215,24 +223,30 @@ static int breach_search(Breach *breach) {
     while (breach->heap_count > 0) {
         int point = breach_take(breach);
         int i = point % space->nx, j = point / space->nx;
-        size_t exit;
-        int from = breach->parent[point];
-        Vec2 before = from >= 0 && from != start ? breach_place(breach, from) : breach->query->at;
-        if (field_goal_reached(&goal, breach->query->plan, before, breach_place(breach, point), &exit))
-            return point;
+        Vec2 before = point == start ? breach->query->at : breach_place(breach, point);
+        if (breach->cost[point] >= least)
+            break;
         for (int s = 0; s < 4; s++) {
             int to_x = i + steps[s][0], to_y = j + steps[s][1], to = to_y * space->nx + to_x;
             if (to_x < 0 || to_y < 0 || to_x >= space->nx || to_y >= space->ny)
                 continue;
             float step = !breach_solid(breach, to) ? STEP_FREE : breach->locked[to] ? STEP_DOOR : STEP_SOLID;
-            if (breach->cost[point] + step < breach->cost[to]) {
-                breach->cost[to] = breach->cost[point] + step;
+            float cost = breach->cost[point] + step;
+            size_t exit;
+            if (cost < least &&
+                field_goal_reached(&goal, breach->query->plan, before, breach_place(breach, to), &exit)) {
+                least = cost;
+                last = point;
+                *behind = to;
+            }
+            if (cost < breach->cost[to]) {
+                breach->cost[to] = cost;
                 breach->parent[to] = point;
                 breach_put(breach, to);
             }
         }
     }
-    return -1;
+    return last;
 }
 
 /* Finds the middle of the first solid on the path through the fewest solids. Returns false if there is none. */
@@ -250,8 +264,9 @@ static bool find_breach(const RouteQuery *query, Vec2 *at) {
     Vec2 sum = {0, 0};
     int in_it = 0;
     /* Walk back from the exit: the last solid seen is the first on the path out. */
-    bool inside = false;
-    for (int point = breach_search(&breach); point >= 0; point = breach.parent[point]) {
+    bool inside = false, first = true;
+    int behind = -1, last = breach_search(&breach, &behind);
+    for (int point = behind; point >= 0; point = first ? last : breach.parent[point], first = false) {
         if (breach_solid(&breach, point)) {
             if (!inside) {
                 sum = vec2(0, 0);
@@ -300,13 +315,11 @@ bool blockage_of_disc(Blockage *blockage, const RouteQuery *query, double radius
     NeckAnswer answer = neck_find(&neck, query, goals, goal_count);
     if (answer == NECK_INTERRUPTED)
         return false;
-    *blockage = (Blockage){.at = neck.at};
+    *blockage = (Blockage){.at = neck.at, .needs = 2 * radius, .estimated = true};
     if (answer != NECK_FOUND) {
         find_breach(query, &blockage->at);
-        blockage->needs = 2 * radius;
-    } else if (neck.width < 2 * radius) { /* otherwise it is wide enough by less than the search resolves */
+    } else {
         blockage->has = neck.width;
-        blockage->needs = 2 * radius;
     }
     outline_place_name(query->space->outline, query->plan, blockage->at, blockage->what, sizeof blockage->what);
     int faces[NECK_FACES];

@@ -15,6 +15,7 @@
 #define SMALLEST_STEP 0.002 /* m, smallest step of sphere tracing */
 #define SPACING 0.05        /* m, between poses */
 #define BEYOND 0.3          /* m, straight continuation across an exit's line */
+#define FINER 4.0           /* 1, refinement of the grid for the second search */
 
 enum { PASSES = 4 };
 
@@ -246,5 +247,29 @@ bool disc_route_leg(SearchTrack *track, Fields *fields, const Plan *plan, const 
     }
     memory_free(line.at);
     fields_release(fields, field);
+    return found;
+}
+
+/* Plans all legs on one grid. */
+static bool find_on(SearchTrack *track, Fields *fields, const FreeSpace *space, const RouteQuery *query,
+                    const Goal *goals, size_t goal_count, double radius) {
+    double clearance = freespace_exact(space, query->at, radius + ROUTE_CLEARANCE_REACH, NULL) - radius;
+    search_track_clear(track);
+    search_track_add(track, (Pose){query->at, query->heading, clearance, 0});
+    for (size_t leg = 0; leg < goal_count; leg++)
+        if (!disc_route_leg(track, fields, query->plan, space, query->profile, radius, &goals[leg]))
+            return false;
+    return true;
+}
+
+bool disc_route_find(SearchTrack *track, const RouteQuery *query, const Goal *goals, size_t goal_count, double radius) {
+    if (find_on(track, query->fields, query->space, query, goals, goal_count, radius))
+        return true;
+    FreeSpace fine;                /* gaps hardly wider than the disc slip between the points of a coarse grid */
+    Fields *own = fields_create(); /* `fine` does not outlive this */
+    freespace_build(&fine, query->space->outline, query->space->cell / FINER);
+    bool found = find_on(track, own, &fine, query, goals, goal_count, radius);
+    fields_destroy(own);
+    freespace_free(&fine);
     return found;
 }

@@ -11,3 +11,7 @@
  * unchanged, if there is no path on this grid. */
 bool disc_route_leg(SearchTrack *track, Fields *fields, const Plan *plan, const FreeSpace *space,
                     const Profile *profile, double radius, const Goal *goal);
+
+/* Finds the path from a query's start through all goals in order, on the query's grid or, where gaps are hardly wider
+ * than the disc, on a finer one. Returns false, with the part of the path that was found, if there is none. */
+bool disc_route_find(SearchTrack *track, const RouteQuery *query, const Goal *goals, size_t goal_count, double radius);

@@ -64,41 +64,73 @@ static void ways_clear(Ways *ways) {
     ways->heap_count = ways->heap_capacity = 0;
 }
 
-/* Returns the next point of the search and enters its neighbours; -1 at the end. */
-static int ways_advance(Ways *ways) {
+/* Returns the neighbour of a point on one of its four sides if the step to it meets no obstacle, otherwise -1. */
+static int ways_step(const Ways *ways, int point, int side) {
     static const int steps[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-    if (ways->heap_count == 0)
+    int x = point % ways->nx + steps[side][0], y = point / ways->nx + steps[side][1];
+    if (x < 0 || y < 0 || x >= ways->nx || y >= ways->ny)
         return -1;
-    Opening here = openings_take(ways->heap, &ways->heap_count);
-    for (int s = 0; s < 4; s++) {
-        int x = here.point % ways->nx + steps[s][0], y = here.point / ways->nx + steps[s][1];
-        if (x < 0 || y < 0 || x >= ways->nx || y >= ways->ny)
-            continue;
-        int next = y * ways->nx + x;
-        float from = ways->distance[here.point], to = ways->distance[next];
-        if (ways->parent[next] != -2 || !(from > 0 && to > 0) || !((double)(from + to) > ways->cell))
-            continue;
-        ways->parent[next] = here.point; /* the first arrival is the widest, as widths only fall along a way */
-        float width = 2 * to < here.width ? 2 * to : here.width;
-        openings_put(&ways->heap, &ways->heap_count, &ways->heap_capacity, (Opening){width, next});
-    }
-    return here.point;
+    int next = y * ways->nx + x;
+    float from = ways->distance[point], to = ways->distance[next];
+    return from > 0 && to > 0 && (double)(from + to) > ways->cell ? next : -1;
 }
 
-/* Returns the narrowest point of the way to `end`. */
-static int narrowest_point(const Ways *ways, int end) {
-    int narrowest = end;
-    for (int point = end; point >= 0; point = ways->parent[point])
-        if (ways->distance[point] <= ways->distance[narrowest])
-            narrowest = point;
+/* Returns the width of a way that goes on to a point, m. */
+static float width_on(const Ways *ways, Opening here, int next) {
+    return 2 * ways->distance[next] < here.width ? 2 * ways->distance[next] : here.width;
+}
+
+/* Takes the next point of the search and enters its neighbours; false at the end. */
+static bool ways_advance(Ways *ways, Opening *here) {
+    if (ways->heap_count == 0)
+        return false;
+    *here = openings_take(ways->heap, &ways->heap_count);
+    for (int s = 0; s < 4; s++) {
+        int next = ways_step(ways, here->point, s);
+        if (next < 0 || ways->parent[next] != -2)
+            continue;
+        ways->parent[next] = here->point; /* the first arrival is the widest, as widths only fall along a way */
+        openings_put(&ways->heap, &ways->heap_count, &ways->heap_capacity,
+                     (Opening){width_on(ways, *here, next), next});
+    }
+    return true;
+}
+
+/* A way, from its end back to its start. */
+typedef struct Chain {
+    int *points; /* (count) */
+    size_t count, capacity;
+} Chain;
+
+static void chain_add(Chain *chain, int point) {
+    chain->points = memory_reserve(chain->points, &chain->capacity, chain->count + 1, sizeof *chain->points);
+    chain->points[chain->count++] = point;
+}
+
+/* Returns the way to a point, and from there to `end`, which is one of its neighbours or the point itself. */
+static Chain chain_to(const Ways *ways, int end, int point) {
+    Chain chain = {0};
+    if (end != point)
+        chain_add(&chain, end);
+    for (; point >= 0; point = ways->parent[point])
+        chain_add(&chain, point);
+    return chain;
+}
+
+/* Returns the index of the narrowest point of a way. */
+static size_t narrowest_on_way(const Ways *ways, const Chain *chain) {
+    size_t narrowest = 0;
+    for (size_t i = 0; i < chain->count; i++)
+        if (ways->distance[chain->points[i]] <= ways->distance[chain->points[narrowest]])
+            narrowest = i;
     return narrowest;
 }
 
-/* Moves from a point of the way towards one of its ends, until the window ends there. `next` (nx x ny) leads on. */
-static Vec2 leave_window(const Ways *ways, int point, const int *next, double reach) {
-    Vec2 middle = place(ways, point), at = middle;
-    for (int on = next[point]; on >= 0; on = next[on]) {
-        Vec2 there = place(ways, on);
+/* Moves from a point of the way towards its start, `step` 1, or its end, -1, until the window ends there. */
+static Vec2 leave_window(const Ways *ways, const Chain *chain, size_t from, int step, double reach) {
+    Vec2 middle = place(ways, chain->points[from]), at = middle;
+    for (size_t i = from + (size_t)step; i < chain->count; i += (size_t)step) {
+        Vec2 there = place(ways, chain->points[i]);
         if (fabs(there.x - middle.x) > reach || fabs(there.y - middle.y) > reach)
             break;
         at = there;
@@ -138,15 +170,17 @@ static void refine(Neck *neck, const FreeSpace *space, Vec2 from, Vec2 to, doubl
         bool inside = freespace_distance(space, at) < -space->cell;
         distance[point] = inside ? -1 : (float)freespace_exact(space, at, FREESPACE_FARTHEST, NULL);
     }
-    int start = roomiest_point(&ways, from, space->cell), end = roomiest_point(&ways, to, space->cell), point = -1;
+    int start = roomiest_point(&ways, from, space->cell), end = roomiest_point(&ways, to, space->cell);
     if (start >= 0 && end >= 0) {
+        Opening here = {0, -1};
         ways_begin(&ways, start);
-        do
-            point = ways_advance(&ways);
-        while (point >= 0 && point != end);
-        if (point == end) {
-            int narrowest = narrowest_point(&ways, end);
+        while (here.point != end && ways_advance(&ways, &here)) {
+        }
+        if (here.point == end) {
+            Chain way = chain_to(&ways, end, end);
+            int narrowest = way.points[narrowest_on_way(&ways, &way)];
             *neck = (Neck){place(&ways, narrowest), 2 * (double)distance[narrowest]};
+            memory_free(way.points);
         }
         ways_clear(&ways);
     }
@@ -170,40 +204,57 @@ static void measure(Neck *neck, const FreeSpace *space) {
         *neck = (Neck){middle, width};
 }
 
+/* Searches the widest way from `from`, beside the grid point `start`, to a goal. A way that goes round an exit's line
+ * may reach the points behind it before one that crosses it, so that all steps from a point are looked at, also those
+ * to points that have been reached. */
+static NeckAnswer widest_way(Chain *way, Ways *ways, int start, Vec2 from, const RouteQuery *query, const Goal *goal) {
+    size_t exit;
+    Opening here, end = {0, -1};
+    int last = -1; /* the point before the end */
+    ways_begin(ways, start);
+    if (field_goal_reached(goal, query->plan, from, place(ways, start), &exit))
+        end = (Opening){2 * ways->distance[start], last = start};
+    while (ways_advance(ways, &here) && here.width > end.width) {
+        if (stop_requested(query->stop))
+            return NECK_INTERRUPTED;
+        Vec2 before = here.point == start ? from : place(ways, here.point);
+        for (int s = 0; s < 4; s++) {
+            int next = ways_step(ways, here.point, s);
+            if (next < 0 || width_on(ways, here, next) <= end.width ||
+                !field_goal_reached(goal, query->plan, before, place(ways, next), &exit))
+                continue;
+            end = (Opening){width_on(ways, here, next), next};
+            last = here.point;
+        }
+    }
+    if (end.point < 0)
+        return NECK_NONE;
+    *way = chain_to(ways, end.point, last);
+    return NECK_FOUND;
+}
+
 /* Finds the neck of one leg, and moves `*at` to the leg's end. */
 static NeckAnswer leg_neck(Neck *neck, const RouteQuery *query, const Goal *goal, Vec2 *at) {
     const FreeSpace *space = query->space;
     Ways ways = {
         .origin = space->origin, .cell = space->cell, .nx = space->nx, .ny = space->ny, .distance = space->distance};
-    int start = nearest_point(&ways, *at), end = -1;
+    int start = nearest_point(&ways, *at);
     if (start < 0)
         return NECK_NONE;
-    ways_begin(&ways, start);
-    bool stopped = false;
-    for (int point; end < 0 && !(stopped = stop_requested(query->stop)) && (point = ways_advance(&ways)) >= 0;) {
-        size_t exit;
-        int from = ways.parent[point];
-        Vec2 before_it = from >= 0 && from != start ? place(&ways, from) : *at; /* not the point nearest to the start */
-        if (field_goal_reached(goal, query->plan, before_it, place(&ways, point), &exit))
-            end = point;
-    }
-    if (end >= 0) {
-        int narrowest = narrowest_point(&ways, end);
+    Chain way = {0};
+    NeckAnswer answer = widest_way(&way, &ways, start, *at, query, goal);
+    if (answer == NECK_FOUND) {
+        size_t narrowest = narrowest_on_way(&ways, &way);
         double reach = WINDOW_REACH * space->cell;
-        *neck = (Neck){place(&ways, narrowest), 2 * (double)space->distance[narrowest]};
-        *at = place(&ways, end);
-        int *back = memory_zeroed((size_t)ways.nx * (size_t)ways.ny, sizeof *back);
-        back[end] = -1;
-        for (int point = end; ways.parent[point] >= 0; point = ways.parent[point])
-            back[ways.parent[point]] = point;
-        Vec2 from = leave_window(&ways, narrowest, ways.parent, reach),
-             to = leave_window(&ways, narrowest, back, reach);
-        refine(neck, space, from, to, reach);
+        *neck = (Neck){place(&ways, way.points[narrowest]), 2 * (double)space->distance[way.points[narrowest]]};
+        *at = place(&ways, way.points[0]);
+        refine(neck, space, leave_window(&ways, &way, narrowest, 1, reach),
+               leave_window(&ways, &way, narrowest, -1, reach), reach);
         measure(neck, space);
-        memory_free(back);
+        memory_free(way.points);
     }
     ways_clear(&ways);
-    return stopped ? NECK_INTERRUPTED : end >= 0 ? NECK_FOUND : NECK_NONE;
+    return answer;
 }
 
 NeckAnswer neck_find(Neck *neck, const RouteQuery *query, const Goal *goals, size_t goal_count) {

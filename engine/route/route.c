@@ -43,8 +43,6 @@ static const double end_lengths[] = {4, 3, 2, 1};
 enum { MOST_CLEARINGS = 30 }; /* steps straight back or ahead from an obstacle */
 enum { MOST_EASINGS = 12 };   /* steps to push the start pose clear of each obstacle in turn */
 
-#define FINER 4.0 /* 1, refinement of the grid for the second search of a disc's path */
-
 typedef struct Legs {
     Goal *goals; /* (count) */
     size_t count;
@@ -286,9 +284,9 @@ static bool estimate(Route *route, const RouteQuery *query, const Legs *legs, co
     if (!(place.margin > -HUGE_VAL)) {
         if (!blockage_of_disc(&route->blockage, query, body->half_width, legs->goals, legs->count))
             return false;
-        route->blockage.estimated = true;
-        if (route->blockage.needs > 0)
+        if (route->blockage.needs > route->blockage.has)
             return true; /* it is too narrow for the body's width, whatever its length */
+        route->blockage.needs = route->blockage.has = 0;
         if (fit_margin(query, body, legs->goals, legs->count, -DEEPEST, 0, &place) != FIT_KNOWN)
             return false;
         if (!(place.margin > -HUGE_VAL))
@@ -314,7 +312,7 @@ static bool try_skids(Route *route, const RouteQuery *query, const Legs *legs, c
 static bool explain_drive(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
                           const FitPlace *tightest) {
     return estimate(route, query, legs, body, tightest) &&
-           (query->brief || (widen_door(&route->blockage, query, body, legs->goals, legs->count) &&
+           (query->brief || (widen_to_drive(&route->blockage, query, body, legs->goals, legs->count) &&
                              try_skids(route, query, legs, body)));
 }
 
@@ -357,37 +355,27 @@ static void search_drive(Route *route, const RouteQuery *query, const Legs *legs
     memory_free(pins);
 }
 
-/* Plans all legs of a disc on one grid. */
-static bool disc_legs(SearchTrack *track, const RouteQuery *query, const FreeSpace *space, Fields *fields,
-                      const Legs *legs, double radius) {
-    double clearance = freespace_exact(space, query->at, radius + ROUTE_CLEARANCE_REACH, NULL) - radius;
-    search_track_clear(track);
-    search_track_add(track, (Pose){query->at, query->heading, clearance, 0});
-    for (size_t leg = 0; leg < legs->count; leg++)
-        if (!disc_route_leg(track, fields, query->plan, space, query->profile, radius, &legs->goals[leg]))
-            return false;
+/* Explains a disc without a path, with what is tried where that is possible. Returns false if interrupted. */
+static bool explain_round(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *disc) {
+    Blockage *blockage = &route->blockage;
+    if (!blockage_of_disc(blockage, query, disc->half_width, legs->goals, legs->count) ||
+        (!query->brief && !widen_to_go(blockage, query, disc->half_width, legs->goals, legs->count)))
+        return false;
+    if (!(blockage->needs > blockage->has)) /* it is wide enough by less than the search resolves */
+        blockage->needs = blockage->has = 0;
     return true;
 }
 
-static void search_round(Route *route, const RouteQuery *query, const Legs *legs, double radius) {
+static void search_round(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *disc) {
     SearchTrack track = {0};
-    bool found = disc_legs(&track, query, query->space, query->fields, legs, radius);
-    if (!found) { /* gaps hardly wider than the disc slip between the points of a coarse grid */
-        FreeSpace fine;
-        Fields *own = fields_create(); /* `fine` does not outlive this */
-        freespace_build(&fine, query->space->outline, query->space->cell / FINER);
-        found = disc_legs(&track, query, &fine, own, legs, radius);
-        fields_destroy(own);
-        freespace_free(&fine);
-    }
-    if (found) {
+    if (disc_route_find(&track, query, legs->goals, legs->count, disc->half_width)) {
         if (track.count > 1)
             track.poses[0].heading = track.poses[1].heading;
         give_poses(route, &track);
         return;
     }
     search_track_clear(&track);
-    if (!blockage_of_disc(&route->blockage, query, radius, legs->goals, legs->count))
+    if (!query->whether && !explain_round(route, query, legs, disc))
         interrupt(route);
 }
 
@@ -473,7 +461,7 @@ static void go_round(Route *route, const RouteQuery *query) {
             freespace_exact(query->space, query->at, radius, NULL) < radius)
             blockage_of_start(&route->blockage, query, &disc);
         else
-            search_round(route, query, &legs, radius);
+            search_round(route, query, &legs, &disc);
     }
     memory_free(legs.goals);
 }

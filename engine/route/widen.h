@@ -1,4 +1,4 @@
-/* Finds by trying how wide a door must be for a chair to be driven out: see widen.c. */
+/* Finds by trying how wide a door must be for somebody to get out: see widen.c. */
 #pragma once
 
 #include "route/route.h"
@@ -7,8 +7,9 @@
 /* Returns the door whose own width is the matter at a blockage, or -1. */
 int widen_door_at(const Blockage *blockage, const RouteQuery *query);
 
-/* Replaces the estimated width that the door of a blockage needs by a tried one, in whole centimetres: with it there is
- * a way. The blockage stays an estimate if it is not at such a door, or if another width of this door does not help.
- * Returns false if interrupted. */
-bool widen_door(Blockage *blockage, const RouteQuery *query, const Rectangle *body, const Goal *goals,
-                size_t goal_count);
+/* Replace the estimated width that the door of a blockage needs by a tried one, in whole centimetres: with it the body
+ * can be driven through all goals in order, or a disc of `radius` m goes through them. The blockage stays an estimate
+ * if it is not at such a door, or if another width of this door does not help. Return false if interrupted. */
+bool widen_to_drive(Blockage *blockage, const RouteQuery *query, const Rectangle *body, const Goal *goals,
+                    size_t goal_count);
+bool widen_to_go(Blockage *blockage, const RouteQuery *query, double radius, const Goal *goals, size_t goal_count);

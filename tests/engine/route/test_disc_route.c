@@ -47,9 +47,57 @@ TEST(a_disc_passes_a_door_a_centimetre_wider_and_no_narrower_one) {
     CHECK(route.answer == ROUTE_CANNOT_PASS);
     CHECK_TEXT(route.blockage.what, "door d1");
     CHECK_NEAR(route.blockage.has, 0.62, 1e-6);
-    CHECK_NEAR(route.blockage.needs, 0.63, 1e-12);
     route_free(&route);
     rooms_free(&fixture);
+}
+
+TEST(the_width_that_a_door_needs_for_a_disc_is_tried) {
+    for (int door = 55; door <= 63; door++) {
+        Rooms fixture;
+        rooms_make_two(&fixture, 0.63, door / 100.0, DOOR_OPEN);
+        Route route = route_round(&fixture.query);
+        CHECK(route.answer == ROUTE_CANNOT_PASS && !route.blockage.estimated);
+        CHECK_NEAR(route.blockage.has, door / 100.0, 1e-6);
+        CHECK(route.blockage.needs > 0.63 && route.blockage.needs < 0.66);
+        double needs = route.blockage.needs;
+        route_free(&route);
+        rooms_free(&fixture);
+        for (int less = 0; less <= 1; less++) {
+            rooms_make_two(&fixture, 0.63, needs - less * 0.01, DOOR_OPEN);
+            route = route_round(&fixture.query);
+            CHECK((route.answer == ROUTE_FOUND) == !less);
+            route_free(&route);
+            rooms_free(&fixture);
+        }
+    }
+}
+
+/* Returns the blockage of a disc of 0.63 m in two rooms with a door, where one can walk round the exit's line. */
+static Blockage blockage_before_line(double door, int state, Vec2 from, Vec2 to) {
+    Rooms fixture;
+    rooms_make_two(&fixture, 0.63, door, state);
+    fixture.exits[0].from = from;
+    fixture.exits[0].to = to;
+    Route route = route_round(&fixture.query);
+    CHECK(route.answer == ROUTE_CANNOT_PASS);
+    Blockage blockage = route.blockage;
+    route_free(&route);
+    rooms_free(&fixture);
+    return blockage;
+}
+
+TEST(the_place_is_found_also_before_an_exit_that_can_be_walked_round) {
+    for (int x = 0; x < 6; x++)
+        for (int y = 0; y < 9; y++) {
+            Vec2 low = {3.9 + 0.31 * x, 0.2 + 0.25 * y}, high = vec2_add(low, vec2(0, 0.5));
+            Blockage narrow = blockage_before_line(0.6, DOOR_OPEN, low, high);
+            CHECK_TEXT(narrow.what, "door d1");
+            CHECK_NEAR(narrow.has, 0.6, 1e-6);
+            Blockage locked = blockage_before_line(0.9, DOOR_LOCKED, high, low);
+            CHECK_TEXT(locked.what, "locked door d1");
+            CHECK_NEAR(locked.at.x, 3, 0.1);
+            CHECK_NEAR(locked.at.y, 1.5, 0.5);
+        }
 }
 
 /* Returns the blockage of a disc of 0.63 m that meets two pieces of furniture `gap` m apart, in rooms that are
@@ -90,6 +138,7 @@ TEST(the_width_of_a_refused_disc_is_that_of_a_tape) {
         for (size_t a = 0; a < sizeof angles / sizeof *angles; a++) {
             Blockage blockage = blockage_between_pieces(gaps[g], angles[a], vec2(0.017 * (double)a, -3.301));
             CHECK_NEAR(blockage.has, gaps[g], 1e-3);
+            CHECK(blockage.estimated);
             CHECK_NEAR(blockage.needs, 0.63, 1e-12);
             CHECK_NEAR(blockage.at.x, 4, 0.25);
             CHECK_NEAR(blockage.at.y, 1.5, 5e-3);
