@@ -45,6 +45,7 @@ static void make_drive(Drive *drive, double width, bool centring) {
                              .space = &drive->rooms.space,
                              .body = &drive->body,
                              .profile = &drive->rooms.profile,
+                             .agility = pace_agility(&drive->rooms.profile),
                              .margin = -HUGE_VAL,
                              .sight = FARTHEST,
                              .centring = centring};
