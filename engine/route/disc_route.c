@@ -60,6 +60,7 @@ static bool walk_down(const Field *field, Vec2 start, double radius, Line *line)
         if (x < 0 || y < 0 || x >= space->nx || y >= space->ny)
             continue;
         Vec2 at = grid_place(space, x, y);
+        field_know(field, x, y, x + 1, y + 1);
         double time = (double)field->time[(size_t)y * (size_t)space->nx + (size_t)x] +
                       vec2_distance(start, at) / field->ground->profile->free_speed;
         if (time < best && least_distance(space, start, at, radius) >= radius) {
@@ -82,6 +83,7 @@ static bool walk_down(const Field *field, Vec2 start, double radius, Line *line)
             for (int x = at_x - 1; x <= at_x + 1; x++) {
                 if (x < 0 || y < 0 || x >= space->nx || y >= space->ny || (x == at_x && y == at_y))
                     continue;
+                field_know(field, x, y, x + 1, y + 1);
                 double there = (double)field->time[(size_t)y * (size_t)space->nx + (size_t)x];
                 if (!(there < time))
                     continue;

@@ -1,5 +1,6 @@
 #include "route/field.h"
 
+#include <pthread.h>
 #include <stdint.h>
 
 #include "base/memory.h"
@@ -155,43 +156,6 @@ bool field_goal_reached(const Goal *goal, const Plan *plan, Vec2 from, Vec2 to, 
     return false;
 }
 
-static void seed_point(const Field *field, Buckets *queue, int i, int j) {
-    const FreeSpace *space = field->ground->space;
-    if (i < 0 || j < 0 || i >= space->nx || j >= space->ny)
-        return;
-    size_t point = (size_t)j * (size_t)space->nx + (size_t)i;
-    if (field->ground->slowness[point] > 0 && field->time[point] > 0) {
-        field->time[point] = 0;
-        buckets_put(queue, (int)point, 0);
-    }
-}
-
-/* Seeds the points within `reach` m of a line, on it and on both sides, that lie at least `end` m before its ends. */
-static void seed_line(const Field *field, Buckets *queue, Vec2 from, Vec2 to, double reach, double end) {
-    const FreeSpace *space = field->ground->space;
-    Box box = box_expand(box_include(box_include(box_empty(), from), to), reach);
-    double nx = space->nx, ny = space->ny;
-    int first_x = (int)fmin(fmax((box.low.x - space->origin.x) / space->cell, 0), nx);
-    int last_x = (int)fmax(fmin((box.high.x - space->origin.x) / space->cell, nx - 1), -1);
-    int first_y = (int)fmin(fmax((box.low.y - space->origin.y) / space->cell, 0), ny);
-    int last_y = (int)fmax(fmin((box.high.y - space->origin.y) / space->cell, ny - 1), -1);
-    for (int j = first_y; j <= last_y; j++)
-        for (int i = first_x; i <= last_x; i++) {
-            Vec2 at = {space->origin.x + i * space->cell, space->origin.y + j * space->cell};
-            Vec2 on = vec2_nearest_on_segment(at, from, to);
-            if (vec2_distance(at, on) <= reach && vec2_distance(on, from) >= end && vec2_distance(on, to) >= end)
-                seed_point(field, queue, i, j);
-        }
-}
-
-/* Seeds the points about an exit's line, but none that are beyond its ends, unless the line may be too short to have
- * others. */
-static void seed_exit(const Field *field, Buckets *queue, const Exit *exit) {
-    double cell = field->ground->space->cell;
-    bool is_short = vec2_distance(exit->from, exit->to) < 2 * cell;
-    seed_line(field, queue, exit->from, exit->to, cell, is_short ? 0 : EXIT_END);
-}
-
 /* A step from a grid point to one of 16 around it. */
 typedef struct Move {
     int x, y;
@@ -229,15 +193,61 @@ static void list_moves(Move moves[MOVES], int nx, double cell, float least) {
  * by which it was last reached. */
 enum { CRAMPED = 1, REACHED = 2 };
 
+/* Times spread from the goal in their order, as far as somebody asks. A time is known, and will not change, once the
+ * buckets before its own are done. Threads that only read known times need no lock. */
 typedef struct Spread {
-    const Field *field;
+    const Ground *ground;
+    float *time; /* of the field */
     Move moves[MOVES];
     Buckets queue;
     unsigned char *marks; /* (ny x nx) */
+    size_t number;        /* of the next bucket */
+    float known;          /* s: all times up to this one are known; infinite at the end */
+    pthread_mutex_t lock; /* of all but `known` and the known times */
 } Spread;
 
+/* 1, share of a bucket's first time, which rounding does not reach. */
+#define BEFORE 0.999999
+
+static void seed_point(Spread *spread, int i, int j) {
+    const FreeSpace *space = spread->ground->space;
+    if (i < 0 || j < 0 || i >= space->nx || j >= space->ny)
+        return;
+    size_t point = (size_t)j * (size_t)space->nx + (size_t)i;
+    if (spread->ground->slowness[point] > 0 && spread->time[point] > 0) {
+        spread->time[point] = 0;
+        buckets_put(&spread->queue, (int)point, 0);
+    }
+}
+
+/* Seeds the points within `reach` m of a line, on it and on both sides, that lie at least `end` m before its ends. */
+static void seed_line(Spread *spread, Vec2 from, Vec2 to, double reach, double end) {
+    const FreeSpace *space = spread->ground->space;
+    Box box = box_expand(box_include(box_include(box_empty(), from), to), reach);
+    double nx = space->nx, ny = space->ny;
+    int first_x = (int)fmin(fmax((box.low.x - space->origin.x) / space->cell, 0), nx);
+    int last_x = (int)fmax(fmin((box.high.x - space->origin.x) / space->cell, nx - 1), -1);
+    int first_y = (int)fmin(fmax((box.low.y - space->origin.y) / space->cell, 0), ny);
+    int last_y = (int)fmax(fmin((box.high.y - space->origin.y) / space->cell, ny - 1), -1);
+    for (int j = first_y; j <= last_y; j++)
+        for (int i = first_x; i <= last_x; i++) {
+            Vec2 at = {space->origin.x + i * space->cell, space->origin.y + j * space->cell};
+            Vec2 on = vec2_nearest_on_segment(at, from, to);
+            if (vec2_distance(at, on) <= reach && vec2_distance(on, from) >= end && vec2_distance(on, to) >= end)
+                seed_point(spread, i, j);
+        }
+}
+
+/* Seeds the points about an exit's line, but none that are beyond its ends, unless the line may be too short to have
+ * others. */
+static void seed_exit(Spread *spread, const Exit *exit) {
+    double cell = spread->ground->space->cell;
+    bool is_short = vec2_distance(exit->from, exit->to) < 2 * cell;
+    seed_line(spread, exit->from, exit->to, cell, is_short ? 0 : EXIT_END);
+}
+
 static void mark_cramped(const Spread *spread) {
-    const Ground *ground = spread->field->ground;
+    const Ground *ground = spread->ground;
     const FreeSpace *space = ground->space;
     int nx = space->nx, ny = space->ny;
     double open = ground->free_from + OPEN_REACH * space->cell;
@@ -257,14 +267,14 @@ static void mark_cramped(const Spread *spread) {
 
 static void reach(Spread *spread, size_t point, int move, float time) {
     unsigned char *mark = &spread->marks[point];
-    spread->field->time[point] = time;
+    __atomic_store(&spread->time[point], &time, __ATOMIC_RELAXED);
     *mark = (unsigned char)((*mark & CRAMPED) | (REACHED * (move + 1)));
     buckets_put(&spread->queue, (int)point, time);
 }
 
 /* Goes on from a point by the moves from `first` to `last`, which count on past MOVES. */
 static void go_on_in_the_open(Spread *spread, size_t point, int first, int last) {
-    const float *times = spread->field->time + point;
+    const float *times = spread->time + point;
     for (int k = first; k <= last; k++) {
         const Move *move = &spread->moves[k % MOVES];
         float reached = *times + move->in_the_open;
@@ -274,9 +284,9 @@ static void go_on_in_the_open(Spread *spread, size_t point, int first, int last)
 }
 
 static void go_on_among_obstacles(Spread *spread, size_t point) {
-    const Ground *ground = spread->field->ground;
+    const Ground *ground = spread->ground;
     const FreeSpace *space = ground->space;
-    const float *here = ground->slowness + point, *times = spread->field->time + point;
+    const float *here = ground->slowness + point, *times = spread->time + point;
     int nx = space->nx, ny = space->ny, x = (int)point % nx, y = (int)point / nx;
     bool amid = x >= MOVE_REACH && y >= MOVE_REACH && x < nx - MOVE_REACH && y < ny - MOVE_REACH;
     for (int m = 0; m < MOVES; m++) {
@@ -319,37 +329,85 @@ static double longest_delay(const Ground *ground) {
     return fmin(longest, 2000);
 }
 
-void field_init(Field *field, const Ground *ground, const Goal *goal) {
+static Spread *spread_make(const Ground *ground, float *time) {
     const FreeSpace *space = ground->space;
+    Spread *spread = memory_zeroed(1, sizeof *spread);
+    /* No step takes less than one bucket's width, so the times in a bucket are final except for their order. */
+    double longest = 2.3 * space->cell * field_discomfort(0) / field_speed(ground->profile, 0) + longest_delay(ground);
+    spread->ground = ground;
+    spread->time = time;
+    spread->queue = buckets_make(space->cell / ground->profile->free_speed, longest);
+    spread->marks = memory_zeroed((size_t)space->nx * (size_t)space->ny, 1);
+    list_moves(spread->moves, space->nx, space->cell, (float)(1 / ground->profile->free_speed));
+    mark_cramped(spread);
+    pthread_mutex_init(&spread->lock, NULL);
+    return spread;
+}
+
+/* Tells how far the times are known now. */
+static void note_known(Spread *spread) {
+    float known = HUGE_VALF;
+    if (spread->queue.held > 0)
+        known = (float)((double)spread->number / spread->queue.per_second * BEFORE);
+    __atomic_store(&spread->known, &known, __ATOMIC_RELEASE);
+}
+
+/* Goes on from all points of the next bucket. */
+static void spread_on(Spread *spread) {
+    BucketEntry entry;
+    while (buckets_take(&spread->queue, spread->number, &entry))
+        if (entry.time <= spread->time[entry.point])
+            go_on(spread, (size_t)entry.point);
+    spread->number++;
+    note_known(spread);
+}
+
+static bool is_known(const Field *field, size_t point) {
+    float known, time;
+    __atomic_load(&field->spread->known, &known, __ATOMIC_ACQUIRE);
+    __atomic_load(&field->time[point], &time, __ATOMIC_RELAXED);
+    return time <= known || !(field->ground->slowness[point] > 0);
+}
+
+static void know(const Field *field, size_t point) {
+    if (is_known(field, point))
+        return;
+    pthread_mutex_lock(&field->spread->lock);
+    while (!is_known(field, point))
+        spread_on(field->spread);
+    pthread_mutex_unlock(&field->spread->lock);
+}
+
+void field_init(Field *field, const Ground *ground, const Goal *goal) {
     const Plan *plan = ground->plan;
-    size_t points = (size_t)space->nx * (size_t)space->ny;
+    size_t points = (size_t)ground->space->nx * (size_t)ground->space->ny;
     *field = (Field){.ground = ground, .time = memory_zeroed(points, sizeof *field->time)};
     for (size_t i = 0; i < points; i++)
         field->time[i] = HUGE_VALF;
-    /* No step takes less than one bucket's width, so the times in a bucket are final except for their order. */
-    double longest = 2.3 * space->cell * field_discomfort(0) / field_speed(ground->profile, 0) + longest_delay(ground);
-    Spread spread = {.field = field,
-                     .queue = buckets_make(space->cell / ground->profile->free_speed, longest),
-                     .marks = memory_zeroed(points, 1)};
-    list_moves(spread.moves, space->nx, space->cell, (float)(1 / ground->profile->free_speed));
-    mark_cramped(&spread);
+    Spread *spread = field->spread = spread_make(ground, field->time);
     if (goal->radius > 0)
-        seed_line(field, &spread.queue, goal->at, goal->at, fmax(goal->radius / 2, space->cell), 0);
+        seed_line(spread, goal->at, goal->at, fmax(goal->radius / 2, ground->space->cell), 0);
     for (size_t e = 0; goal->radius <= 0 && e < plan->exit_count; e++)
         if (field_exit_usable(goal, plan, e))
-            seed_exit(field, &spread.queue, &plan->exits[e]);
-    BucketEntry entry;
-    for (size_t number = 0; spread.queue.held > 0; number++)
-        while (buckets_take(&spread.queue, number, &entry))
-            if (entry.time <= field->time[entry.point])
-                go_on(&spread, (size_t)entry.point);
-    buckets_clear(&spread.queue);
-    memory_free(spread.marks);
+            seed_exit(spread, &plan->exits[e]);
+    note_known(spread);
 }
 
 void field_clear(Field *field) {
+    if (field->spread) {
+        buckets_clear(&field->spread->queue);
+        memory_free(field->spread->marks);
+        pthread_mutex_destroy(&field->spread->lock);
+    }
+    memory_free(field->spread);
     memory_free(field->time);
     *field = (Field){0};
+}
+
+void field_know(const Field *field, int low_x, int low_y, int high_x, int high_y) {
+    for (int j = low_y; j < high_y; j++)
+        for (int i = low_x; i < high_x; i++)
+            know(field, (size_t)j * (size_t)field->ground->space->nx + (size_t)i);
 }
 
 double field_time(const Field *field, Vec2 at) {
@@ -358,6 +416,7 @@ double field_time(const Field *field, Vec2 at) {
     if (!(x >= 0 && y >= 0 && x < space->nx - 1 && y < space->ny - 1))
         return HUGE_VAL;
     int i = (int)x, j = (int)y;
+    field_know(field, i, j, i + 2, j + 2);
     const float *low = field->time + (size_t)j * (size_t)space->nx + (size_t)i, *high = low + space->nx;
     double u = x - i, v = y - j;
     double time = (1 - v) * ((1 - u) * (double)low[0] + u * (double)low[1]) +

@@ -39,9 +39,11 @@ typedef struct Ground {
     const Stop *stop; /* set: searches on this ground stop; NULL: never */
 } Ground;
 
+/* The times are computed as far as they are asked for, by any thread. */
 typedef struct Field {
     const Ground *ground;
-    float *time; /* (ny x nx) s to the goal; infinite where the goal cannot be reached */
+    float *time; /* (ny x nx) s to the goal, infinite where the goal cannot be reached; known where field_know was */
+    struct Spread *spread; /* that computes them */
 } Field;
 
 /* Prepares the ground for discs of `radius` m. field_ground_clear releases it. */
@@ -73,9 +75,12 @@ bool field_exit_usable(const Goal *goal, const Plan *plan, size_t exit);
  * `*exit` tells where (SIZE_MAX: nowhere). */
 bool field_goal_reached(const Goal *goal, const Plan *plan, Vec2 from, Vec2 to, size_t *exit);
 
-/* Computes the time to the goal from every place. field_clear releases it. */
+/* Begins at a goal. field_clear releases the field. */
 void field_init(Field *field, const Ground *ground, const Goal *goal);
 void field_clear(Field *field);
+
+/* Computes the times of the points [low_x, high_x) x [low_y, high_y) of the grid. */
+void field_know(const Field *field, int low_x, int low_y, int high_x, int high_y);
 
 /* Returns the time from a place, s, interpolated; infinite where there is no path. */
 double field_time(const Field *field, Vec2 at);

@@ -232,6 +232,13 @@ static bool same_faces(const Kept *kept, const FreeSpace *space) {
     return true;
 }
 
+static void know_tile(const Field *field, int tile) {
+    const FreeSpace *space = field->ground->space;
+    int low[2], high[2];
+    tile_points(tile, (space->nx + READS_TILE - 1) / READS_TILE, space->nx, space->ny, low, high);
+    field_know(field, low[0], low[1], high[0], high[1]);
+}
+
 static bool same_times(const Kept *kept, const RecallQuestion *question) {
     const RouteQuery *query = question->query;
     FieldKey key = {query->plan, query->space, query->profile, question->radius, .stop = query->stop};
@@ -241,6 +248,8 @@ static bool same_times(const Kept *kept, const RecallQuestion *question) {
             continue;
         key.goal = question->goals[g];
         const Field *field = fields_acquire(query->fields, &key);
+        for (size_t t = 0; t < kept->times[g].count; t++)
+            know_tile(field, kept->times[g].tiles[t]);
         same = same_tiles(&kept->times[g], field->time, query->space, HUGE_VALF);
         fields_release(query->fields, field);
     }
@@ -412,6 +421,9 @@ static Kept *make_kept(const RecallQuestion *question, const RecallWatch *watch,
     for (size_t g = 0; g < kept->goal_count; g++) {
         key.goal = question->goals[g];
         const Field *field = fields_acquire(query->fields, &key);
+        for (size_t t = 0; t < (size_t)watch->times[g].tile_nx * (size_t)watch->times[g].tile_ny; t++)
+            if (watch->times[g].tiles[t])
+                know_tile(field, (int)t);
         keep_tiles(&kept->times[g], &watch->times[g], field->time, query->space);
         fields_release(query->fields, field);
     }

@@ -125,6 +125,18 @@ static bool lower_all_from(const Ground *ground, float *time, int x, int y) {
     return lowered;
 }
 
+/* Asks for the times of points here and there, while others are not known yet, and keeps them. */
+static void ask_here_and_there(const Field *field, float *asked) {
+    const FreeSpace *space = field->ground->space;
+    size_t points = (size_t)space->nx * (size_t)space->ny, stride = 7919; /* a prime number */
+    for (size_t k = 0; k < points; k += 50) {
+        size_t p = k * stride % points;
+        int x = (int)p % space->nx, y = (int)p / space->nx;
+        field_know(field, x, y, x + 1, y + 1);
+        asked[p] = field->time[p];
+    }
+}
+
 /* Checks that the times of a field are those of all moves from all points, again and again until none falls. */
 static void check_times(const Plan *plan, const FreeSpace *space, const Profile *profile, double radius) {
     int nx = space->nx, ny = space->ny;
@@ -134,7 +146,11 @@ static void check_times(const Plan *plan, const FreeSpace *space, const Profile 
     Goal goal = field_exit_goal(plan, SIZE_MAX, 0, false);
     field_ground_init(&ground, plan, space, profile, radius);
     field_init(&field, &ground, &goal);
-    float *time = memory_zeroed(points, sizeof *time);
+    float *time = memory_zeroed(points, sizeof *time), *asked = memory_zeroed(points, sizeof *asked);
+    for (size_t p = 0; p < points; p++)
+        asked[p] = -1;
+    ask_here_and_there(&field, asked);
+    field_know(&field, 0, 0, nx, ny);
     for (size_t p = 0; p < points; p++)
         time[p] = field.time[p] > 0 ? HUGE_VALF : 0;
     for (bool lowered = true, backwards = false; lowered; backwards = !backwards) {
@@ -148,10 +164,12 @@ static void check_times(const Plan *plan, const FreeSpace *space, const Profile 
     for (size_t p = 0; p < points; p++) {
         reached += isfinite(time[p]);
         wrong += memcmp(&time[p], &field.time[p], sizeof *time) != 0;
+        wrong += asked[p] >= 0 && memcmp(&asked[p], &field.time[p], sizeof *asked) != 0;
     }
     CHECK(reached > 1000);
     CHECK(wrong == 0);
     memory_free(time);
+    memory_free(asked);
     field_clear(&field);
     field_ground_clear(&ground);
 }
