@@ -126,7 +126,8 @@ static double line_beside(const DxfFile *file, const DxfEntity *text) {
             continue;
         Vec2 a = file->vertices[line->vertex].at, b = file->vertices[line->vertex + 1].at;
         double distance = vec2_distance(text->at, vec2_nearest_on_segment(text->at, a, b));
-        if (distance > nearest || fabs(vec2_cross(vec2_unit(vec2_sub(b, a)), along)) > ALONG)
+        if (!(distance <= nearest) || /* also if the text has no place */
+            fabs(vec2_cross(vec2_unit(vec2_sub(b, a)), along)) > ALONG)
             continue;
         nearest = distance;
         length = vec2_distance(a, b);

@@ -37,6 +37,9 @@ typedef struct Reader {
     Group group;    /* the group read last */
     int line;       /* line number of `group` */
     int next_line;
+    bool ended;      /* the group 0 EOF has been read */
+    uint64_t given;  /* bits of the group codes below 64 that the entity or vertex has given */
+    int open_line;   /* line of the x of a LWPOLYLINE's point whose y is still to come; 0: none */
     DxfVertex spare; /* receives values after an error */
 } Reader;
 
@@ -62,10 +65,16 @@ static char *next_line(Reader *reader) {
     return begin + strspn(begin, " \t");
 }
 
-/* Reads the next group. False at the end of the file or after an error. */
+static bool group_is(const Reader *reader, int code, const char *value) {
+    return reader->group.code == code && strcmp(reader->group.value, value) == 0;
+}
+
+/* Reads the next group. False at the group 0 EOF, where the text ends without one, or after an error. */
 static bool next_group(Reader *reader) {
+    if (reader->builder->failed || reader->ended)
+        return false;
     char *code = next_line(reader), *end;
-    if (!code || reader->builder->failed)
+    if (!code)
         return false;
     if (!*code && !*reader->at) /* blank lines at the end */
         return false;
@@ -74,13 +83,12 @@ static bool next_group(Reader *reader) {
         return fail(reader, "no DXF drawing: there must be a group code, not ", code);
     char *value = next_line(reader);
     if (!value)
-        return fail(reader, "the drawing ends within a group", "");
+        return fail(reader, "the drawing is cut off within a group, must end with the group 0 EOF", "");
     reader->group = (Group){(int)number, value};
-    return true;
-}
-
-static bool group_is(const Reader *reader, int code, const char *value) {
-    return reader->group.code == code && strcmp(reader->group.value, value) == 0;
+    if (number >= 0 && number < 64)
+        reader->given |= (uint64_t)1 << number;
+    reader->ended = group_is(reader, 0, "EOF");
+    return !reader->ended;
 }
 
 /* Returns the value as a number within the limits of a plan. */
@@ -174,15 +182,22 @@ static void take_common(Reader *reader, DxfEntity *entity) {
     }
 }
 
+/* Returns the start or the end of a LINE. */
+static DxfVertex *line_vertex(Reader *reader, DxfEntity *entity, size_t index) {
+    while (entity->vertex_count < 2 && !reader->builder->failed)
+        add_vertex(reader, entity);
+    return entity->vertex_count < 2 ? &reader->spare : &reader->file->vertices[entity->vertex + index];
+}
+
 static void take_line(Reader *reader, DxfEntity *entity) {
     switch (reader->group.code) {
     case 10:
     case 11:
-        add_vertex(reader, entity)->at.x = real(reader);
+        line_vertex(reader, entity, reader->group.code == 11)->at.x = real(reader);
         break;
     case 20:
     case 21:
-        last_vertex(reader, entity)->at.y = real(reader);
+        line_vertex(reader, entity, reader->group.code == 21)->at.y = real(reader);
         break;
     case 230: /* a LINE gives its coordinates in world axes */
         entity->mirrored = false;
@@ -190,13 +205,26 @@ static void take_line(Reader *reader, DxfEntity *entity) {
     }
 }
 
+/* Adds an error if the last point of a LWPOLYLINE has no y. */
+static void end_point(Reader *reader) {
+    if (!reader->open_line)
+        return;
+    reader->line = reader->open_line;
+    fail(reader, "the point has no group 20 (its y), must have one", "");
+}
+
 static void take_lwpolyline(Reader *reader, DxfEntity *entity) {
     switch (reader->group.code) {
     case 10:
+        end_point(reader);
         add_vertex(reader, entity)->at.x = real(reader);
+        reader->open_line = reader->line;
         break;
     case 20:
+        if (!reader->open_line)
+            fail(reader, "the point has no group 10 (its x), must have one before this y", "");
         last_vertex(reader, entity)->at.y = real(reader);
+        reader->open_line = 0;
         break;
     case 42:
         last_vertex(reader, entity)->bulge = real(reader);
@@ -280,27 +308,61 @@ static void take_text(Reader *reader, DxfEntity *entity) {
 
 typedef void Take(Reader *reader, DxfEntity *entity);
 
+/* A group that must be given, as the DXF reference states no default value. */
+typedef struct Need {
+    int code;
+    const char *what;
+} Need;
+
+enum { NEEDS_MOST = 5 };
+
+/* A text or a dimension needs nothing: it is not part of the plan, and without its points it says no unit. */
 static const struct {
     const char *type;
     DxfKind kind;
     Take *take;
+    Need needs[NEEDS_MOST]; /* ended by a group 0 if there are fewer */
 } types[] = {
-    {"LINE", DXF_LINES, take_line},
-    {"LWPOLYLINE", DXF_LINES, take_lwpolyline},
-    {"POLYLINE", DXF_LINES, take_polyline},
-    {"ARC", DXF_ARC, take_arc},
-    {"CIRCLE", DXF_ARC, take_arc},
-    {"INSERT", DXF_INSERT, take_insert},
-    {"TEXT", DXF_TEXT, take_text},
-    {"MTEXT", DXF_TEXT, take_text},
-    {"DIMENSION", DXF_DIMENSION, take_dimension},
+    {"LINE",
+     DXF_LINES,
+     take_line,
+     {{10, "x of its start"}, {20, "y of its start"}, {11, "x of its end"}, {21, "y of its end"}}},
+    {"LWPOLYLINE", DXF_LINES, take_lwpolyline, {{0}}},
+    {"POLYLINE", DXF_LINES, take_polyline, {{0}}},
+    {"ARC",
+     DXF_ARC,
+     take_arc,
+     {{10, "x of its centre"},
+      {20, "y of its centre"},
+      {40, "its radius"},
+      {50, "its start angle"},
+      {51, "its end angle"}}},
+    {"CIRCLE", DXF_ARC, take_arc, {{10, "x of its centre"}, {20, "y of its centre"}, {40, "its radius"}}},
+    {"INSERT", DXF_INSERT, take_insert, {{10, "x of its place"}, {20, "y of its place"}}},
+    {"TEXT", DXF_TEXT, take_text, {{0}}},
+    {"MTEXT", DXF_TEXT, take_text, {{0}}},
+    {"DIMENSION", DXF_DIMENSION, take_dimension, {{0}}},
 };
 enum { TYPES = sizeof types / sizeof *types };
 
+/* Adds an error at the line where the entity or vertex begins if one of its groups is missing. */
+static void check_needs(Reader *reader, int line, const char *type, const Need needs[NEEDS_MOST]) {
+    for (size_t n = 0; n < NEEDS_MOST && needs[n].code; n++) {
+        if (reader->given & (uint64_t)1 << needs[n].code)
+            continue;
+        reader->builder->line = line;
+        house_builder_fail(reader->builder, "the %s has no group %d (%s), must have one", type, needs[n].code,
+                           needs[n].what);
+    }
+}
+
 /* Reads a vertex of the preceding POLYLINE; stops at the next group 0. */
 static bool read_vertex(Reader *reader, DxfEntity *polyline) {
+    static const Need needs[NEEDS_MOST] = {{10, "its x"}, {20, "its y"}};
     DxfVertex vertex = {.bulge = 0};
+    int line = reader->line;
     bool guides = false, more;
+    reader->given = 0;
     while ((more = next_group(reader)) && reader->group.code != 0) {
         if (reader->group.code == 10)
             vertex.at.x = real(reader);
@@ -311,6 +373,8 @@ static bool read_vertex(Reader *reader, DxfEntity *polyline) {
         else if (reader->group.code == 70)
             guides = whole(reader) & CONTROLS;
     }
+    if ((more || reader->ended) && !guides && polyline->kind == DXF_LINES) /* a face of a mesh has no place */
+        check_needs(reader, line, "VERTEX", needs);
     if (!guides)
         *add_vertex(reader, polyline) = vertex;
     return more;
@@ -331,16 +395,25 @@ static bool read_entity(Reader *reader) {
                           .type = name(reader),
                           .block = "",
                           .text = "",
+                          .at = {NAN, NAN},
+                          .from = {NAN, NAN},
+                          .to = {NAN, NAN},
                           .scale = {1, 1},
                           .end = 360,
                           .columns = 1,
                           .rows = 1,
                           .line = reader->line};
     bool more;
+    reader->given = 0;
+    reader->open_line = 0;
     while ((more = next_group(reader)) && reader->group.code != 0) {
         take_common(reader, entity);
         if (type < TYPES)
             types[type].take(reader, entity);
+    }
+    if (type < TYPES && (more || reader->ended)) { /* a drawing that is cut off has another error */
+        end_point(reader);
+        check_needs(reader, entity->line, types[type].type, types[type].needs);
     }
     bool holds = strcmp(entity->type, "POLYLINE") == 0;
     while (more && holds && group_is(reader, 0, "VERTEX"))
@@ -425,13 +498,15 @@ static int compare_blocks(const void *a, const void *b) {
 
 static bool read_sections(Reader *reader) {
     bool any = false;
-    while (next_group(reader) && !group_is(reader, 0, "EOF"))
+    while (next_group(reader))
         if (group_is(reader, 0, "SECTION") && next_group(reader) && reader->group.code == 2) {
             any = true;
             read_section(reader);
         }
     if (reader->builder->failed)
         return false;
+    if (any && !reader->ended)
+        return fail(reader, "the drawing is cut off, must end with the group 0 EOF", "");
     if (reader->file->block_count) /* an empty list is NULL */
         qsort(reader->file->blocks, reader->file->block_count, sizeof *reader->file->blocks, compare_blocks);
     reader->line = 1;

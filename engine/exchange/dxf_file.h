@@ -31,12 +31,12 @@ typedef struct DxfEntity {
     bool mirrored; /* seen from below: x points left */
     bool on_paper; /* belongs to a paper sheet, not to the model */
     double width;  /* of a polyline, where it is constant */
-    Vec2 at;       /* centre, or the place of a block's base point */
+    Vec2 at;       /* centre, or the place of a block's base point or of a text, where NAN: not given */
     double radius;
     double start, end;   /* degree, of an arc */
     Vec2 scale, spacing; /* of an INSERT */
     double turned;       /* degree; of a DIMENSION, the direction that it measures */
-    Vec2 from, to;       /* points that a DIMENSION measures */
+    Vec2 from, to;       /* points that a DIMENSION measures; NAN: not given */
     double measured;     /* length stored in a DIMENSION */
     int flags;           /* of a DIMENSION */
     int columns, rows;   /* grid of an INSERT */
@@ -71,8 +71,9 @@ typedef struct DxfFile {
     int notation;              /* $LUNITS, how lengths are written; 0: none */
 } DxfFile;
 
-/* Reads the builder's file. Returns false after an error, which the builder holds. dxf_file_clear releases the
- * result. */
+/* Reads the builder's file. Returns false after an error, which the builder holds: for instance if the drawing does
+ * not end with the group 0 EOF, or if an entity of the plan lacks a group without default value, such as the end of a
+ * LINE. dxf_file_clear releases the result. */
 bool dxf_file_read(DxfFile *file, HouseBuilder *builder);
 void dxf_file_clear(DxfFile *file);
 

@@ -183,10 +183,11 @@ def check_hostile():
     hurt("lines.dxf", drawing("".join(line("WALL", i, i * 7919 % 100_003, i + 5, 9) for i in range(200_000))), 2, "more than")
     hurt("one-line.dxf", drawing(line("WALL", 0, 0, 8000, 6000) * 200_000), 0)
     hurt("layers.dxf", drawing("".join(line(f"L{i}", 0, 0, 1, 1) for i in range(5000))), 2, "more than 1000 layers")
-    nested = "".join(groups((0, "BLOCK"), (2, f"B{i}"), (10, 0), (20, 0)) + groups((0, "INSERT"), (2, f"B{i + 1}")) * 50
+    nested = "".join(groups((0, "BLOCK"), (2, f"B{i}"), (10, 0), (20, 0))
+                     + groups((0, "INSERT"), (2, f"B{i + 1}"), (10, 0), (20, 0)) * 50
                      + groups((0, "ENDBLK")) for i in range(15))
-    hurt("blocks.dxf", drawing(groups((0, "INSERT"), (2, "B0")), nested), 2, "blocks hold more than")
-    grid = groups((0, "INSERT"), (8, "WALL"), (2, "B0"), (70, 2_000_000), (71, 2_000_000))
+    hurt("blocks.dxf", drawing(groups((0, "INSERT"), (2, "B0"), (10, 0), (20, 0)), nested), 2, "blocks hold more than")
+    grid = groups((0, "INSERT"), (8, "WALL"), (2, "B0"), (10, 0), (20, 0), (70, 2_000_000), (71, 2_000_000))
     hurt("grid.dxf", drawing(grid, groups((0, "BLOCK"), (2, "B0"), (0, "ENDBLK"))), 2, "blocks are put in more than")
     arcs = groups((0, "ARC"), (8, "DOOR"), (10, 5000), (20, 0), (40, 900), (50, 0), (51, 90))
     hurt("doors.dxf", drawing(FLAT + arcs * 30_000), 2, "more than 2000 arcs")

@@ -46,6 +46,32 @@ TEST(lines_of_a_drawing_are_joined_into_walls) {
     imported_end(&import, true);
 }
 
+TEST(groups_of_an_entity_may_have_any_order_and_those_with_a_default_may_be_missing) {
+    Imported import =
+        import_drawing(millimetres, "0 BLOCK 8 0 2 BED 0 LINE 8 0 10 0 20 0 11 2000 21 900 0 ENDBLK",
+                       "0 LINE 11 3000 10 0 21 4000 20 1000 8 A-WALL 0 LWPOLYLINE 8 A-WALL 90 0 70 0 "
+                       "0 POLYLINE 8 A-WALL 66 1 70 64 0 VERTEX 70 192 10 0 20 0 0 VERTEX 70 128 71 1 72 2 73 3 "
+                       "0 SEQEND 0 POLYLINE 8 A-WALL 70 4 0 VERTEX 70 16 0 VERTEX 10 0 20 0 0 VERTEX 10 0 20 1000 "
+                       "0 INSERT 8 FURN 2 BED 10 1000 20 3000",
+                       (ImportOptions){0});
+    imported_check_lists(&import.plan, "  'walls': [\n"
+                                       "    {'id': 'w1', 'points': [[0, 0], [0, 1], [3, 4]], 'thickness': 0}\n"
+                                       "  ],\n"
+                                       "  'furniture': [\n"
+                                       "    {'id': 'f1', 'name': 'bed', 'centre': [2, 3.45], 'size': [2, 0.9]}\n"
+                                       "  ]\n}\n");
+    imported_end(&import, true);
+}
+
+TEST(a_drawing_ends_with_eof_also_within_a_section) {
+    Imported import = imported_text(".dxf",
+                                    "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nWALL\n10\n0\n20\n0\n11\n8\n21\n3\n"
+                                    "0\nEOF\n\n\x1a",
+                                    (ImportOptions){.unit = 1});
+    CHECK(import.plan.wall_count == 1);
+    imported_end(&import, true);
+}
+
 TEST(a_slender_rectangle_is_a_wall_as_thick_as_it_is_and_a_stout_one_is_its_sides) {
     Imported import =
         import_drawing(millimetres, "",
@@ -198,6 +224,7 @@ TEST(dimensions_say_the_unit_whatever_the_header_says) {
     static const char feet[] = "the unit is inch, as the dimensions say: 16'-0\" measures 192; the plan is 4.877 m by ";
     check_dimension("9 $INSUNITS 70 5", "", "0 DIMENSION 8 DIM 1 16'-0\" 70 1 13 0 23 9 14 192 24 9", feet);
     check_dimension("9 $INSUNITS 70 5", "", "0 DIMENSION 8 DIM 1 16'-0\" 70 32 42 192.0", feet);
+    check_dimension("9 $INSUNITS 70 5", "", "0 DIMENSION 8 DIM 1 16'-0\" 70 1 14 6000 24 9 42 192.0", feet);
     check_dimension("", "0 BLOCK 2 *D1 10 0 20 0 0 MTEXT 8 DIM 10 0 20 0 1 \\A1;16'-0\" 0 ENDBLK",
                     "0 DIMENSION 8 DIM 2 *D1 70 33 13 0 23 9 14 192 24 9", feet);
     check_dimension("", "", "0 DIMENSION 8 DIM 1 4877 70 0 13 0 23 9 14 192 24 30", "4877 measures 192");
