@@ -2,6 +2,7 @@
 
 #include "base/stopwatch.h"
 #include "base/text.h"
+#include "base/visible.h"
 #include "command/answer.h"
 #include "command/command.h"
 #include "command/house_file.h"
@@ -40,15 +41,18 @@ static void print_answer(const House *house, const Journeys *journeys) {
 static json_t *notes_of(const Plan *plan) {
     json_t *notes = json_array();
     for (size_t f = 0; f < plan->furniture_count; f++) {
-        char name[80], note[160];
+        char name[400];
         size_t wall = 0;
         double depth = overlap_depth(plan, &plan->furniture[f], &wall);
         if (depth < OVERLAP_LEAST)
             continue;
         outline_name(plan, OWNER_FURNITURE, (int)f, name, sizeof name);
-        snprintf(note, sizeof note, "%s stands %.0f cm in wall %s", name, 100 * depth, plan->walls[wall].id);
-        text_make_plain(note);
-        json_array_append_new(notes, json_string(note));
+        Text note = {0};
+        text_format(&note, "%s stands %.0f cm in wall %s", name, 100 * depth, plan->walls[wall].id);
+        char *line = visible_line(note.text);
+        json_array_append_new(notes, json_string(line));
+        memory_free(line);
+        memory_free(note.text);
     }
     return notes;
 }

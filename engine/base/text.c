@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "base/memory.h"
+#include "base/visible.h"
 
 enum { WORD_LONGEST = 63 /* characters compared; longer words are compared by their beginning */ };
 
@@ -62,6 +63,15 @@ static size_t character_size(const char *text) {
     bool good = byte[0] >= 0xc0 && byte[0] < 0xf8 && code >= least[size] && code <= 0x10ffff &&
                 !(code >= 0xd800 && code <= 0xdfff);
     return good ? size : 0;
+}
+
+int text_fitting(const char *text, int most) {
+    int length = (int)strnlen(text, (size_t)most + 1);
+    if (length <= most)
+        return length;
+    for (length = most; length > 0 && ((unsigned char)text[length] & 0xc0) == 0x80;)
+        length--;
+    return length;
 }
 
 void text_make_plain(char *line) {
@@ -199,8 +209,8 @@ char *text_printed(const char *format, va_list arguments) {
 }
 
 char *text_printed_line(const char *format, va_list arguments) {
-    char *line = text_printed(format, arguments);
-    text_make_plain(line);
+    char *text = text_printed(format, arguments), *line = visible_line(text);
+    memory_free(text);
     return line;
 }
 

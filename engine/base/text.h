@@ -12,8 +12,11 @@
  * differ. */
 const char *text_nearest(const char *word, const char *const *words, size_t count);
 
-/* Turns any bytes into one line of valid UTF-8: a name may contain anything, and a long one may be cut within a
- * character. */
+/* Returns how many bytes of the text, at most `most`, are whole characters of UTF-8: a precision for %.*s. */
+int text_fitting(const char *text, int most);
+
+/* Turns any bytes into one line of valid UTF-8 without control characters, for the name of a thing; a message shows
+ * them instead, see text_printed_line. */
 void text_make_plain(char *line);
 
 /* Returns the whole file, ended by 0, or NULL with errno set; memory_free it. `*size` counts its bytes without the 0. A
@@ -51,7 +54,8 @@ void text_of_number(char text[TEXT_NUMBER], double value, int digits);
 /* Appends text formatted as by printf. */
 void text_format(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Returns text formatted as by vprintf, unchanged or as one line; memory_free it. */
+/* Returns text formatted as by vprintf, unchanged or as one line in which each character is seen (visible_line);
+ * memory_free it. */
 char *text_printed(const char *format, va_list arguments) __attribute__((format(printf, 1, 0)));
 char *text_printed_line(const char *format, va_list arguments) __attribute__((format(printf, 1, 0)));
 

@@ -71,7 +71,7 @@ size_t visible_letter(const char *bytes, size_t size, char shown[VISIBLE_LETTER]
     return needed;
 }
 
-char *visible_text(const char *text) {
+static char *visible_copy(const char *text, bool one_line) {
     Text copy = {0};
     char shown[VISIBLE_LETTER];
     text_add(&copy, "");
@@ -80,8 +80,18 @@ char *visible_text(const char *text) {
         if (!taken) { /* the text ends within a character */
             show_byte(*text, shown);
             taken = 1;
+        } else if (one_line && (*text == '\n' || *text == '\t')) {
+            snprintf(shown, sizeof shown, "\\u%04x", (unsigned)*text);
         }
         text_add(&copy, shown);
     }
     return copy.text;
+}
+
+char *visible_text(const char *text) {
+    return visible_copy(text, false);
+}
+
+char *visible_line(const char *text) {
+    return visible_copy(text, true);
 }

@@ -1,6 +1,6 @@
 /* Names and notes of a file may hold characters that act instead of being seen: escapes of the terminal, characters
  * that reverse the direction of writing, or ones without width. They are shown by their number, as JSON writes them:
- * \u001b. Newline and tab are kept. */
+ * \u001b. Newline and tab are kept, except in a line. */
 #pragma once
 
 #include <stdbool.h>
@@ -18,3 +18,7 @@ size_t visible_letter(const char *bytes, size_t size, char shown[VISIBLE_LETTER]
 
 /* Returns a copy of the text in which each character is seen; memory_free it. */
 char *visible_text(const char *text);
+
+/* Returns such a copy as one line: newline and tab are shown by their number too. The copy is valid UTF-8, and a copy
+ * of the copy is the same. memory_free it. */
+char *visible_line(const char *text);

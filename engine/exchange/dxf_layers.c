@@ -8,7 +8,7 @@
 static const char *const role_names[DXF_ROLES] = {
     [DXF_WALLS] = "walls", [DXF_DOORS] = "doors", [DXF_FURNITURE] = "furniture", [DXF_EXITS] = "exits"};
 
-enum { NAMES_SHOWN = 8, WORDS_MOST = 24 };
+enum { NAMES_SHOWN = 8, NAME_SHOWN = 40 /* bytes */, WORDS_MOST = 24 };
 
 /* Parts of layer names in several languages; the first row that matches decides. A window is a wall to people
  * inside; an obstacle of any shape stays as drawn. */
@@ -58,11 +58,16 @@ static bool is_called(const char *name, const char *wanted, size_t length) {
     return strlen(name) == length && strncasecmp(name, wanted, length) == 0;
 }
 
+/* Appends a name, cut if it is long. */
+static void add_name(Text *list, const char *before, const char *name) {
+    text_format(list, "%s%.*s", before, text_fitting(name, NAME_SHOWN), name);
+}
+
 /* Adds an error such as "there are A, B and 12 more". */
 static bool fault_unknown(const DxfFile *file, HouseBuilder *builder, const char *name, size_t length) {
     Text known = {0};
     for (size_t l = 0; l < file->layer_count && l < NAMES_SHOWN; l++)
-        text_format(&known, "%s%.40s", l ? ", " : "", file->layers[l].name);
+        add_name(&known, l ? ", " : "", file->layers[l].name);
     if (file->layer_count > NAMES_SHOWN)
         text_format(&known, " and %zu more", file->layer_count - NAMES_SHOWN);
     house_builder_fail(builder, "--layers: there is no layer \"%.*s\", there are %s", (int)(length < 60 ? length : 60),
@@ -149,7 +154,7 @@ static void note_choice(const DxfFile *file, HouseBuilder *builder) {
             if (file->layers[l].role != role || file->layers[l].hidden)
                 continue;
             if (count < NAMES_SHOWN)
-                text_format(&note, "%s%.40s", count ? ", " : "", file->layers[l].name);
+                add_name(&note, count ? ", " : "", file->layers[l].name);
             else if (count == NAMES_SHOWN)
                 text_add(&note, ", ...");
             count++;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/real.h"
+#include "base/text.h"
 
 enum {
     DEEPEST = 16,         /* nesting depth of blocks */
@@ -181,8 +182,8 @@ static bool insert_block(Walker *walker, const DxfEntity *insert, const Place *p
     }
     if (place->depth == DEEPEST) {
         walker->builder->line = insert->line;
-        return house_builder_fail(walker->builder, "blocks are nested too deeply: \"%.60s\" may contain itself",
-                                  insert->block);
+        return house_builder_fail(walker->builder, "blocks are nested too deeply: \"%.*s\" may contain itself",
+                                  text_fitting(insert->block, 60), insert->block);
     }
     Affine outer = of_entity(place, insert);
     bool good = true;
@@ -213,11 +214,12 @@ static bool visit(Walker *walker, const DxfEntity *entity, const Place *place) {
     if (strcmp(entity->type, "SEQEND") == 0) /* the end of an entity of several parts */
         return true;
     if (entity->kind >= DXF_OTHER) {
-        import_report_leave(report, 1, "%.30s", *entity->type ? entity->type : "entities without a name");
+        const char *type = *entity->type ? entity->type : "entities without a name";
+        import_report_leave(report, 1, "%.*s", text_fitting(type, 30), type);
         return true;
     }
     if (role == DXF_UNKNOWN || role == DXF_NOTHING) {
-        import_report_leave(report, 1, "lines on layer %.40s", own->name);
+        import_report_leave(report, 1, "lines on layer %.*s", text_fitting(own->name, 40), own->name);
         return true;
     }
     return entity->kind == DXF_ARC ? add_arc(walker, entity, place, role) : add_lines(walker, entity, place, role);

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/text.h"
@@ -23,12 +24,7 @@ enum { TEXT_LONGEST = 80 /* bytes in a name */ };
 /* Returns arbitrary text from a file as one short line. */
 static const char *kept_text(HouseBuilder *builder, const char *text) {
     char line[TEXT_LONGEST + 1];
-    size_t length = strnlen(text, TEXT_LONGEST + 1);
-    if (length > TEXT_LONGEST)
-        for (length = TEXT_LONGEST; length > 0 && ((unsigned char)text[length] & 0xc0) == 0x80;)
-            length--;
-    memcpy(line, text, length);
-    line[length] = 0;
+    snprintf(line, sizeof line, "%.*s", text_fitting(text, TEXT_LONGEST), text);
     text_make_plain(line);
     return arena_text(&builder->plan.arena, line);
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/visible.h"
 #include "exchange/repeated.h"
 
 enum { NOTE_KINDS = 4 /* kinds of omitted elements that the note names */ };
@@ -137,8 +138,9 @@ static const char *house_note(HouseBuilder *builder) {
         text_format(&note, "%s %s (%zu)", i ? "," : "; left out:", report->left_out[i].what, report->left_out[i].count);
     if (named < kinds)
         text_format(&note, " and %zu kinds more", kinds - named);
-    text_make_plain(note.text);
-    const char *kept = arena_text(&builder->plan.arena, note.text);
+    char *line = visible_line(note.text);
+    const char *kept = arena_text(&builder->plan.arena, line);
+    memory_free(line);
     memory_free(note.text);
     return kept;
 }

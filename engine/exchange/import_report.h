@@ -37,7 +37,7 @@ typedef struct ImportReport {
 /* Kinds beyond this number are counted together. */
 enum { IMPORT_REPORT_KINDS = 40, IMPORT_REPORT_NOTES = 40 };
 
-/* Adds to the count of a kind; adding 0 has no effect. */
+/* Adds to the count of a kind; adding 0 has no effect. In kinds and notes each character is seen, as in an error. */
 void import_report_leave(ImportReport *report, size_t count, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

@@ -21,7 +21,10 @@ static const double SAME = 2e-3;       /* m: doors closer than this are one */
 static const double OFF_WALL = 0.15;   /* m: largest distance of a door from the faces of its wall */
 static const double TURNS = 0.2;       /* rad: a leaf that turns by less slides */
 
-enum { MOST_LINES = 2 * HOUSE_BUILDER_POINTS /* wall lines; a round wall has many */ };
+enum {
+    MOST_LINES = 2 * HOUSE_BUILDER_POINTS, /* wall lines; a round wall has many */
+    NAME_SHOWN = 40                        /* bytes of a storey's name in a message */
+};
 
 typedef struct Converter {
     const Home *home;
@@ -55,7 +58,8 @@ static const HomeLevel *named_level(const Home *home, const char *name) {
 static char *level_names(const Home *home) {
     Text names = {0};
     for (size_t l = 0; l < home->level_count && l < 10; l++)
-        text_format(&names, "%s\"%.40s\"", l ? ", " : "", home->levels[l].name);
+        text_format(&names, "%s\"%.*s\"", l ? ", " : "", text_fitting(home->levels[l].name, NAME_SHOWN),
+                    home->levels[l].name);
     if (home->level_count > 10)
         text_add(&names, ", ...");
     return names.text;
@@ -74,8 +78,8 @@ static bool choose_level(Converter *converter) {
     else if (home->level_count > 1 && !wanted)
         import_report_note(
             converter->builder->report,
-            "the lowest storey, \"%.40s\", is imported; choose another of %s with clearance import --level",
-            level->name, names);
+            "the lowest storey, \"%.*s\", is imported; choose another of %s with clearance import --level",
+            text_fitting(level->name, NAME_SHOWN), level->name, names);
     memory_free(names);
     converter->level = level ? level->id : NULL;
     return level;

@@ -115,8 +115,34 @@ def check_words(out):
                   ("run", source / "houses/straight-corridor.json", "--set", ACTING + "=1"), ("cases", ACTING),
                   ("import", ACTING + ".dxf", "x.json"), ("run", source / "houses/straight-corridor.json", "--route", ACTING)):
         expect(2, *words)
-    error = expect(2, "check", "\x1b[2J.json")[1]
-    check("\\u001b[2J.json" in error or " [2J.json" in error, "the name is shown", error)
+    error = expect(2, "check", "\x1b[2J\x07\x7f\n.json")[1]
+    check(error.startswith("\\u001b[2J\\u0007\\u007f\\u000a.json:1:1: ") and error.count("\n") == 1, "the name is shown", error)
+
+
+def check_lines(out):
+    """Faults and notes show each character by its number, and stay one line."""
+    sign, shown = "a\x1b\x07\x7f\n\tz", "a\\u001b\\u0007\\u007f\\u000a\\u0009z"
+    plan = json.loads((source / "houses/straight-corridor.json").read_text())
+    file = out / "house.json"
+    for change in ({sign: 1}, {"furniture": [{"id": sign, "centre": [1, 1], "size": [1, 1]}]},
+                   {"people": [plan["people"][0] | {"profile": sign}]}):
+        file.write_text(json.dumps(plan | change))
+        text, error = expect(2, "check", file)
+        check(error.count("\n") == 1 and shown in error, f"the fault shows {list(change)[0]!a}", ascii(error))
+        faults = json.loads(expect(2, "check", file, "--json")[0])["faults"]
+        check(faults == error.splitlines(), "JSON has the same line", ascii(faults))
+    file.write_text(json.dumps(plan | {"furniture": [{"id": "f1", "name": sign, "centre": [0.1, 0], "size": [0.3, 0.3]}]}))
+    text, _ = expect(0, "check", file)
+    notes = [line for line in text.splitlines() if line.startswith("note: ")]
+    check(len(notes) == 1 and shown in notes[0], "the note shows the name", ascii(text))
+    check(["note: " + note for note in json.loads(expect(0, "check", file, "--json")[0])["notes"]] == notes, "so does JSON")
+    drawing = out / f"{sign}.dxf"
+    groups = ("0 SECTION 2 ENTITIES 0 LINE 8 WALL 10 0 20 0 11 8 21 0 0 LINE 8 GRID\x1b\x7f 10 0 20 0 11 8 21 0 0 ENDSEC 0 EOF").split()
+    drawing.write_text("\n".join(groups) + "\n")
+    text, _ = expect(0, "import", drawing, out / "made.json", "--unit", "m")
+    check("lines on layer GRID\\u001b\\u007f" in text, "what is left out shows its layer", ascii(text))
+    note = json.loads((out / "made.json").read_text())["note"]
+    check(note.startswith(f"Imported from {shown}.dxf"), "the note of the house shows the file", ascii(note))
 
 
 def check_data(out):
@@ -129,7 +155,7 @@ def check_data(out):
     check(json.loads(text)["people"], "the answer is JSON", text[:300])
 
 
-for part in (check_verbs, check_cases, check_imports, check_words, check_data):
+for part in (check_verbs, check_cases, check_imports, check_words, check_lines, check_data):
     with tempfile.TemporaryDirectory() as folder:
         part(pathlib.Path(folder))
 shutil.rmtree(work)

@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "base/random.h"
 #include "base/text.h"
+#include "base/visible.h"
 #include "base/vec2.h"
 #include "check.h"
 
@@ -59,7 +60,7 @@ TEST(the_nearest_word_is_what_was_meant) {
 TEST(a_fault_stays_one_line_of_plain_text) {
     Fault fault = {0};
     fault_add(&fault, "a\nb\x1b[31m%s", "\tc");
-    CHECK_TEXT(fault.lines[0], "a b [31m c");
+    CHECK_TEXT(fault.lines[0], "a\\u000ab\\u001b[31m\\u0009c");
     for (int i = 0; i < 2 * FAULT_MOST; i++)
         fault_add(&fault, "%d", i);
     CHECK(fault.count == FAULT_MOST);
@@ -71,18 +72,31 @@ TEST(a_fault_stays_utf_8_whatever_it_quotes_and_wherever_that_is_cut) {
     static const char *const lines[][2] = {
         {"caf\xc3\xa9 \xe6\x97\xa5\xe6\x9c\xac \xf0\x9f\x8f\xa0",
          "caf\xc3\xa9 \xe6\x97\xa5\xe6\x9c\xac \xf0\x9f\x8f\xa0"},
-        {"caf\xe9", "caf?"},
-        {"\xe6\x97\xa5\xe6\x9c", "\xe6\x97\xa5??"},
-        {"\x80 \xff \xc0\xaf \xc1\xbf", "? ? ?? ??"},
-        {"\xed\xa0\x80 \xe0\x80\x80 \xf4\x90\x80\x80 \xf0\x9f\x8f", "??? ??? ???? ???"},
-        {"\xf4\x8f\xbf\xbf \xed\x9f\xbf\xe2\x82", "\xf4\x8f\xbf\xbf \xed\x9f\xbf??"},
+        {"caf\xe9", "caf\\xe9"},
+        {"\xe6\x97\xa5\xe6\x9c", "\xe6\x97\xa5\\xe6\\x9c"},
+        {"\x80 \xff \xc0\xaf \xc1\xbf", "\\x80 \\xff \\xc0\\xaf \\xc1\\xbf"},
+        {"\xed\xa0\x80 \xf4\x90\x80\x80", "\\xed\\xa0\\x80 \\xf4\\x90\\x80\\x80"},
+        {"\xf4\x8f\xbf\xbf \xed\x9f\xbf\xe2\x82", "\xf4\x8f\xbf\xbf \xed\x9f\xbf\\xe2\\x82"},
+        {"\x1b\x07\x7f\xc2\x9b\xe2\x80\xae", "\\u001b\\u0007\\u007f\\u009b\\u202e"},
     };
     Fault fault = {0};
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
         fault_add(&fault, "%s", lines[i][0]);
         CHECK_TEXT(fault.lines[i], lines[i][1]);
+        char *again = visible_line(fault.lines[i]);
+        CHECK_TEXT(again, lines[i][1]);
+        memory_free(again);
     }
     fault_clear(&fault);
+}
+
+TEST(a_long_name_is_cut_between_characters) {
+    CHECK(text_fitting("caf\xc3\xa9", 9) == 5);
+    CHECK(text_fitting("caf\xc3\xa9", 5) == 5);
+    CHECK(text_fitting("caf\xc3\xa9", 4) == 3);
+    CHECK(text_fitting("\xe6\x97\xa5\xe6\x9c\xac", 5) == 3);
+    CHECK(text_fitting("\xe6\x97\xa5", 2) == 0);
+    CHECK(text_fitting("", 2) == 0);
 }
 
 TEST(memory_that_grows_keeps_what_it_held_and_is_zero_beyond) {
