@@ -6,6 +6,7 @@
 
 #include "base/stop.h"
 #include "base/text.h"
+#include "base/visible.h"
 #include "house/run.h"
 #include "inquiry/suggest_change.h"
 #include "inquiry/suggest_search.h"
@@ -21,9 +22,12 @@ typedef struct Elements {
     size_t count;
 } Elements;
 
+/* Adds a note as one line, whatever the names in it hold. */
 static void add_note(SuggestList *list, const char *note) {
+    char *line = visible_line(note);
     list->notes = memory_reserve(list->notes, &list->note_capacity, list->note_count + 1, sizeof *list->notes);
-    list->notes[list->note_count++] = note;
+    list->notes[list->note_count++] = arena_text(&list->arena, line);
+    memory_free(line);
 }
 
 /* What there is to be changed -------------------------------------------------------------------------------------- */

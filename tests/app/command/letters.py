@@ -136,6 +136,10 @@ def check_lines(out):
     notes = [line for line in text.splitlines() if line.startswith("note: ")]
     check(len(notes) == 1 and shown in notes[0], "the note shows the name", ascii(text))
     check(["note: " + note for note in json.loads(expect(0, "check", file, "--json")[0])["notes"]] == notes, "so does JSON")
+    file.write_text(json.dumps(plan | {"furniture": [{"id": "f1", "name": sign, "centre": [6, 0.6], "size": [11, 1.19]}],
+                                       "people": [{"id": "p1", "profile": "adult", "at": [0.25, 0.6]}]}))
+    text, _ = expect(1, "check", file, "--suggest")
+    check(f"note: it would help to take {shown} (f1) away;" in text, "the note of --suggest shows the name", ascii(text))
     drawing = out / f"{sign}.dxf"
     groups = ("0 SECTION 2 ENTITIES 0 LINE 8 WALL 10 0 20 0 11 8 21 0 0 LINE 8 GRID\x1b\x7f 10 0 20 0 11 8 21 0 0 ENDSEC 0 EOF").split()
     drawing.write_text("\n".join(groups) + "\n")
