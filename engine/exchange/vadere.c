@@ -1,11 +1,13 @@
 #include "exchange/vadere.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/json.h"
+#include "base/text.h"
 #include "exchange/bounding_rectangle.h"
 
 static const double SLENDER = 3;         /* 1: a rectangle at least this many times longer than wide is a wall */
@@ -47,10 +49,18 @@ typedef struct Reader {
 /* Values ---------------------------------------------------------------------------------------------------------- */
 
 /* Adds the error at the node, once. */
-static bool fail_at(Reader *reader, const JsonNode *node, const char *what) {
-    if (!reader->builder->failed)
-        json_fault(node, reader->builder->fault, "%s", what);
+static bool fail_at(Reader *reader, const JsonNode *node, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+static bool fail_at(Reader *reader, const JsonNode *node, const char *format, ...) {
+    if (reader->builder->failed)
+        return false;
     reader->builder->failed = true;
+    va_list arguments;
+    va_start(arguments, format);
+    char *what = text_printed(format, arguments);
+    va_end(arguments);
+    json_fault(node, reader->builder->fault, "%s", what);
+    memory_free(what);
     return false;
 }
 
@@ -62,6 +72,40 @@ static double number(const json_t *object, const char *key, double fallback) {
 
 static Vec2 point(const Reader *reader, const json_t *object) {
     return vec2_scale(vec2(number(object, "x", NAN), number(object, "y", NAN)), reader->unit);
+}
+
+/* Returns the length of that key in m, NAN after an error; `what` names the object in errors, "the CIRCLE". */
+static double read_length(Reader *reader, const JsonNode *object, const char *what, const char *key) {
+    JsonNode node = json_member(object, key);
+    double length = json_number_value(node.value) * reader->unit;
+    if (!node.value)
+        fail_at(reader, object, "%s has no \"%s\", must have one", what, key);
+    else if (!json_is_number(node.value))
+        fail_at(reader, &node, "%s must be a number", key);
+    else if (!(fabs(length) < PARAMETER_FARTHEST))
+        fail_at(reader, &node, "%s is %g m, must be within %g m", key, length, PARAMETER_FARTHEST);
+    else
+        return length;
+    return NAN;
+}
+
+/* Reads a length that must be positive. */
+static double read_size(Reader *reader, const JsonNode *object, const char *what, const char *key) {
+    double size = read_length(reader, object, what, key);
+    JsonNode node = json_member(object, key);
+    if (size <= 0)
+        fail_at(reader, &node, "%s is %g, must be more than 0", key, json_number_value(node.value));
+    return size;
+}
+
+static Vec2 read_point(Reader *reader, const JsonNode *object, const char *what) {
+    double x = read_length(reader, object, what, "x");
+    return vec2(x, read_length(reader, object, what, "y"));
+}
+
+static Vec2 read_extent(Reader *reader, const JsonNode *object, const char *what) {
+    double width = read_size(reader, object, what, "width");
+    return vec2(width, read_size(reader, object, what, "height"));
 }
 
 static size_t list_size(const JsonNode *node) {
@@ -92,31 +136,41 @@ static bool set_polygon(Reader *reader, Shape *shape, const JsonNode *node) {
                        count < 3 ? "a polygon must have three points or more"
                                  : "a polygon has more than 10000 points, must have fewer");
     shape->points = memory_zeroed(count, sizeof *shape->points);
-    for (size_t i = 0; i < count; i++)
-        shape->points[i] = point(reader, json_array_get(points.value, i));
+    for (size_t i = 0; i < count && !reader->builder->failed; i++) {
+        JsonNode corner = json_element(&points, i);
+        shape->points[i] = read_point(reader, &corner, "the point");
+    }
     shape->count = count;
     return true;
 }
 
-static bool is_somewhere(Reader *reader, const Shape *shape, const JsonNode *node) {
-    for (size_t i = 0; i < shape->count; i++)
-        if (!(fabs(shape->points[i].x) < PARAMETER_FARTHEST && fabs(shape->points[i].y) < PARAMETER_FARTHEST))
-            return fail_at(reader, node, "a shape's numbers must be there, and within 100000 m");
+static bool set_round(Reader *reader, Shape *shape, const JsonNode *node) {
+    JsonNode centre = json_member(node, "center");
+    if (!centre.value)
+        return fail_at(reader, node, "the CIRCLE has no \"center\", must have one");
+    Vec2 middle = read_point(reader, &centre, "the center");
+    set_circle(shape, middle, read_size(reader, node, "the CIRCLE", "radius"));
     return true;
+}
+
+static bool is_somewhere(Reader *reader, const Shape *shape, const JsonNode *node) {
+    for (size_t i = 0; i < shape->count && !reader->builder->failed; i++)
+        if (!(fabs(shape->points[i].x) < PARAMETER_FARTHEST && fabs(shape->points[i].y) < PARAMETER_FARTHEST))
+            fail_at(reader, node, "the shape must lie within %g m", PARAMETER_FARTHEST);
+    return !reader->builder->failed;
 }
 
 /* Reads the member "shape" of an element. False after an error. */
 static bool read_shape(Reader *reader, const JsonNode *element, Shape *shape) {
     JsonNode node = json_member(element, "shape");
-    JsonNode centre = json_member(&node, "center");
     const char *type = json_string_value(json_object_get(node.value, "type"));
     *shape = (Shape){0};
     if (type && strcmp(type, "RECTANGLE") == 0) {
-        Vec2 low = point(reader, node.value);
-        Vec2 size = vec2_scale(vec2(number(node.value, "width", NAN), number(node.value, "height", NAN)), reader->unit);
-        set_rectangle(shape, low, vec2_add(low, size));
+        Vec2 low = read_point(reader, &node, "the RECTANGLE");
+        set_rectangle(shape, low, vec2_add(low, read_extent(reader, &node, "the RECTANGLE")));
     } else if (type && strcmp(type, "CIRCLE") == 0) {
-        set_circle(shape, point(reader, centre.value), number(node.value, "radius", NAN) * reader->unit);
+        if (!set_round(reader, shape, &node))
+            return false;
     } else if (type && strcmp(type, "POLYGON") == 0) {
         if (!set_polygon(reader, shape, &node))
             return false;
@@ -202,11 +256,13 @@ static bool add_frame(Reader *reader, const JsonNode *topography) {
     JsonNode attributes = json_member(topography, "attributes"), bounds = json_member(&attributes, "bounds");
     if (!json_is_object(bounds.value))
         return fail_at(reader, topography, "the topography has no attributes with bounds");
-    double thick = number(attributes.value, "boundingBoxWidth", 0) * reader->unit;
-    Vec2 low = point(reader, bounds.value);
-    Vec2 size = vec2_scale(vec2(number(bounds.value, "width", NAN), number(bounds.value, "height", NAN)), reader->unit);
     if (json_is_false(json_object_get(attributes.value, "bounded")))
         return true;
+    double thick = number(attributes.value, "boundingBoxWidth", 0) * reader->unit;
+    Vec2 low = read_point(reader, &bounds, "the bounds object");
+    Vec2 size = read_extent(reader, &bounds, "the bounds object");
+    if (reader->builder->failed)
+        return false;
     if (!(size.x > 2 * thick && size.y > 2 * thick && thick >= 0))
         return fail_at(reader, &bounds, "the bounds must be wider and higher than twice the boundingBoxWidth");
     Vec2 a = vec2_add(low, vec2(thick / 2, thick / 2)), b = vec2_sub(vec2_add(low, size), vec2(thick / 2, thick / 2));
