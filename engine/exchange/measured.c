@@ -152,10 +152,7 @@ static void end_row(void *context, TablePlace begin, int fields) {
     Measured *measured = &reader->measured;
     if (!reader->head) {
         end_head(reader, begin, fields);
-    } else if (fields < reader->fields) {
-        fault_add(reader->table.fault, "%s:%d:%d: the row has %d columns, must have %d", reader->table.path, begin.line,
-                  begin.column, fields, reader->fields);
-    } else if (reader->good) {
+    } else if (table_row_fits(&reader->table, begin, fields, reader->fields) && reader->good) {
         size_t column = 0;
         for (size_t k = 0; k < reader->kind_count && column < measured->column_count; k++) {
             if (reader->column_of[k] < 0 || reader->scale[k] == 0)

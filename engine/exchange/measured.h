@@ -6,7 +6,8 @@
  *
  * The first row names the columns by parameter or observable, in any order; of a parameter what follows its last dot
  * will do. Without a unit a column is in that of the quantity; with m, k or u before it (mm, kHz) it is brought there.
- * Columns that name nothing known are passed over, unless a letter is missing; an empty cell was not measured. */
+ * Columns that name nothing known are passed over, unless a letter is missing; an empty cell was not measured. Each row
+ * has as many columns as the first. */
 #pragma once
 
 #include <stdbool.h>

@@ -118,10 +118,8 @@ static void end_row(void *context, TablePlace begin, int fields) {
     Reader *reader = context;
     if (!reader->head) {
         end_head(reader, begin, fields);
-    } else if (fields < reader->fields) {
-        fault_add(reader->table.fault, "%s:%d:%d: the row has %d columns, must have %d", reader->table.path, begin.line,
-                  begin.column, fields, reader->fields);
-    } else if (reader->good && reader->loci.count <= MOST_PEOPLE) {
+    } else if (table_row_fits(&reader->table, begin, fields, reader->fields) && reader->good &&
+               reader->loci.count <= MOST_PEOPLE) {
         Row row = {.time = reader->numbers[COLUMN_TIME],
                    .at = {reader->numbers[COLUMN_X], reader->numbers[COLUMN_Y]},
                    .locus = find_locus(reader, begin.line),

@@ -4,7 +4,8 @@
  *     0.00,1.20,3.40,p1
  *
  * The first row names the columns, in any order, with or without units; unknown columns are ignored. A place is that
- * of the body's centre. Without a column `person` all rows belong to one person. Rows may be in any order. */
+ * of the body's centre. Without a column `person` all rows belong to one person. Rows may be in any order; each
+ * has as many columns as the first. */
 #pragma once
 
 #include <stdbool.h>

@@ -35,6 +35,14 @@ size_t table_heading(const char *text, char unit[TABLE_SHOWN]) {
     return strcspn(text, " [(");
 }
 
+bool table_row_fits(const TableReader *reader, TablePlace begin, int fields, int heading) {
+    if (fields == heading)
+        return true;
+    fault_add(reader->fault, "%s:%d:%d: the row has %d column%s, must have %d, like the heading", reader->path,
+              begin.line, begin.column, fields, fields == 1 ? "" : "s", heading);
+    return false;
+}
+
 bool table_number(const TableReader *reader, TablePlace place, const char *name, const char *unit, double farthest,
                   const char *text, double *value) {
     char *end, what[TABLE_SHOWN + 8], wanted[TABLE_SHOWN + 64];

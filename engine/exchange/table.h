@@ -31,6 +31,9 @@ void table_fault(const TableReader *reader, TablePlace place, const char *what, 
 /* Returns the length of the name in a heading such as "time [s]" or "X (m)"; `unit` receives its unit, or "". */
 size_t table_heading(const char *text, char unit[TABLE_SHOWN]);
 
+/* Checks that a row has as many columns as the heading; false: an error that says so. */
+bool table_row_fits(const TableReader *reader, TablePlace begin, int fields, int heading);
+
 /* Parses a field as a number from -farthest to farthest; false: an error that calls the field `name`, in `unit`. */
 bool table_number(const TableReader *reader, TablePlace place, const char *name, const char *unit, double farthest,
                   const char *text, double *value);

@@ -19,6 +19,7 @@ typedef struct Reader {
     Timed *timed;
     int column_of[COLUMNS]; /* -1: none */
     bool head;              /* the row of names has been read */
+    int fields;             /* number of columns in the heading */
     bool good;              /* all values of this row are valid */
     TimedRun row;
 } Reader;
@@ -83,15 +84,13 @@ static void end_row(void *context, TablePlace begin, int fields) {
     Timed *timed = reader->timed;
     if (!reader->head) {
         reader->head = true;
+        reader->fields = fields;
         if (reader->column_of[COLUMN_ROUTE] < 0 || reader->column_of[COLUMN_TIME] < 0)
             fault_add(reader->table.fault, "%s:%d:%d: the first row must name route and time", reader->table.path,
                       begin.line, begin.column);
         return;
     }
-    if (reader->good && (!reader->row.route || isnan(reader->row.time))) {
-        fault_add(reader->table.fault, "%s:%d:%d: the row has %d columns, must have a route and a time",
-                  reader->table.path, begin.line, begin.column, fields);
-    } else if (reader->good) {
+    if (table_row_fits(&reader->table, begin, fields, reader->fields) && reader->good) {
         timed->runs = memory_reserve(timed->runs, &timed->capacity, timed->count + 1, sizeof *timed->runs);
         timed->runs[timed->count++] = reader->row;
     }

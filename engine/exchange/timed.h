@@ -4,7 +4,7 @@
  *     A,13.1,0.5
  *
  * The first row names the columns, in any order; `deviation`, the standard deviation of this time, may be left out or
- * empty. One row is one run; unknown columns are ignored. */
+ * empty. One row is one run, with as many columns as the first row; unknown columns are ignored. */
 #pragma once
 
 #include <stdbool.h>
