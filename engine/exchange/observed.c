@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/parameters.h"
+#include "base/text.h"
 #include "exchange/table.h"
 
 enum {
@@ -71,13 +72,28 @@ static void read_name(Reader *reader, TablePlace place, int index, const char *t
     reader->column_of[column] = index;
 }
 
+/* Adds one error for all columns that the heading lacks. */
+static void check_head(Reader *reader, TablePlace begin) {
+    const char *lacking[COLUMNS];
+    size_t count = 0;
+    Text list = {0};
+    for (int c = 0; c < COLUMN_PERSON; c++)
+        if (reader->column_of[c] < 0)
+            lacking[count++] = known[c].name;
+    for (size_t i = 0; i < count; i++)
+        text_format(&list, "%s\"%s\"", i == 0 ? "" : i + 1 == count ? " and " : ", ", lacking[i]);
+    if (count)
+        fault_add(reader->table.fault,
+                  "%s:%d:%d: the heading lacks the column%s %s, the first row must name time, x and y",
+                  reader->table.path, begin.line, begin.column, count > 1 ? "s" : "", list.text);
+    memory_free(list.text);
+}
+
 static void end_head(Reader *reader, TablePlace begin, int fields) {
     reader->head = true;
     reader->fields = fields;
-    for (int c = 0; c < COLUMN_PERSON; c++)
-        if (reader->column_of[c] < 0)
-            table_fault(&reader->table, begin, "the heading lacks the column", known[c].name,
-                        ", the first row must name time, x and y");
+    if (reader->good) /* otherwise a name that cannot be read may be the one that lacks */
+        check_head(reader, begin);
 }
 
 /* Rows ------------------------------------------------------------------------------------------------------------ */

@@ -85,6 +85,8 @@ static void end_row(void *context, TablePlace begin, int fields) {
     if (!reader->head) {
         reader->head = true;
         reader->fields = fields;
+        if (!reader->good) /* a name that cannot be read may be the one that lacks */
+            return;
         if (reader->column_of[COLUMN_ROUTE] < 0 || reader->column_of[COLUMN_TIME] < 0)
             fault_add(reader->table.fault, "%s:%d:%d: the first row must name route and time", reader->table.path,
                       begin.line, begin.column);

@@ -55,12 +55,9 @@ static void check_whole_steps(const StudyAxis *axis, Fault *fault) {
     }
 }
 
-static void check_axis(const Study *study, size_t a, Fault *fault) {
-    const StudyAxis *axis = &study->axes[a];
-    const Parameter *parameter = check_name(study, "--vary", axis->name, fault);
-    for (size_t k = 0; k < a; k++)
-        if (strcmp(study->axes[k].name, axis->name) == 0)
-            fault_add(fault, "--vary %s: is given twice, the second must be another parameter", axis->name);
+/* Checks the number of steps; true if it fits the range. */
+static bool check_steps(const StudyAxis *axis, Fault *fault) {
+    size_t before = fault->total;
     if (axis->steps < 1 || axis->steps > STUDY_STEPS_MOST)
         fault_add(fault, "--vary %s: %zu steps, must be from 1 to %d", axis->name, axis->steps, STUDY_STEPS_MOST);
     else if (axis->steps == 1 && axis->from != axis->to)
@@ -69,16 +66,34 @@ static void check_axis(const Study *study, size_t a, Fault *fault) {
     else if (axis->steps > 1 && axis->from == axis->to)
         fault_add(fault, "--vary %s: all %zu steps are at %g, FROM and TO must differ", axis->name, axis->steps,
                   axis->from);
-    else if (parameter && parameter->kind == PARAMETER_WHOLE)
-        check_whole_steps(axis, fault);
+    return fault->total == before;
+}
+
+static bool check_range(const StudyAxis *axis, const Parameter *parameter, Fault *fault) {
     const double ends[] = {axis->from, axis->to};
-    for (size_t e = 0; e < 2 && parameter; e++)
+    for (size_t e = 0; e < 2; e++)
         if (!(ends[e] >= parameter->low && ends[e] <= parameter->high)) {
             fault_add(fault, "--vary %s: %g is out of range, must be from %g to %g%s%s", axis->name, ends[e],
                       parameter->low, parameter->high, strcmp(parameter->unit, "1") ? " " : "",
                       strcmp(parameter->unit, "1") ? parameter->unit : "");
+            return false;
+        }
+    return true;
+}
+
+/* Adds the first error of an axis. */
+static void check_axis(const Study *study, size_t a, Fault *fault) {
+    const StudyAxis *axis = &study->axes[a];
+    const Parameter *parameter = check_name(study, "--vary", axis->name, fault);
+    if (!parameter)
+        return;
+    for (size_t k = 0; k < a; k++)
+        if (strcmp(study->axes[k].name, axis->name) == 0) {
+            fault_add(fault, "--vary %s: is given twice, the second must be another parameter", axis->name);
             return;
         }
+    if (check_steps(axis, fault) && check_range(axis, parameter, fault) && parameter->kind == PARAMETER_WHOLE)
+        check_whole_steps(axis, fault);
 }
 
 static void check_spread(const Study *study, size_t s, Fault *fault) {

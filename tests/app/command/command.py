@@ -169,6 +169,16 @@ def check_fit():
         times = pathlib.Path(place, "times.csv")
         times.write_text("route,time [s]\nZ,3\n")
         expect(2, "fit", house("ube-techno-house"), "--observed", str(times), says='times.csv:2:1: the house has no route "Z"')
+        for text, says in (("route,time [s]\nA,12,99\n", "2:1: the row has 3 columns, must have 2, like the heading"),
+                           ("time [s]\n12\n", "1:1: the first row must name route and time"),
+                           ("a\0b", "1:1: the file contains a zero byte, must be text")):
+            times.write_text(text)
+            done = expect(2, "fit", house("ube-techno-house"), "--observed", str(times), says=f"times.csv:{says}")
+            check(done.stderr.count("\n") == 1, "one line for one cause", done.stderr)
+        times.write_text("x\n")
+        done = expect(2, "run", house("ube-techno-house"), "--observed", str(times), "--report", "--out", place,
+                      says='times.csv:1:1: the heading lacks the columns "time" and "y", the first row must name time, x and y')
+        check(done.stderr.count("\n") == 1, "one line for one cause", done.stderr)
     expect(2, "fit", house("straight-corridor"), says="has observed times")
 
 

@@ -270,6 +270,7 @@ def check_wrong_use(folder):
         ("--vary", f"{delay}=1:2:-3"): "--vary takes NAME=FROM:TO:STEPS",
         ("--vary", "=1:2:3"): "--vary takes NAME=FROM:TO:STEPS",
         ("--vary", f"{delay}=1:2:0"): "0 steps, must be from 1 to 100000",
+        ("--vary", "run.dt=1:2:0"): "0 steps, must be from 1 to 100000",
         ("--vary", f"{delay}=1:2:100001"): "100001 steps, must be from 1 to 100000",
         ("--vary", f"{delay}=1:1:2"): "FROM and TO must differ",
         ("--vary", f"{delay}=1:2:1"): "one step cannot be at 1 and at 2",

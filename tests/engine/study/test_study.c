@@ -483,7 +483,7 @@ TEST(tables_have_a_header_with_units_and_a_row_a_trial) {
 static void check_fault(Study study, const char *what) {
     Fault fault = {0};
     CHECK(!study_check(&study, &fault));
-    CHECK(fault.count && strstr(fault.lines[0], what));
+    CHECK(fault.total == 1 && strstr(fault.lines[0], what));
     if (!fault.count || !strstr(fault.lines[0], what))
         printf("%s, expected %s\n", fault.count ? fault.lines[0] : "no fault", what);
     fault_clear(&fault);
@@ -499,6 +499,7 @@ TEST(what_cannot_be_studied_is_told_of) {
     study.axes[0].name = "z";
     check_fault(study, "--vary z: unknown parameter of a toy");
     check_fault(sweep(&experiment, 0, 1, 0), "0 steps, must be from 1 to 100000");
+    check_fault(sweep(&experiment, 101, 102, 0), "0 steps, must be from 1 to 100000");
     check_fault(sweep(&experiment, 0, 1, 100001), "100001 steps");
     check_fault(sweep(&experiment, 0, 1, 1), "one step cannot be at 0 and at 1");
     check_fault(sweep(&experiment, 1, 1, 2), "FROM and TO must differ");
