@@ -1,7 +1,7 @@
 #include "base/fault.h"
 
 #include "base/memory.h"
-#include "base/text.h"
+#include "base/visible.h"
 
 void fault_add(Fault *fault, const char *format, ...) {
     fault->total++;
@@ -9,7 +9,7 @@ void fault_add(Fault *fault, const char *format, ...) {
         return;
     va_list arguments;
     va_start(arguments, format);
-    char *line = text_printed_line(format, arguments);
+    char *line = visible_printed(format, arguments);
     va_end(arguments);
     fault->lines = memory_reserve(fault->lines, &fault->capacity, fault->count + 1, sizeof *fault->lines);
     fault->lines[fault->count++] = line;

@@ -1,7 +1,7 @@
 /* Errors in the user's input: one line per error, `file:line:column: what is wrong, and what must be`. A reader that
  * fails returns false, leaves its target unchanged and adds at least one line; a file with several errors gets several
- * lines. The lines are impersonal, without a full stop or an exclamation mark. Characters that act
- * instead of being seen are shown by their number, \u001b, also a newline: a line stays one line. */
+ * lines. The lines are impersonal, without a full stop or an exclamation mark. Characters that act instead of being
+ * seen are shown by their number, \u001b, also a newline: a line stays one line. */
 #pragma once
 
 #include <stdbool.h>

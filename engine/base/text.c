@@ -10,7 +10,6 @@
 #include <unistd.h>
 
 #include "base/memory.h"
-#include "base/visible.h"
 
 enum { WORD_LONGEST = 63 /* characters compared; longer words are compared by their beginning */ };
 
@@ -206,12 +205,6 @@ char *text_printed(const char *format, va_list arguments) {
     Text text = {0};
     add_printed(&text, format, arguments);
     return text.text;
-}
-
-char *text_printed_line(const char *format, va_list arguments) {
-    char *text = text_printed(format, arguments), *line = visible_line(text);
-    memory_free(text);
-    return line;
 }
 
 const char *text_vin_arena(Arena *arena, const char *format, va_list arguments) {

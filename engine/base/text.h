@@ -16,7 +16,7 @@ const char *text_nearest(const char *word, const char *const *words, size_t coun
 int text_fitting(const char *text, int most);
 
 /* Turns any bytes into one line of valid UTF-8 without control characters, for the name of a thing; a message shows
- * them instead, see text_printed_line. */
+ * them instead, see visible_line. */
 void text_make_plain(char *line);
 
 /* Returns the whole file, ended by 0, or NULL with errno set; memory_free it. `*size` counts its bytes without the 0. A
@@ -54,10 +54,8 @@ void text_of_number(char text[TEXT_NUMBER], double value, int digits);
 /* Appends text formatted as by printf. */
 void text_format(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Returns text formatted as by vprintf, unchanged or as one line in which each character is seen (visible_line);
- * memory_free it. */
+/* Returns text formatted as by vprintf; memory_free it. */
 char *text_printed(const char *format, va_list arguments) __attribute__((format(printf, 1, 0)));
-char *text_printed_line(const char *format, va_list arguments) __attribute__((format(printf, 1, 0)));
 
 /* Returns text formatted as by printf or vprintf; it lives as long as the arena. */
 const char *text_in_arena(Arena *arena, const char *format, ...) __attribute__((format(printf, 2, 3)));

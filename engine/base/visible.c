@@ -95,3 +95,9 @@ char *visible_text(const char *text) {
 char *visible_line(const char *text) {
     return visible_copy(text, true);
 }
+
+char *visible_printed(const char *format, va_list arguments) {
+    char *text = text_printed(format, arguments), *line = visible_line(text);
+    memory_free(text);
+    return line;
+}

@@ -3,6 +3,7 @@
  * \u001b. Newline and tab are kept, except in a line. */
 #pragma once
 
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -22,3 +23,6 @@ char *visible_text(const char *text);
 /* Returns such a copy as one line: newline and tab are shown by their number too. The copy is valid UTF-8, and a copy
  * of the copy is the same. memory_free it. */
 char *visible_line(const char *text);
+
+/* Returns text formatted as by vprintf as such a line; memory_free it. */
+char *visible_printed(const char *format, va_list arguments) __attribute__((format(printf, 1, 0)));

@@ -3,7 +3,7 @@
 #include <stdarg.h>
 #include <string.h>
 
-#include "base/text.h"
+#include "base/visible.h"
 
 static const char other_kinds[] = "things of other kinds";
 
@@ -30,7 +30,7 @@ void import_report_leave(ImportReport *report, size_t count, const char *format,
         return;
     va_list arguments;
     va_start(arguments, format);
-    char *what = text_printed_line(format, arguments);
+    char *what = visible_printed(format, arguments);
     va_end(arguments);
     add_count(report, what, count);
     memory_free(what);
@@ -41,7 +41,7 @@ void import_report_note(ImportReport *report, const char *format, ...) {
         return;
     va_list arguments;
     va_start(arguments, format);
-    char *note = text_printed_line(format, arguments);
+    char *note = visible_printed(format, arguments);
     va_end(arguments);
     report->notes =
         memory_reserve(report->notes, &report->note_capacity, report->note_count + 1, sizeof *report->notes);
