@@ -53,7 +53,9 @@ static bool type_tell(TypeAnswer *answer, const Beam *beam, const Options *optio
 
 static void print_peaks(const Response *response, const Beam *beam, const Rig *rig) {
     const SectionPeaks *peaks = &response->peaks;
-    if (!peaks->count)
+    if (!response->section.count)
+        printf("at %g Hz with a clearance of +-%.3f mm", beam->frequency, 1000 * beam->clearance);
+    else if (!peaks->count)
         printf("at %g Hz the tip moves +-%.3f mm and does not touch the joint, whose clearance is +-%.3f mm",
                beam->frequency, 1000 * rig_free_amplitude(rig), 1000 * beam->clearance);
     else if (peaks->max - peaks->min < 0.005)

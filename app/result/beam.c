@@ -60,7 +60,7 @@ ResultTable result_beam_forces(const Rig *rig, const Response *response) {
     result_add(&table, (ResultRow){.key = "grazes",
                                    .label = "grazing contacts",
                                    .kind = RESULT_COUNT,
-                                   .number = (double)response->grazes});
+                                   .number = response->section.count ? (double)response->grazes : (double)NAN});
     result_add(&table, (ResultRow){.key = "free_amplitude",
                                    .label = "tip without the joint",
                                    .kind = RESULT_NUMBER,

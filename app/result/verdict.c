@@ -118,27 +118,27 @@ void result_verdict_add(ResultTable *table, const Response *response, const char
     add_count(table, "cycles", text_in_arena(arena, "%ss analysed", cycle), response->cycles, false);
 }
 
-static void add_peak(ResultTable *table, const char *key, const char *label, double peak, bool touches) {
+/* Adds a peak of the recorded cycles, which is none if there are none. */
+static void add_peak(ResultTable *table, const char *key, const char *label, double peak, const Response *response) {
     result_add(table, (ResultRow){.key = key,
                                   .label = label,
                                   .kind = RESULT_NUMBER,
-                                  .number = peak,
+                                  .number = response->section.count ? peak : (double)NAN,
                                   .unit = "N",
                                   .significant = 4,
-                                  .unknown = !touches});
+                                  .unknown = !response->peaks.count});
 }
 
 void result_verdict_add_peaks(ResultTable *table, const Response *response) {
     const SectionPeaks *peaks = &response->peaks;
-    bool touches = peaks->count > 0;
     result_add(table, (ResultRow){.key = "multiplier",
                                   .label = "largest multiplier",
                                   .kind = RESULT_NUMBER,
                                   .number = response->orbit.period ? response->orbit.largest : NAN,
                                   .decimals = 3});
-    add_peak(table, "peaks.min", "smallest peak", peaks->min, touches);
-    add_peak(table, "peaks.max", "largest peak", peaks->max, touches);
-    add_peak(table, "peaks.mean", "mean peak", peaks->mean, touches);
+    add_peak(table, "peaks.min", "smallest peak", peaks->min, response);
+    add_peak(table, "peaks.max", "largest peak", peaks->max, response);
+    add_peak(table, "peaks.mean", "mean peak", peaks->mean, response);
     add_count(table, "peaks.count", "peaks", peaks->count, false);
 }
 

@@ -107,10 +107,20 @@ static void trace_cycle(Trace *trace, CycleMotion *motion, size_t cycle) {
     cycle_run(motion);
 }
 
+/* Sets the numbers of the recorded cycles from the tallies before the first and after the last whole one. */
+static void count_contacts(Response *response, const CycleTally *before, const CycleTally *after, double period) {
+    double cycles = (double)response->section.count;
+    bool any = cycles > 0;
+    response->switches = any ? (double)(after->switches - before->switches) / cycles : (double)NAN;
+    response->touches = any ? (double)(after->touches - before->touches) / cycles : (double)NAN;
+    response->contact_share = any ? (after->contact_time - before->contact_time) / (cycles * period) : (double)NAN;
+    response->grazes = after->grazes - before->grazes;
+}
+
 static void record(Response *response, Watch *watch, int cycles) {
     CycleMotion *motion = &watch->motion;
     const CycleKind *kind = motion->cycle.kind;
-    CycleTally before = kind->tally(motion->own);
+    CycleTally before = kind->tally(motion->own), after = before; /* a cycle that is not whole does not count */
     response->digest = DIGEST_START;
     response->start = memory_zeroed(motion->states, sizeof *response->start);
     kind->state(motion->own, response->start);
@@ -119,8 +129,10 @@ static void record(Response *response, Watch *watch, int cycles) {
             trace_cycle(&response->trace, motion, (size_t)i);
         else
             cycle_run(motion);
-        if (cycle_status(motion) == CYCLE_GOOD)
+        if (cycle_status(motion) == CYCLE_GOOD) {
             section_add(&response->section, motion);
+            after = kind->tally(motion->own);
+        }
         for (size_t side = 0; cycle_status(motion) == CYCLE_GOOD && side < CYCLE_SIDES; side++)
             kind->peaks(motion->own)[side] = response->section.peak[2 * (response->section.count - 1) + side];
         note_cycle(watch);
@@ -129,13 +141,8 @@ static void record(Response *response, Watch *watch, int cycles) {
     for (size_t i = 0; i < section->count * section->states; i++)
         response->digest = digest_mix(response->digest, section->state[i]);
     response->peaks = section_peaks(section);
-    CycleTally after = kind->tally(motion->own);
-    double seen = fmax(1, (double)section->count);
-    response->switches = (double)(after.switches - before.switches) / seen;
-    response->touches = (double)(after.touches - before.touches) / seen;
-    response->contact_share = (after.contact_time - before.contact_time) / (seen * cycle_period(motion->cycle));
-    response->grazes = after.grazes - before.grazes;
-    response->work = (double)after.work / (double)(watch->early.count + section->count + 1);
+    count_contacts(response, &before, &after, cycle_period(motion->cycle));
+    response->work = (double)kind->tally(motion->own).work / (double)(watch->early.count + section->count + 1);
 }
 
 /* True if the tangent grew in the last quarter of the record. */

@@ -73,7 +73,7 @@ typedef struct Response {
     bool settled;           /* the first recorded cycle was already on the orbit */
     double work;            /* per cycle, of a kind that counts it; otherwise 0 */
     size_t cycles;          /* cycles after the transient on which the verdict rests */
-    double contact_share;   /* 1, fraction of the recorded time */
+    double contact_share;   /* 1, fraction of the recorded time; NAN, as the next two: no whole cycle was recorded */
     double switches;        /* per recorded cycle */
     double touches;         /* per recorded cycle, of a kind that counts them; otherwise 0 */
     size_t grazes;          /* in the recorded cycles */

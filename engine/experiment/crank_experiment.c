@@ -178,12 +178,14 @@ static void run_quickly(Trial *trial, const Crank *crank, const Tree *tree, Cran
     for (int i = 0; i < crank->transient_cycles && turn.status == CYCLE_GOOD && !stop_requested(stop); i++)
         turn_cycle(&turn);
     turn.unwatched = false;
-    size_t touches = turn.touches;
-    while (record.count < cycles && !stop_requested(stop) && turn_cycle(&turn) == CYCLE_GOOD)
+    size_t before = turn.touches, touches = before; /* until the end of the last whole revolution */
+    while (record.count < cycles && !stop_requested(stop) && turn_cycle(&turn) == CYCLE_GOOD) {
         note(&record, &turn);
+        touches = turn.touches;
+    }
     list_peaks(trial, record.peak, 1, record.count);
     if (record.count)
-        trial->observed[CRANK_TOUCHES] = (double)(turn.touches - touches) / (double)record.count;
+        trial->observed[CRANK_TOUCHES] = (double)(touches - before) / (double)record.count;
     bool fails = turn.status != CYCLE_GOOD && turn.status != CYCLE_INTERRUPTED;
     trial->done = record.count == cycles || fails;
     if (fails)

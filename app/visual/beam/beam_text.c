@@ -50,6 +50,8 @@ const char *beam_text_title(Scene *scene, const Beam *beam, const Rig *rig, cons
     const char *verdict = verdicts[response->verdict];
     if (response->verdict == RESPONSE_PERIODIC && response->orbit.period > 1)
         verdict = scene_text(scene, "Period %zu", response->orbit.period);
+    if (!response->section.count)
+        return scene_text(scene, "%s at %g Hz", verdict, beam->frequency);
     if (!response->peaks.count)
         return scene_text(scene, "No contact: tip \u00b1%s at %g Hz",
                           beam_text_quantity(scene, rig_free_amplitude(rig), "m"), beam->frequency);

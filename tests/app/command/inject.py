@@ -246,6 +246,9 @@ def false_in_json(part, whole):
                "study": {"regular", "not_regular", "cannot_be_told", "verdicts", "ranges", "best", "worst", "distribution",
                          "first_fault"},
                "shake": {"everybody_out", "time", "people", "furniture", "worst", "blocked_elsewhere", "caught"}}
+    share = part.get("contact_share") if kind in ("beam", "crank") else None
+    if share is not None and not 0 <= share <= 1 + 1e-12:
+        return [f"contact_share: {share}"]
     part = {k: v for k, v in part.items() if k not in partial.get(kind, ())}
     if kind == "compare":
         for run in "ab":

@@ -46,6 +46,54 @@ TEST(a_motion_that_takes_too_much_work_is_too_stiff) {
     }
 }
 
+/* Request the end of the work within a revolution, before so many samples, or between two, after so many runs. */
+static Stop stop;
+static int samples_left, runs_left;
+
+static void sample_and_stop(void *motion, int part, double *row) {
+    if (samples_left-- == 0)
+        stop_request(&stop);
+    crank_cycle.sample(motion, part, row);
+}
+
+static CycleStatus run_and_stop(void *motion) {
+    CycleStatus status = crank_cycle.run(motion);
+    if (--runs_left == 0)
+        stop_request(&stop);
+    return status;
+}
+
+static void respond_and_stop(Response *response, const Tree *tree, int samples, int runs) {
+    CycleKind kind = crank_cycle;
+    kind.sample = sample_and_stop;
+    kind.run = run_and_stop;
+    samples_left = samples;
+    runs_left = runs;
+    stop_withdraw(&stop);
+    response_run(response, (Cycle){&kind, tree}, 0, 5, NULL, &stop);
+    CHECK(response->verdict == RESPONSE_INTERRUPTED);
+}
+
+TEST(a_revolution_that_is_cut_off_does_not_count) {
+    Tree tree = cranks_tree("");
+    for (int whole = 0; whole <= 2; whole++) {
+        Response part, all;
+        respond_and_stop(&part, &tree, whole * CRANK_SAMPLES + CRANK_SAMPLES / 2, -1);
+        CHECK(part.section.count == (size_t)whole && part.trace.rows > (size_t)whole * CRANK_SAMPLES);
+        if (whole) {
+            respond_and_stop(&all, &tree, -1, whole);
+            CHECK(all.section.count == (size_t)whole && all.trace.rows == (size_t)whole * CRANK_SAMPLES);
+            CHECK(part.switches == all.switches && part.touches == all.touches && part.touches > 0);
+            CHECK(part.contact_share == all.contact_share && part.contact_share > 0 && part.contact_share <= 1);
+            CHECK(part.digest == all.digest);
+            response_clear(&all);
+        } else {
+            CHECK(isnan(part.switches) && isnan(part.touches) && isnan(part.contact_share));
+        }
+        response_clear(&part);
+    }
+}
+
 LONG_TEST(a_chaotic_motion_lasts_with_the_same_bits_for_any_number_of_jobs) {
     enum { TRIES = 3, LANES = 4, CYCLES = 120 };
     static const int jobs[TRIES] = {1, 2, 4};
