@@ -254,7 +254,7 @@ static void add_point(FollowBranch *branch, const Walk *walk, FollowKind kind, c
 }
 
 /* Locates an event between two places by halving, from a place on the chord each time: where two curves cross, it
- * keeps to the one that both are on. */
+ * keeps to the one that both are on. Returns false if there is none; once interrupted, its answer is void. */
 static bool locate(Walk *walk, FollowKind kind, const Place *from, const Place *to, Place *at) {
     size_t n = walk->states;
     double *rooms[] = {place_room(n), place_room(n)};
@@ -332,6 +332,24 @@ static bool turns_over(const Walk *walk, const Place *a, const Place *b) {
 /* Walking -----------------------------------------------------------------------------------------------------------
  */
 
+/* Adds the events between two places, in room for a third one. Returns FOLLOW_IMAGE if the curve ends at the last of
+ * them, FOLLOW_STOPPED if interrupted, before the event that was looked for then, and FOLLOW_LONG if it goes on. */
+static FollowEnd add_events(Walk *walk, FollowBranch *branch, const Place *here, const Place *next, Place *between) {
+    static const FollowKind kinds[] = {FOLLOW_FOLD, FOLLOW_FLIP, FOLLOW_PITCHFORK, FOLLOW_NEIMARK, FOLLOW_TOUCH};
+    size_t n = walk->states;
+    bool met = false, turned = is_between(FOLLOW_FOLD, here, next, n);
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds && !met; k++) {
+        bool found = !(kinds[k] == FOLLOW_PITCHFORK && turned) && is_between(kinds[k], here, next, n) &&
+                     locate(walk, kinds[k], here, next, between);
+        met = found && kinds[k] == FOLLOW_FOLD && turns_over(walk, here, next);
+        if (stop_requested(walk->stop))
+            return FOLLOW_STOPPED;
+        if (found)
+            add_point(branch, walk, met ? FOLLOW_PITCHFORK : kinds[k], between);
+    }
+    return met ? FOLLOW_IMAGE : FOLLOW_LONG;
+}
+
 static FollowEnd walk_on(Walk *walk, FollowBranch *branch, const Place *start, double longest) {
     size_t n = walk->states;
     double *rooms[] = {place_room(n), place_room(n), place_room(n)}, step = longest / 4;
@@ -348,22 +366,15 @@ static FollowEnd walk_on(Walk *walk, FollowBranch *branch, const Place *start, d
             step /= 2;
             if (step >= SMALLEST * longest)
                 continue;
-            end = FOLLOW_LOST;
-            if (touches_beyond(walk, &here, BEYOND * longest))
+            bool touches = touches_beyond(walk, &here, BEYOND * longest);
+            end = stop_requested(walk->stop) ? FOLLOW_STOPPED : FOLLOW_LOST;
+            if (touches && end == FOLLOW_LOST)
                 add_point(branch, walk, FOLLOW_TOUCH, &here);
             break;
         }
-        static const FollowKind kinds[] = {FOLLOW_FOLD, FOLLOW_FLIP, FOLLOW_PITCHFORK, FOLLOW_NEIMARK, FOLLOW_TOUCH};
-        bool met = false, turned = is_between(FOLLOW_FOLD, &here, &next, n);
-        for (size_t k = 0; k < sizeof kinds / sizeof *kinds && !met; k++) {
-            if ((kinds[k] == FOLLOW_PITCHFORK && turned) || !is_between(kinds[k], &here, &next, n) ||
-                !locate(walk, kinds[k], &here, &next, &between))
-                continue;
-            met = kinds[k] == FOLLOW_FOLD && turns_over(walk, &here, &next);
-            add_point(branch, walk, met ? FOLLOW_PITCHFORK : kinds[k], &between);
-        }
-        if (met) {
-            end = FOLLOW_IMAGE;
+        FollowEnd event = add_events(walk, branch, &here, &next, &between);
+        if (event != FOLLOW_LONG) {
+            end = event;
             break;
         }
         add_point(branch, walk, FOLLOW_STEP, &next);

@@ -122,6 +122,8 @@ verbs = {
     "follow, json": ["study", oscillator, *quiet, "--follow", "drive.force=20:40", "--json"],
     "follow, curves": ["study", oscillator, *short, "--set", "drive.frequency=280", "--follow", "drive.frequency=275:285",
                        "--vary", "joint.clearance=0.000126:0.000128:2", "--json"],
+    "follow, touching": ["study", oscillator, *short, "--set", "drive.frequency=110", "--follow", "drive.frequency=109:111",
+                         "--json"],
     "fit of a beam": ["fit", oscillator, *short, "--measured", peaks, "--fit", "shaker.moving_mass", "--json"],
     "types of a house": ["study", walker, "--types", "door.d1.width", "--json"],
     "types of a beam": ["study", oscillator, *short, "--types", "drive.frequency", "--json"],
@@ -237,6 +239,14 @@ def told(part, whole, path=""):
         yield f"{path}: {part!r} instead of {whole!r}"
 
 
+def misplaced(part, whole):
+    """Yields the points of interrupted branches and curves that are not on the complete ones; an end is that of the part."""
+    for a, b in zip([part, *part.get("begun", [])], [whole, *whole.get("begun", [])]):
+        yield from (point for point in a.get("points", []) if point["point"] != "end" and point not in b["points"])
+    on_curves = [point for curve in whole.get("curves", []) for point in curve["points"]]
+    yield from (point for curve in part.get("curves", []) for point in curve["points"] if point not in on_curves)
+
+
 def false_in_json(part, whole):
     """The false values of an interrupted answer of any kind."""
     kind = part.get("kind")
@@ -249,6 +259,8 @@ def false_in_json(part, whole):
     share = part.get("contact_share") if kind in ("beam", "crank") else None
     if share is not None and not 0 <= share <= 1 + 1e-12:
         return [f"contact_share: {share}"]
+    if kind == "follow" and (wrong := list(misplaced(part, whole))):
+        return wrong
     part = {k: v for k, v in part.items() if k not in partial.get(kind, ())}
     if kind == "compare":
         for run in "ab":

@@ -217,6 +217,76 @@ TEST(an_oscillator_that_hits_one_stop_folds_and_flips_where_its_closed_form_does
     follow_clear(&branch);
 }
 
+/* Interruption -------------------------------------------------------------------------------------------------------
+ */
+
+/* Henon's map that counts its moves and those from beyond TOUCHED, which count as switches, and requests the end of the
+ * work at one of its moves. */
+static const double TOUCHED = 1;
+static Stop stop;
+static size_t moves, stops_at, touches;
+
+static void move_and_stop(const void *numbers, double *point, double *derivative) {
+    touches += point[0] > TOUCHED;
+    if (++moves == stops_at)
+        stop_request(&stop);
+    planar_map_henon(numbers, point, derivative);
+}
+
+static CycleTally touches_of(const void *motion) {
+    (void)motion;
+    return (CycleTally){.switches = touches};
+}
+
+static Cycle stopping_at(void *context, double value) {
+    static CycleKind kind;
+    Cycle cycle = map_at(context, value);
+    kind = *cycle.kind;
+    kind.tally = touches_of;
+    return (Cycle){&kind, cycle.given};
+}
+
+/* True if each point of a branch is where it belongs on the whole one, with the same bits. */
+static bool is_part(const FollowBranch *part, const FollowBranch *whole) {
+    bool same = part->start <= whole->start && part->count - part->start <= whole->count - whole->start;
+    for (size_t i = 0; i < part->count && same; i++) {
+        size_t k = whole->start - part->start + i;
+        const FollowPoint *a = &part->points[i], *b = &whole->points[k];
+        same = a->kind == b->kind && a->value == b->value && a->peak == b->peak && a->re == b->re && a->im == b->im &&
+               a->largest == b->largest && a->stable == b->stable && a->switches == b->switches &&
+               memcmp(follow_state(part, i), follow_state(whole, k), part->states * sizeof(double)) == 0;
+    }
+    return same;
+}
+
+TEST(a_branch_that_is_interrupted_is_a_part_of_the_whole_one) {
+    enum { STRIDE = 41 };
+    Numbered numbered = {.map = {move_and_stop, NULL, 0}, .numbers = {0, 0.3}};
+    FollowFamily family = {.at = stopping_at, .context = &numbered, .from = -0.5, .to = 0.5};
+    const double b = 0.3, a = 0.2, x = (b - 1 + sqrt((1 - b) * (1 - b) + 4 * a)) / (2 * a);
+    FollowBranch whole;
+    moves = stops_at = 0;
+    CHECK(follow_run(&whole, &family, a, (double[]){x, b * x}, 1, 0.1, &stop));
+    check_point(&whole, FOLLOW_FOLD, 0, -(1 - b) * (1 - b) / 4, 1e-6);
+    check_point(&whole, FOLLOW_FLIP, 0, 3 * (1 - b) * (1 - b) / 4, 1e-6);
+    check_point(&whole, FOLLOW_TOUCH, 0, b, 1e-6); /* where x = 1 */
+    size_t all = moves, parts = 0, wrong = 0;
+    for (size_t n = 1; n <= all; n += STRIDE) {
+        FollowBranch part;
+        moves = 0;
+        stops_at = n;
+        bool any = follow_run(&part, &family, a, (double[]){x, b * x}, 1, 0.1, &stop);
+        wrong += any && (!is_part(&part, &whole) || (part.above != FOLLOW_STOPPED && part.count < whole.count));
+        parts += any && part.count < whole.count;
+        stop_withdraw(&stop);
+        follow_clear(&part);
+    }
+    printf("     %zu of %zu moves, %zu parts\n", all / STRIDE, all, parts);
+    CHECK(wrong == 0 && parts > 100);
+    stops_at = 0;
+    follow_clear(&whole);
+}
+
 /* Beams --------------------------------------------------------------------------------------------------------------
  */
 
