@@ -149,12 +149,12 @@ static bool all_passed(const Verification *cases, size_t count) {
     return all;
 }
 
-/* True if a check was not run although its house can be read. */
+/* True if a check was not run although its house can be read, or could not be read before the interruption. */
 static bool is_interrupted(const Verification *cases, size_t count, const Fault *fault) {
     bool missing = false;
     for (size_t i = 0; i < count; i++)
         missing |= case_run_verdict(&cases[i]) == VERDICT_NOT_RUN;
-    return missing && !fault->total;
+    return missing && (!fault->total || text_read_interrupted());
 }
 
 static int give_answer(const Verification *cases, size_t count, const Options *options, Fault *fault) {
@@ -168,8 +168,10 @@ static int give_answer(const Verification *cases, size_t count, const Options *o
     else
         cases_text_print(cases, count);
     json_decref(answer);
-    if (fault->total)
-        return house_file_report(fault);
+    if (fault->total) {
+        int code = house_file_report(fault);
+        return interrupted ? EXIT_ANSWER_NO : code;
+    }
     if (options->out && written && !options->json)
         printf("\nthe tables are in %s\n", options->out);
     return !written ? EXIT_WRONG_INPUT : all_passed(cases, count) ? EXIT_ANSWERED : EXIT_ANSWER_NO;

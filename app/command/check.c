@@ -208,7 +208,7 @@ int command_check(const Options *options) {
     Fault fault = {0};
     if (!read_files(&house, &population, options, &fault)) {
         population_free(&population);
-        if (options->json)
+        if (options->json && !text_read_interrupted()) /* the verb's caller answers for an interruption */
             answer_print(json_pack("{s:s, s:o, s:[]}", "kind", "check", "faults", fault_lines(&fault), "people"));
         return house_file_report(&fault);
     }

@@ -9,6 +9,7 @@
 #include "base/file_write.h"
 #include "base/json.h"
 #include "base/text.h"
+#include "command/answer.h"
 #include "command/licences.h"
 #include "command/progress.h"
 #include "platform/terminal.h"
@@ -28,6 +29,22 @@ static void print(Text *text) {
     memory_free(text->text);
 }
 
+/* Says that a file could not be read before the interruption, which is not an error of the input. */
+static int tell_unread(VerbId verb, const Options *options) {
+    static const char *const kinds[VERBS] = {
+        /* NULL: the kind of the answer depends on the file */
+        [VERB_CHECK] = "check", [VERB_COMPARE] = "compare", [VERB_LOCI] = "loci",   [VERB_ABLATE] = "ablate",
+        [VERB_FIT] = "fit",     [VERB_RULES] = "rules",     [VERB_CASES] = "cases", [VERB_IMPORT] = "import"};
+    if (options->json) {
+        json_t *answer = json_object();
+        if (kinds[verb])
+            json_object_set_new(answer, "kind", json_string(kinds[verb]));
+        answer_mark_interrupted(answer, true);
+        answer_print(answer);
+    }
+    return EXIT_ANSWER_NO;
+}
+
 /* Runs a verb whose own words begin at argv[first]. */
 static int run_verb(VerbId verb, int argc, char **argv, int first) {
     Options options;
@@ -39,6 +56,8 @@ static int run_verb(VerbId verb, int argc, char **argv, int first) {
         print(&text);
     } else if (!code) {
         code = acts[verb](&options);
+        if (code == EXIT_WRONG_INPUT && text_read_interrupted())
+            code = tell_unread(verb, &options);
     }
     options_end(&options);
     return code;

@@ -95,7 +95,7 @@ static const Experiment *open_route(Job *job, const char *id, Fault *fault) {
 static bool open_house(Job *job, Fault *fault) {
     const Options *options = job->options;
     House house = {0};
-    if (options->measured) {
+    if (options->measured && !text_read_interrupted()) {
         fault_add(fault, "clearance: --measured is for beams, %s is a house; its times come with --observed",
                   options->files[0]);
         return false;

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "beam/beam_cycle.h"
 #include "command/answer.h"
 #include "command/house_file.h"
@@ -354,7 +355,7 @@ int follow_beam_file(const Options *options) {
     const char *file = options->files[0];
     if (!read_range(&follower, &fault))
         return house_file_report(&fault);
-    if (!beam_is_file(file)) {
+    if (!beam_is_file(file) && !text_read_interrupted()) {
         fault_add(&fault, "clearance: --follow is for beams, %s is none", file);
         return house_file_report(&fault);
     }

@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "base/stopwatch.h"
+#include "base/text.h"
 #include "command/answer.h"
 #include "command/house_file.h"
 #include "command/output.h"
@@ -180,7 +181,7 @@ int paper_answer(const Options *options) {
                                             : options->quiet ? NULL
                                                              : write_progress,
                                 .context = &lines};
-    if (!crank && !beam_is_file(options->files[0])) {
+    if (!crank && !beam_is_file(options->files[0]) && !text_read_interrupted()) {
         fault_add(&fault, "clearance: --paper needs a beam or crank file; %s is not one", options->files[0]);
         return house_file_report(&fault);
     }

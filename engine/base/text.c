@@ -107,6 +107,10 @@ const char *text_read_reason(int error) {
 /* True once a signal has ended the wait for a pipe: the next reader must not wait for the same pipe again. */
 static atomic_bool interrupted;
 
+bool text_read_interrupted(void) {
+    return atomic_load(&interrupted);
+}
+
 static void note_interruption(int error) {
     if (error == EINTR)
         atomic_store(&interrupted, true);

@@ -23,6 +23,10 @@ void text_make_plain(char *line);
  * signal ends the wait for a pipe. */
 char *text_read_file(const char *path, size_t largest, size_t *size);
 
+/* True once a signal has ended the wait of text_read_file for a pipe: the file is not faulty, but unknown. Any thread
+ * may call it. */
+bool text_read_interrupted(void);
+
 /* Makes text_read_file refuse all but regular files from here on, for a window, which must not wait for a pipe. */
 void text_read_regular_only(void);
 

@@ -31,28 +31,43 @@ def waits(pid):
     return int(lines["SigCgt"], 16) >> (signal.SIGTERM - 1) & 1 and lines["State"].split()[0] == "S"
 
 
+def interrupt(words, number, standard_input, out):
+    """Starts a process, sends it a signal once it waits for its file, and returns its exit code, answer and errors."""
+    process = subprocess.Popen([program, *map(str, words)], stdin=standard_input, stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, text=True, cwd=out)
+    while not waits(process.pid) and process.poll() is None:
+        time.sleep(0.01)
+    process.send_signal(number)
+    try:
+        output, error = process.communicate(timeout=SECONDS)
+        return process.returncode, output, error
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.communicate()
+        return None, "", "survives the signal"
+
+
 def check_pipes(out):
+    """A file that is read when the signal comes is not bad input: the answer is interrupted."""
     pipe = out / "pipe.json"
     os.mkfifo(pipe)
-    os.mkfifo(out / "plan.wkt")
+    for suffix in ("wkt", "dxf"):
+        os.mkfifo(out / f"plan.{suffix}")
     reading, writing = os.pipe()  # a standard input that stays open
+    plans = [["import", out / f"plan.{suffix}", out / "new.json"] for suffix in ("wkt", "dxf")]
+    verbs = [["check", pipe], ["check", corridor, "--drivers", "2", "--population", pipe], ["run", pipe], ["study", pipe],
+             ["study", pipe, "--vary", "door.d1.width=0.8:0.9:2"], ["study", pipe, "--follow", "drive.frequency=1:2"],
+             ["study", pipe, "--types", "drive.frequency"], ["study", pipe, "--paper"], ["study", pipe, "--shake", "2"],
+             ["compare", corridor, pipe], ["loci", pipe], ["ablate", pipe], ["fit", pipe, "--measured", pipe],
+             ["rules", pipe], ["rules", corridor, "--rules", pipe], ["cases", pipe], ["check", "/dev/stdin"], *plans]
     for number in (signal.SIGTERM, signal.SIGINT):
-        for words, standard_input in ((["check", pipe], None), (["run", pipe], None), (["study", pipe], None),
-                                      (["cases", pipe], None), (["check", "/dev/stdin"], reading),
-                                      (["import", out / "plan.wkt", out / "new.json"], None)):
-            process = subprocess.Popen([program, *map(str, words)], stdin=standard_input, stdout=subprocess.DEVNULL,
-                                       stderr=subprocess.PIPE, text=True, cwd=out)
-            while not waits(process.pid) and process.poll() is None:
-                time.sleep(0.01)
-            process.send_signal(number)
-            try:
-                error = process.communicate(timeout=SECONDS)[1]
-                check(process.returncode == 2 and "cannot be read: interrupted" in error, f"{words} ends at signal {number}",
-                      f"{process.returncode} {error}")
-            except subprocess.TimeoutExpired:
-                process.kill()
-                process.communicate()
-                check(False, f"{words} survives signal {number}")
+        for words in [*verbs, *([*words, "--json"] for words in verbs), ["export", pipe, "--out", out / "new.svg"],
+                      ["lesson", "check", pipe]]:
+            code, output, error = interrupt(words, number, reading, out)
+            said = "--json" not in words or \
+                output.startswith("{") and json.loads(output).get("interrupted") is True and "faults" not in output
+            check(code == 1 and "interrupted" in error and said, f"{words} at signal {number}: interrupted",
+                  f"{code} {output} {error}")
     os.close(reading)
     os.close(writing)
     done = run("check", "/dev/stdin", input=corridor.read_text())
