@@ -114,7 +114,7 @@ int command_ablate(const Options *options) {
     } else {
         fprintf(stderr, "clearance: interrupted before all drivers had run; nothing is compared or written\n");
         if (options->json) {
-            json_t *object = json_pack("{s:s, s:[]}", "kind", "ablate", "people");
+            json_t *object = json_pack("{s:s}", "kind", "ablate");
             answer_mark_interrupted(object, true);
             answer_print(object);
         }

@@ -17,15 +17,16 @@ json_t *answer_house(const House *house, const Observation *observation) {
     char digest[17];
     snprintf(digest, sizeof digest, "%016" PRIx64, observation->digest);
     Census census = census_make(house, observation);
-    json_t *answer =
-        json_pack("{s:s, s:s, s:s, s:I, s:f, s:I, s:b, s:o, s:o, s:o, s:o, s:o, s:s}", "kind", "house", "house",
-                  house->plan.name, "note", house->plan.note, "seed", (json_int_t)house->seed, "dt", observation->dt,
-                  "steps", (json_int_t)observation->steps, "completed", observation->completed, "time",
-                  isfinite(observation->time) ? json_real(round(observation->time * 1e6) / 1e6) : json_null(), "people",
-                  result_json_take_list(result_house_people(house, observation)), "crowds",
-                  result_json_take_list(result_house_parties(house, &census, true)), "routes",
-                  result_json_take_list(result_house_routes(house, observation)), "hazards",
-                  result_json_take_list(result_house_hazards(observation)), "digest", digest);
+    bool unknown = observation->interrupted && !observation->completed;
+    json_t *answer = json_pack(
+        "{s:s, s:s, s:s, s:I, s:f, s:I, s:o*, s:o, s:o, s:o, s:o, s:o, s:s}", "kind", "house", "house",
+        house->plan.name, "note", house->plan.note, "seed", (json_int_t)house->seed, "dt", observation->dt, "steps",
+        (json_int_t)observation->steps, "completed", unknown ? NULL : json_boolean(observation->completed), "time",
+        isfinite(observation->time) ? json_real(round(observation->time * 1e6) / 1e6) : json_null(), "people",
+        result_json_take_list(result_house_people(house, observation)), "crowds",
+        result_json_take_list(result_house_parties(house, &census, true)), "routes",
+        result_json_take_list(result_house_routes(house, observation)), "hazards",
+        result_json_take_list(result_house_hazards(observation)), "digest", digest);
     census_clear(&census);
     answer_mark_interrupted(answer, observation->interrupted);
     return answer;

@@ -7,7 +7,7 @@
 #include "house/house.h"
 #include "house/observation.h"
 
-/* {"kind":"house", ...}. New; json_decref it. */
+/* {"kind":"house", ...}. An interrupted run leaves "completed" out unless all people are out. New; json_decref it. */
 json_t *answer_house(const House *house, const Observation *observation);
 
 /* Adds "interrupted": true to an answer that is not complete, or whose pictures and films are not. Scripts tell an

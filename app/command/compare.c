@@ -65,12 +65,12 @@ static json_t *differences(const House houses[2], const Observation observations
     return rows;
 }
 
-/* An interrupted run has no differences from another one. */
+/* The differences from an interrupted run are unknown, and left out. */
 static json_t *make_answer(const House houses[2], const Observation observations[2], bool interrupted) {
     json_t *answer =
-        json_pack("{s:s, s:o, s:o, s:o}", "kind", "compare", "a", answer_house(&houses[0], &observations[0]), "b",
+        json_pack("{s:s, s:o, s:o, s:o*}", "kind", "compare", "a", answer_house(&houses[0], &observations[0]), "b",
                   answer_house(&houses[1], &observations[1]), "differences",
-                  is_interrupted(observations) ? json_array() : differences(houses, observations));
+                  is_interrupted(observations) ? NULL : differences(houses, observations));
     answer_mark_interrupted(answer, interrupted);
     return answer;
 }

@@ -17,8 +17,10 @@
 static void print_answer(const House *house, const RuleSets *sets, const Inspection *inspection) {
     Arena arena = {0};
     Text text = {0};
-    text_format(&text, "%s\n%s: %s\n", result_rules_sentence(inspection, &arena), house->plan.name,
-                result_rules_counts(inspection, &arena));
+    text_format(&text, "%s\n%s", result_rules_sentence(inspection, &arena), house->plan.name);
+    if (!inspection->interrupted)
+        text_format(&text, ": %s", result_rules_counts(inspection, &arena));
+    text_add(&text, "\n");
     result_text_take(&text, "where chairs are stopped\n", result_rules_stops(inspection));
     for (FindingGroup group = GROUP_LEGAL_IMPASSABLE; group <= GROUP_OPEN; group++)
         result_text_take(&text, text_in_arena(&arena, "%s\n", result_rules_group(group)),
@@ -30,17 +32,23 @@ static void print_answer(const House *house, const RuleSets *sets, const Inspect
     arena_clear(&arena);
 }
 
+/* Returns a count, or NULL, which leaves the key out, if it is unknown. */
+static json_t *count_of(const Inspection *inspection, int verdict) {
+    return inspection->interrupted ? NULL : json_integer((json_int_t)inspection->counts[verdict]);
+}
+
+/* An interrupted inspection has no numbers: its answer has only the keys that are known. */
 static json_t *answer_of(const House *house, const RuleSets *sets, const Inspection *inspection) {
     Arena arena = {0};
-    const size_t *counts = inspection->counts;
-    json_t *answer =
-        json_pack("{s:s, s:s, s:s, s:s, s:b, s:I, s:I, s:I, s:o, s:o, s:o}", "kind", "rules", "house", house->plan.name,
-                  "note", house->plan.note, "headline", result_rules_sentence(inspection, &arena), "legal_impassable",
-                  inspection_legal_impassable(inspection) != NULL, "pass", (json_int_t)counts[RULE_PASSES], "fail",
-                  (json_int_t)counts[RULE_FAILS], "unknown", (json_int_t)counts[RULE_OPEN], "findings",
-                  result_json_take_list(result_rules_all(inspection)), "stops",
-                  result_json_take_list(result_rules_stops(inspection)), "sets",
-                  result_json_take_list(result_rules_sets(inspection, sets)));
+    bool known = !inspection->interrupted;
+    json_t *answer = json_pack(
+        "{s:s, s:s, s:s, s:s, s:o*, s:o*, s:o*, s:o*, s:o*, s:o*, s:o}", "kind", "rules", "house", house->plan.name,
+        "note", house->plan.note, "headline", result_rules_sentence(inspection, &arena), "legal_impassable",
+        known ? json_boolean(inspection_legal_impassable(inspection) != NULL) : NULL, "pass",
+        count_of(inspection, RULE_PASSES), "fail", count_of(inspection, RULE_FAILS), "unknown",
+        count_of(inspection, RULE_OPEN), "findings", known ? result_json_take_list(result_rules_all(inspection)) : NULL,
+        "stops", known ? result_json_take_list(result_rules_stops(inspection)) : NULL, "sets",
+        result_json_take_list(result_rules_sets(inspection, sets)));
     answer_mark_interrupted(answer, inspection->interrupted);
     arena_clear(&arena);
     return answer;

@@ -179,7 +179,7 @@ ResultTable result_rules_all(const Inspection *inspection) {
 
 ResultTable result_rules_stops(const Inspection *inspection) {
     ResultTable table = {.numbers = RESULT_MICRO};
-    for (size_t p = 0; p < inspection->place_count; p++) {
+    for (size_t p = 0; p < inspection->place_count && !inspection->interrupted; p++) {
         const RulePlace *place = &inspection->places[p];
         char widths[ROUTE_WIDTHS];
         if (!place->stopped)
@@ -226,7 +226,8 @@ ResultTable result_rules_sets(const Inspection *inspection, const RuleSets *sets
             result_add(&table, (ResultRow){.key = verdict_word(v),
                                            .label = labels[v],
                                            .kind = RESULT_COUNT,
-                                           .number = (double)counts[v]});
+                                           .number = (double)counts[v],
+                                           .omitted = inspection->interrupted});
         }
         result_add(&table, (ResultRow){.key = "note", .text = set->note});
         result_end(&table);

@@ -21,10 +21,11 @@ const char *result_rules_group(FindingGroup group);
 ResultTable result_rules_findings(const Inspection *inspection, FindingGroup group);
 ResultTable result_rules_all(const Inspection *inspection);
 
-/* A record for each place where chairs are stopped. */
+/* A record for each place where chairs are stopped; none if the inspection was interrupted. */
 ResultTable result_rules_stops(const Inspection *inspection);
 
-/* A record for each set: its title, what it applies to, its findings by verdict, and what it does not check. */
+/* A record for each set: its title, what it applies to, its findings by verdict, which are unknown if the inspection
+ * was interrupted, and what it does not check. */
 ResultTable result_rules_sets(const Inspection *inspection, const RuleSets *sets);
 
 /* Returns "pass", "fail by 0.05 m" or "cannot be told". */

@@ -91,7 +91,8 @@ void result_verdict_add(ResultTable *table, const Response *response, const char
     result_add(table, (ResultRow){.key = "quick",
                                   .label = "quick verdict",
                                   .kind = RESULT_FLAG,
-                                  .number = response_is_quick(response)});
+                                  .number = response_is_quick(response),
+                                  .omitted = interrupted});
     result_add(table, (ResultRow){.key = "period",
                                   .label = text_in_arena(arena, "period in %ss", cycle),
                                   .kind = RESULT_COUNT,

@@ -110,6 +110,8 @@ verbs = {
     "compare": ["compare", wide, crowd],
     "compare, json": ["compare", wide, tight, "--json"],
     "compare, report": ["compare", wide, crowd, "--json", "--out", "OUT", "--report"],
+    "rules": ["rules", wide],
+    "rules, json": ["rules", house("corner-0.78-0.78"), "--json"],
     "loci": ["loci", house("corner-1.20-1.20"), "--json"],
     "study of a house": ["study", walker, "--vary", "door.d1.width=0.6:0.9:2", "--json"],
     "study of a house, files": ["study", wide, "--runs", "3", "--json", "--out", "OUT"],
@@ -214,7 +216,7 @@ def told(part, whole, path=""):
     and what is measured over a time, are smaller when less of it was seen, and stand beside "interrupted". A type or a
     verdict may be "interrupted", a state of its own, and never "unresolved" where the complete one is not."""
     work = {"runs", "thorough", "neighbour_runs", "stopped", "interrupted", "reason", "done", "cycles", "digest", "steps",
-            "time", "quick", "suggestions_complete", "advice", "suggestion_notes", "completed"}
+            "time", "suggestions_complete", "advice", "suggestion_notes"}
     if part is None or part == "interrupted" or path.rsplit(".", 1)[-1] in work:
         return
     if isinstance(part, dict) and isinstance(whole, dict):
@@ -251,7 +253,8 @@ def false_in_json(part, whole):
     """The false values of an interrupted answer of any kind."""
     kind = part.get("kind")
     partial = {"house": {"hazards", "crowds", "routes"}, "follow": {"points", "begun", "curves", "above", "below", "left_out"},
-               "fit": {"headline"}, "beam": {"peaks", "switches", "contact_share", "grazes"},
+               "fit": {"headline"}, "rules": {"headline"},
+               "beam": {"peaks", "switches", "contact_share", "grazes"},
                "crank": {"peaks", "switches", "contact_share", "touches"},
                "study": {"regular", "not_regular", "cannot_be_told", "verdicts", "ranges", "best", "worst", "distribution",
                          "first_fault"},

@@ -41,6 +41,27 @@ TEST(the_shipped_corridor_of_0_78_m_is_called_legal_and_impassable) {
     clear(&house, &sets, &inspection);
 }
 
+TEST(an_interrupted_inspection_has_no_numbers) {
+    House house;
+    RuleSets sets;
+    Stop stop = {1};
+    Inspection whole = inspect(&house, &sets, "corner-0.78-0.78");
+    Inspection inspection = inspection_make(&house, &sets, 1, &stop);
+    inspection.places[0].stopped = 1; /* as if another thread had found a chair that is stopped */
+    ResultTable stops = result_rules_stops(&inspection), counts = result_rules_sets(&inspection, &sets);
+    CHECK(inspection.interrupted && !inspection.finding_count && stops.record_count == 0);
+    CHECK(counts.record_count == sets.count && !whole.interrupted);
+    for (size_t s = 0; s < counts.record_count; s++)
+        CHECK(result_find(&counts, s, "pass")->omitted && result_find(&counts, s, "fail")->omitted);
+    result_clear(&stops);
+    result_clear(&counts);
+    counts = result_rules_sets(&whole, &sets);
+    CHECK(!result_find(&counts, 0, "pass")->omitted);
+    result_clear(&counts);
+    inspection_free(&whole);
+    clear(&house, &sets, &inspection);
+}
+
 TEST(a_wide_corner_is_not_called_so) {
     House house;
     RuleSets sets;
