@@ -77,7 +77,8 @@ static void print_text(void) {
            "The program is under the MIT licence. None of its libraries puts it under the GPL: those under\n"
            "the LGPL are shared, so that you can replace them, and the exception of GCC's runtime allows any\n"
            "licence of a program. ffmpeg is run as a program of its own. On Debian the text of each licence\n"
-           "is /usr/share/doc/PACKAGE/copyright.\n");
+           "is /usr/share/doc/PACKAGE/copyright. Those that the program asks for itself are listed; ldd\n"
+           "shows what they ask for in turn.\n");
     for (Link link = 0; link < LINKS; link++) {
         printf("\n%-27s %-12s %-40s %s\n", link_meanings[link], "Version", "Licence", "Package");
         for (size_t i = 0; i < LIBRARIES; i++) {
