@@ -66,6 +66,8 @@ for (width, height), (name, path, plots) in [(size, kind) for size in ((1280, 72
     what = f"{name}, {width} x {height}"
     screen = Screen(f"{name}-{height}", path, width=width, height=height, minutes=20, texts=True)
     state = screen.until(lambda s: s["answer"]["title"] and not s["answer"]["stale"] and (name == "beam" or s["complete"]))
+    if name == "beam":
+        screen.until(lambda s: s["end"] > 0.1)  # the phase plane has some thirty cycles
     if state["playing"]:
         screen.keys("space")
     screen.until(lambda s: not s["answer"]["doing"], patience=4 * stage.PATIENCE)  # the diagram has all its values
