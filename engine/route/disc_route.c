@@ -7,8 +7,9 @@
 
 /* Descends the field of times from grid point to grid point, then pulls the path taut: from each point on, the farthest
  * point that is visible along a straight line with the clearance COMFORT, or with the clearance of the skipped points
- * if that is less, replaces all points between. Lines are checked by sphere tracing (Hart 1996): where the nearest
- * obstacle is d away from the disc, the next d of the line are free. */
+ * if that is less, replaces all points between. Where the disc finds no way between the points of the grid, those
+ * within a cell of a way count as well, and are moved to it. Lines are checked by sphere tracing (Hart 1996): where the
+ * nearest obstacle is d away from the disc, the next d of the line are free. */
 
 #define COMFORT 0.05        /* m, clearance that is preserved where there is that much */
 #define TIGHT 0.002         /* m, clearance at grid points: the chords between them round a corner lose at most 1 mm */
@@ -17,7 +18,7 @@
 #define BEYOND 0.3          /* m, straight continuation across an exit's line */
 #define FINER 4.0           /* 1, refinement of the grid for the second search */
 
-enum { PASSES = 4 };
+enum { PASSES = 4, LIFTS = 4 };
 
 typedef struct Line {
     Vec2 *at; /* (count) */
@@ -100,6 +101,27 @@ static bool walk_down(const Field *field, Vec2 start, double radius, Line *line)
         at_x = next_x;
         at_y = next_y;
     }
+}
+
+/* Moves the points of a line that lack room towards the middle between what is near and what is opposite. Returns false
+ * if a motion from point to point is not free then. */
+static bool lift(Line *line, const FreeSpace *space, double radius) {
+    for (size_t i = 1; i < line->count; i++)
+        for (int n = 0; n < LIFTS; n++) {
+            int near, opposite;
+            Vec2 *at = &line->at[i];
+            double lack = radius + TIGHT - freespace_exact(space, *at, radius + TIGHT, &near);
+            if (!(lack > 0) || near < 0)
+                break;
+            const Face *face = &space->outline->faces[near];
+            Vec2 off = vec2_sub(*at, vec2_nearest_on_segment(*at, face->a, face->b)), away = vec2_unit(off);
+            double room = outline_ray(space->outline, *at, away, FREESPACE_FARTHEST, &opposite);
+            *at = vec2_along(*at, fmin(lack, (room - vec2_length(off)) / 2), away);
+        }
+    for (size_t i = 1; i < line->count; i++)
+        if (least_distance(space, line->at[i - 1], line->at[i], radius) < radius)
+            return false;
+    return true;
 }
 
 /* Continues straight across the exit at the end of the line. */
@@ -232,12 +254,14 @@ static void write_poses(SearchTrack *track, const Line *line, const FreeSpace *s
 }
 
 bool disc_route_leg(SearchTrack *track, Fields *fields, const Plan *plan, const FreeSpace *space,
-                    const Profile *profile, double radius, const Goal *goal) {
+                    const Profile *profile, double radius, const Goal *goal, bool lifts) {
     Vec2 start = track->poses[track->count - 1].at;
     Line line = {0};
-    const Field *field = fields_acquire(fields, &(FieldKey){plan, space, profile, radius + TIGHT, true, *goal, NULL});
-    bool found =
-        walk_down(field, start, radius, &line) && (goal->radius > 0 || cross_exit(&line, space, plan, goal, radius));
+    FieldKey key = {plan, space, profile, lifts ? radius : radius + TIGHT, !lifts, *goal, NULL};
+    const Field *field = fields_acquire(fields, &key);
+    bool found = walk_down(field, start, lifts ? fmax(radius - space->cell, 0) : radius, &line) &&
+                 (!lifts || lift(&line, space, radius)) &&
+                 (goal->radius > 0 || cross_exit(&line, space, plan, goal, radius));
     if (found) {
         if (goal->radius > 0) {
             line_replace(&line, tautened(&line, space, radius));
@@ -254,23 +278,26 @@ bool disc_route_leg(SearchTrack *track, Fields *fields, const Plan *plan, const 
 
 /* Plans all legs on one grid. */
 static bool find_on(SearchTrack *track, Fields *fields, const FreeSpace *space, const RouteQuery *query,
-                    const Goal *goals, size_t goal_count, double radius) {
+                    const Goal *goals, size_t goal_count, double radius, bool lifts) {
     double clearance = freespace_exact(space, query->at, radius + ROUTE_CLEARANCE_REACH, NULL) - radius;
     search_track_clear(track);
     search_track_add(track, (Pose){query->at, query->heading, clearance, 0});
     for (size_t leg = 0; leg < goal_count; leg++)
-        if (!disc_route_leg(track, fields, query->plan, space, query->profile, radius, &goals[leg]))
+        if (!disc_route_leg(track, fields, query->plan, space, query->profile, radius, &goals[leg], lifts))
             return false;
     return true;
 }
 
 bool disc_route_find(SearchTrack *track, const RouteQuery *query, const Goal *goals, size_t goal_count, double radius) {
-    if (find_on(track, query->fields, query->space, query, goals, goal_count, radius))
+    if (find_on(track, query->fields, query->space, query, goals, goal_count, radius, false))
         return true;
+    if (stop_requested(query->stop))
+        return false;
     FreeSpace fine;                /* gaps hardly wider than the disc slip between the points of a coarse grid */
     Fields *own = fields_create(); /* `fine` does not outlive this */
     freespace_build(&fine, query->space->outline, query->space->cell / FINER);
-    bool found = find_on(track, own, &fine, query, goals, goal_count, radius);
+    bool found = find_on(track, own, &fine, query, goals, goal_count, radius, false) ||
+                 (!stop_requested(query->stop) && find_on(track, own, &fine, query, goals, goal_count, radius, true));
     fields_destroy(own);
     freespace_free(&fine);
     return found;

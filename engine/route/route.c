@@ -375,7 +375,7 @@ static void search_round(Route *route, const RouteQuery *query, const Legs *legs
         return;
     }
     search_track_clear(&track);
-    if (!query->whether && !explain_round(route, query, legs, disc))
+    if (stop_requested(query->stop) || (!query->whether && !explain_round(route, query, legs, disc)))
         interrupt(route);
 }
 

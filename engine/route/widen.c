@@ -39,7 +39,7 @@ static WidenAnswer ask(const RouteQuery *query, const Passenger *who) {
     else if (disc_route_find(&track, query, who->goals, who->goal_count, who->radius))
         answer = DECIDE_FOUND;
     search_track_clear(&track);
-    if (answer == DECIDE_INTERRUPTED)
+    if (answer == DECIDE_INTERRUPTED || (!who->body && stop_requested(query->stop)))
         return WIDEN_INTERRUPTED;
     return answer == DECIDE_FOUND || answer == DECIDE_SEARCHED ? WIDEN_YES : WIDEN_NO;
 }

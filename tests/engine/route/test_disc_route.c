@@ -100,9 +100,9 @@ TEST(the_place_is_found_also_before_an_exit_that_can_be_walked_round) {
         }
 }
 
-/* Returns the blockage of a disc of 0.63 m that meets two pieces of furniture `gap` m apart, in rooms that are
- * turned by `angle` and shifted. */
-static Blockage blockage_between_pieces(double gap, double angle, Vec2 shift) {
+/* Returns the route of a disc of 0.63 m that meets two pieces of furniture `gap` m apart, in rooms that are turned by
+ * `angle` and shifted; the place of its blockage in the rooms as they were. */
+static Route route_between_pieces(double gap, double angle, Vec2 shift) {
     Rooms fixture;
     rooms_make_two(&fixture, 0.63, 1.2, DOOR_OPEN);
     rooms_free(&fixture);
@@ -124,23 +124,35 @@ static Blockage blockage_between_pieces(double gap, double angle, Vec2 shift) {
     fixture.query.at = vec2_add(vec2_turn(vec2(1, 1.5), axis), shift);
     rooms_build(&fixture);
     Route route = route_round(&fixture.query);
-    CHECK(route.answer == ROUTE_CANNOT_PASS);
-    Blockage blockage = route.blockage;
-    blockage.at = vec2_unturn(vec2_sub(blockage.at, shift), axis);
-    route_free(&route);
+    route.blockage.at = vec2_unturn(vec2_sub(route.blockage.at, shift), axis);
     rooms_free(&fixture);
-    return blockage;
+    return route;
 }
 
 TEST(the_width_of_a_refused_disc_is_that_of_a_tape) {
     static const double gaps[] = {0.11, 0.2, 0.451, 0.6, 0.615}, angles[] = {0, 0.13, 0.5, M_PI_4, 1.4};
     for (size_t g = 0; g < sizeof gaps / sizeof *gaps; g++)
         for (size_t a = 0; a < sizeof angles / sizeof *angles; a++) {
-            Blockage blockage = blockage_between_pieces(gaps[g], angles[a], vec2(0.017 * (double)a, -3.301));
+            Route route = route_between_pieces(gaps[g], angles[a], vec2(0.017 * (double)a, -3.301));
+            Blockage blockage = route.blockage;
+            CHECK(route.answer == ROUTE_CANNOT_PASS);
+            route_free(&route);
             CHECK_NEAR(blockage.has, gaps[g], 1e-3);
             CHECK(blockage.estimated);
             CHECK_NEAR(blockage.needs, 0.63, 1e-12);
             CHECK_NEAR(blockage.at.x, 4, 0.25);
             CHECK_NEAR(blockage.at.y, 1.5, 5e-3);
+        }
+}
+
+TEST(a_disc_passes_a_gap_hardly_wider_however_it_lies) {
+    static const double gaps[] = {0.628, 0.632, 0.635, 0.64, 0.645}, angles[] = {0, 0.13, 0.5, M_PI_4, 1.4};
+    for (size_t g = 0; g < sizeof gaps / sizeof *gaps; g++)
+        for (size_t a = 0; a < sizeof angles / sizeof *angles; a++) {
+            Route route =
+                route_between_pieces(gaps[g], angles[a], vec2(0.017 * (double)a, -3.301 + 0.0071 * (double)g));
+            CHECK((route.answer == ROUTE_FOUND) == (gaps[g] > 0.63));
+            CHECK(route.answer != ROUTE_FOUND || route.narrowest >= 0);
+            route_free(&route);
         }
 }

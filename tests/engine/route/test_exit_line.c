@@ -133,7 +133,8 @@ TEST(a_disc_leaves_by_an_exit_on_the_points_of_the_grid) {
         Goal goal = field_exit_goal(&fixture.plan, SIZE_MAX, 0, false);
         SearchTrack track = {0};
         search_track_add(&track, (Pose){fixture.query.at, 0, 0, 0});
-        bool found = disc_route_leg(&track, fields, &fixture.plan, &fixture.space, &fixture.profile, 0.25, &goal);
+        bool found =
+            disc_route_leg(&track, fields, &fixture.plan, &fixture.space, &fixture.profile, 0.25, &goal, false);
         lost += !found || !leads_out(&fixture, track.exit, track.poses[track.count - 1].at);
         search_track_clear(&track);
         fields_destroy(fields);
