@@ -245,6 +245,10 @@ static Reason run_world(World *world, Journeys *journeys, Observer *observer, Gr
             replan_journeys(world, journeys, group->jobs, options->stop);
             next_closing = replan_next(world, time);
         }
+        if (time >= next_look) { /* before what takes long */
+            next_look += LOOK_UP;
+            look_up(group, world);
+        }
         if (time >= next_stray) {
             replan_strays(world, journeys, group->jobs, options->stop);
             queue_weigh(world, journeys, group->jobs, options->stop);
@@ -252,10 +256,6 @@ static Reason run_world(World *world, Journeys *journeys, Observer *observer, Gr
         }
         if (stop_requested(options->stop))
             return REASON_INTERRUPTED;
-        if (time >= next_look) {
-            next_look += LOOK_UP;
-            look_up(group, world);
-        }
         StepStatus status = step_world(world, NULL);
         observer_watch(observer);
         if (status == STEP_DIVERGED)

@@ -6,7 +6,7 @@
 #include "laboratory/house/picture.h"
 #include "visual/house/people_scene.h"
 
-#define MARGIN 2 /* samples at the end of a record that still changes are not shown */
+#define MARGIN 1 /* samples at the end of a growing record, after which nobody's next place is known */
 
 /* Roles ------------------------------------------------------------------------------------------------------------ */
 
