@@ -79,7 +79,7 @@ typedef struct FollowBranch {
 
 /* Follows an orbit of `period` cycles through `point` (states) at `value`, both ways; `step` is the largest step as a
  * share of the range. An interrupted branch is a part of the whole one, to the bit, and ends with FOLLOW_STOPPED.
- * Returns false if it is no orbit; follow_clear releases the branch. */
+ * Returns false if the point lies on none; follow_clear releases the branch. */
 bool follow_run(FollowBranch *branch, const FollowFamily *family, double value, const double *point, size_t period,
                 double step, const Stop *stop);
 

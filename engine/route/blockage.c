@@ -195,12 +195,18 @@ static void mark_locked(Breach *breach) {
         Vec2 from, to;
         plan_geometry_door_ends(plan, &plan->doors[d], &from, &to);
         double reach = plan->walls[plan->doors[d].wall_index].thickness / 2 + space->cell;
+        double width = vec2_distance(from, to);
         Vec2 along = vec2_unit(vec2_sub(to, from));
-        for (int point = 0; point < space->nx * space->ny; point++) {
-            Vec2 at = vec2_sub(breach_place(breach, point), from);
-            double gone = vec2_dot(at, along);
-            if (gone > 0 && gone < vec2_distance(from, to) && fabs(vec2_cross(along, at)) <= reach)
-                breach->locked[point] = 1;
+        Box box = box_expand(box_include(box_include(box_empty(), from), to), reach);
+        for (int j = 0; j < space->ny; j++) {
+            double y = space->origin.y + j * space->cell;
+            for (int i = 0; i < space->nx && y >= box.low.y && y <= box.high.y; i++) {
+                int point = j * space->nx + i;
+                Vec2 at = vec2_sub(breach_place(breach, point), from);
+                double gone = vec2_dot(at, along);
+                if (gone > 0 && gone < width && fabs(vec2_cross(along, at)) <= reach)
+                    breach->locked[point] = 1;
+            }
         }
     }
 }
