@@ -15,10 +15,10 @@
  * FLOOR_FIELD_DISCOMFORT, 1. h is the grid's cell, m.
  *
  * Passable points: d > r; also r - h/2 < d <= r where the disc is free after it is moved straight away from the nearest
- * obstacle until it just touches it. So no gap narrower than the disc by more than about h^2 / (4 r) is passed, and
- * every one 5 cm wider has a chain of neighbours through it at any angle for h up to 0.11 m. Squeezed: any other with d
- * > h/2. Blocked: the rest. As an edge of the grid that crosses a wall has an end within h/2 of it, no time goes
- * through a wall, however thin.
+ * obstacle until it just touches it; in a gap less than about h wider than the disc, r - 3h/4 < d <= r, since the
+ * points within h / sqrt(2) of a line are a chain of neighbours at any angle. So no gap narrower than the disc by more
+ * than about h^2 / (4 r) is passed, and every wider one is. Squeezed: any other with d > h/2. Blocked: the rest. As an
+ * edge of the grid that crosses a wall has an end within h/2 of it, no time goes through a wall, however thin.
  *
  * Doors that can be opened add to the slowness b(x) delay, b the hat function of the distance from the door's line,
  * 2 DOOR_BAND h wide: its sum over grid points times h is 1 wherever the line lies.
@@ -33,6 +33,7 @@
 #define EXIT_BAND 1.5  /* cells, about an exit's line where directions are perpendicular to it */
 #define SEEDED 2.5     /* cells, about an exit's line where times are given: both orders then begin on one side */
 #define SQUEEZED 3.0   /* 1, times the slowness next to a wall: makes the path out of a squeeze the short one */
+#define DOUBTFUL 0.75  /* cells, by which a passable point may lack room */
 #define PUSHED_OFF 1.5 /* cells: at this distance from a wall, no neighbouring grid point lies behind it */
 #define KINK 0.8       /* 1, length of a mean direction below which its parts are two different paths */
 #define OUTSIDE 5.0   /* m, from the edge of the grid: a side of an exit that reaches the edge within this is outside */
@@ -73,19 +74,31 @@ static bool nearest_obstacle(const FreeSpace *space, Vec2 at, double reach, Vec2
     return true;
 }
 
-/* True if the disc is free when it is moved off the obstacle that it overlaps at this place. */
+/* True if another obstacle is opposite to the one that a place is moved away from, less than a cell farther than the
+ * disc needs. */
+static bool is_tight(const FloorField *field, Vec2 touching, Vec2 away) {
+    double half = field->cell / 2, distance;
+    Vec2 back;
+    return nearest_obstacle(field->space, vec2_along(touching, half, away), field->radius + half - TOUCHING, &back,
+                            &distance) &&
+           vec2_dot(back, away) < 0;
+}
+
+/* True if the disc is free when it is moved off the obstacle that it overlaps at this place; by more than half a cell
+ * only in a gap that is hardly wider than the disc. */
 static bool almost_passable(const FloorField *field, Vec2 at) {
     Vec2 away;
     double distance;
     if (!nearest_obstacle(field->space, at, field->radius, &away, &distance))
         return true;
     Vec2 off = vec2_along(at, field->radius - distance, away);
-    return freespace_exact(field->space, off, field->radius, NULL) > field->radius - TOUCHING;
+    return freespace_exact(field->space, off, field->radius, NULL) > field->radius - TOUCHING &&
+           (distance > field->radius - field->cell / 2 || is_tight(field, off, away));
 }
 
 static void classify(const FloorField *field, FastMarching *front, int stride) {
     const FreeSpace *space = field->space;
-    double blocked = field->cell / 2, doubtful = fmax(field->radius - field->cell / 2, blocked);
+    double blocked = field->cell / 2, doubtful = fmax(field->radius - DOUBTFUL * field->cell, blocked);
     for (int j = 0; j < field->ny; j++)
         for (int i = 0; i < field->nx; i++) {
             size_t point = point_at(field, i, j);

@@ -182,12 +182,13 @@ TEST(ways_keep_off_a_corner_where_there_is_room) {
     fixture_free(&fixture);
 }
 
-TEST(a_gap_narrower_than_the_disc_is_not_passed_and_one_5_cm_wider_is) {
-    const double cells[] = {0.02, 0.05, 0.08, 0.11}, thicknesses[] = {0, 0.1, 0.3};
+TEST(a_gap_narrower_than_the_disc_is_not_passed_and_any_wider_one_is) {
+    const double cells[] = {0.02, 0.05, 0.08, 0.11}, thicknesses[] = {0, 0.1, 0.3},
+                 wider[] = {0.001, 0.006, 0.02, 0.05};
     int wrong_narrow = 0, wrong_wide = 0, into = 0;
     Random random = random_seed(3, 1);
     for (size_t c = 0; c < sizeof cells / sizeof *cells; c++)
-        for (int n = 0; n < 12; n++) {
+        for (int n = 0; n < 24; n++) {
             double cell = cells[c], angle = 2 * M_PI * random_uniform(&random), thickness = thicknesses[n % 3];
             Vec2 start = vec2_turn(vec2(1, 2), vec2_heading(angle));
             Fixture fixture;
@@ -196,7 +197,7 @@ TEST(a_gap_narrower_than_the_disc_is_not_passed_and_one_5_cm_wider_is) {
             wrong_narrow += isfinite(floor_field_time(&fixture.field, start));
             CHECK(!(vec2_length(floor_field_direction(&fixture.field, start)) > 0));
             fixture_free(&fixture);
-            rooms_make(&fixture, 2 * RADIUS + 0.05, angle, thickness);
+            rooms_make(&fixture, 2 * RADIUS + wider[n % 4], angle, thickness);
             CHECK(fixture_build(&fixture, cell));
             wrong_wide += !isfinite(floor_field_time(&fixture.field, start));
             Walk walk = follow(&fixture.field, &fixture.plan, start, 0);
