@@ -82,7 +82,7 @@ static CycleStatus status_of(const void *motion) {
 
 static CycleTally tally_of(const void *own) {
     const Motion *motion = own;
-    return (CycleTally){motion->switches, motion->grazes, motion->contact_time, 0, 0};
+    return (CycleTally){.switches = motion->switches, .grazes = motion->grazes, .contact_time = motion->contact_time};
 }
 
 static double *peaks_of(void *motion) {

@@ -179,7 +179,11 @@ static CycleStatus status_of(const void *own) {
 
 static CycleTally tally_of(const void *own) {
     const Turn *turn = &((const Motion *)own)->turn;
-    return (CycleTally){turn->switches, 0, turn->contact_time, turn->touches, turn->evaluations};
+    return (CycleTally){.switches = turn->switches,
+                        .contact_time = turn->contact_time,
+                        .touches = turn->touches,
+                        .work = turn->evaluations,
+                        .time = turn->tree->turns ? turn->past + turn->time : 0};
 }
 
 static double *peaks_of(void *own) {
@@ -200,10 +204,12 @@ static void tip_of(const void *own, double *tip) {
     crank_cycle_tip(&((const Motion *)own)->turn, tip);
 }
 
-/* Advances to a part of the revolution: in time, or with a motor in angle. */
+/* Advances to a part of the revolution: in time, or with a motor in angle, as near as steps can be that are long enough
+ * to tell a switch from rounding. */
 static void advance(Turn *turn, double part) {
     enum { TRIES = 6 };
     const Tree *tree = turn->tree;
+    const double near = 1e-9 * tree->period; /* s */
     size_t cycle = turn->cycle, angle = tree->coordinates - 1;
     if (!tree->turns) {
         while (turn->cycle == cycle && turn->status == CYCLE_GOOD && turn->time < part * tree->period)
@@ -212,7 +218,7 @@ static void advance(Turn *turn, double part) {
     }
     for (int i = 0; i < TRIES; i++) {
         double until = turn->time + (2 * M_PI * part - turn->state[angle]) / turn->state[tree->coordinates + angle];
-        while (turn->cycle == cycle && turn->status == CYCLE_GOOD && turn->time < until)
+        while (turn->cycle == cycle && turn->status == CYCLE_GOOD && turn->time < until - near)
             turn_step(turn, until - turn->time);
     }
 }

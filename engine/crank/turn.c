@@ -392,6 +392,7 @@ static void end_revolution(Turn *turn) {
         if (tree->turns)
             turn->state[angle] -= 2 * M_PI;
         turn->cycle++;
+        turn->past += turn->time;
         turn_restore(turn, turn->state, turn->place, turn->step);
     } else if (tree->turns && turn->time > TURN_PERIODS_MOST * tree->period) {
         turn->status = CYCLE_DIVERGED;

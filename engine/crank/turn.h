@@ -37,6 +37,7 @@ typedef struct Turn {
     BallPlace place;
     size_t cycle; /* revolutions since the start */
     double time;  /* s, since the revolution began */
+    double past;  /* s, of the revolutions before it */
     double state[TREE_STATES_MOST], rates[TREE_STATES_MOST];
     TurnBall ball;
     double step;        /* s, proposed */

@@ -26,6 +26,7 @@ typedef struct CycleTally {
     double contact_time; /* s */
     size_t touches;      /* contacts that began; 0 for a kind that does not count them */
     size_t work;         /* evaluations of the equations; 0 for a kind that does not count them */
+    double time;         /* s, since the start; 0 where each cycle is as long as `period` */
 } CycleTally;
 
 /* A motion among many, and what is recorded of it. */

@@ -94,12 +94,14 @@ static void note_cycle(Watch *watch) {
     chaos_renew_tangents(&watch->motion, &watch->growth[at]);
 }
 
-/* Adds one cycle to the trace, in as many parts as it has samples; fewer when it cannot be followed to its end. */
-static void trace_cycle(Trace *trace, CycleMotion *motion, size_t cycle) {
+/* Adds one cycle of a record that began at `begin` s to the trace, in as many parts as it has samples; fewer when it
+ * cannot be followed to its end. */
+static void trace_cycle(Trace *trace, CycleMotion *motion, size_t cycle, double begin) {
     const CycleKind *kind = motion->cycle.kind;
     double period = cycle_period(motion->cycle), *row = memory_zeroed(kind->column_count, sizeof *row);
     for (int part = 0; part < kind->samples && cycle_status(motion) == CYCLE_GOOD; part++) {
-        row[0] = (double)cycle * period + period * part / kind->samples;
+        double time = kind->tally(motion->own).time;
+        row[0] = time > 0 ? time - begin : (double)cycle * period + period * part / kind->samples;
         kind->sample(motion->own, part, row);
         trace_add(trace, row);
     }
@@ -110,10 +112,11 @@ static void trace_cycle(Trace *trace, CycleMotion *motion, size_t cycle) {
 /* Sets the numbers of the recorded cycles from the tallies before the first and after the last whole one. */
 static void count_contacts(Response *response, const CycleTally *before, const CycleTally *after, double period) {
     double cycles = (double)response->section.count;
+    double time = after->time > 0 ? after->time - before->time : cycles * period;
     bool any = cycles > 0;
     response->switches = any ? (double)(after->switches - before->switches) / cycles : (double)NAN;
     response->touches = any ? (double)(after->touches - before->touches) / cycles : (double)NAN;
-    response->contact_share = any ? (after->contact_time - before->contact_time) / (cycles * period) : (double)NAN;
+    response->contact_share = any ? (after->contact_time - before->contact_time) / time : (double)NAN;
     response->grazes = after->grazes - before->grazes;
 }
 
@@ -126,7 +129,7 @@ static void record(Response *response, Watch *watch, int cycles) {
     kind->state(motion->own, response->start);
     for (int i = 0; i < cycles && goes_on(watch); i++) {
         if (i < RESPONSE_TRACE_CYCLES)
-            trace_cycle(&response->trace, motion, (size_t)i);
+            trace_cycle(&response->trace, motion, (size_t)i, before.time);
         else
             cycle_run(motion);
         if (cycle_status(motion) == CYCLE_GOOD) {

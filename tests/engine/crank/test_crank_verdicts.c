@@ -94,6 +94,29 @@ TEST(a_revolution_that_is_cut_off_does_not_count) {
     }
 }
 
+TEST(a_motor_that_turns_unevenly_is_timed_by_its_own_revolutions) {
+    enum { CYCLES = 4 };
+    Tree tree = cranks_tree("drive.motor=0.01,drive.frequency=10,joint.clearance=1e-4");
+    Turn turn = turn_create(&tree, TURN_FINE);
+    double begins[CYCLES + 1] = {0}, least = HUGE_VAL, most = 0;
+    for (int i = 0; i < CYCLES; i++) {
+        double elapsed = 0;
+        for (size_t cycle = turn.cycle; turn.cycle == cycle && turn.status == CYCLE_GOOD;)
+            elapsed += turn_step(&turn, HUGE_VAL);
+        begins[i + 1] = begins[i] + elapsed;
+        least = fmin(least, elapsed);
+        most = fmax(most, elapsed);
+    }
+    CHECK(turn.status == CYCLE_GOOD && most > 1.02 * least);
+    Response response;
+    response_run(&response, crank_cycle_of(&tree), 0, CYCLES, NULL, NULL);
+    CHECK(response.section.count == CYCLES && response.trace.rows == (size_t)CYCLES * CRANK_SAMPLES);
+    for (size_t i = 0; i < CYCLES && i * CRANK_SAMPLES < response.trace.rows; i++)
+        CHECK_NEAR(trace_row(&response.trace, i * CRANK_SAMPLES)[CRANK_TIME], begins[i], 1e-5 * tree.period);
+    CHECK_NEAR(response.contact_share, turn.contact_time / begins[CYCLES], 1e-4);
+    response_clear(&response);
+}
+
 LONG_TEST(a_chaotic_motion_lasts_with_the_same_bits_for_any_number_of_jobs) {
     enum { TRIES = 3, LANES = 4, CYCLES = 120 };
     static const int jobs[TRIES] = {1, 2, 4};
