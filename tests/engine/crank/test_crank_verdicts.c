@@ -117,6 +117,16 @@ TEST(a_motor_that_turns_unevenly_is_timed_by_its_own_revolutions) {
     response_clear(&response);
 }
 
+LONG_TEST(a_stiff_motor_is_as_good_as_an_imposed_speed) {
+    Tree tree = cranks_tree("drive.motor=1000,drive.frequency=10,joint.clearance=1e-4");
+    Response response;
+    response_run(&response, crank_cycle_of(&tree), TRANSIENT, RECORDED, NULL, NULL);
+    CHECK(response.verdict == RESPONSE_PERIODIC && response.orbit.period == 1);
+    CHECK_NEAR(response.orbit_peak, 51.1608, 0.005);
+    CHECK_NEAR(response.contact_share, 1, 1e-9);
+    response_clear(&response);
+}
+
 LONG_TEST(a_chaotic_motion_lasts_with_the_same_bits_for_any_number_of_jobs) {
     enum { TRIES = 3, LANES = 4, CYCLES = 120 };
     static const int jobs[TRIES] = {1, 2, 4};
