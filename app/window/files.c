@@ -32,7 +32,7 @@ static bool is_shipped(const char *path) {
     for (size_t i = 0; i < laboratories_count; i++)
         if (is_within(path, laboratory_folder(i)))
             return true;
-    return false;
+    return is_within(path, shipped_places()->lessons);
 }
 
 /* Returns the folder of a file, in the frame's memory. */

@@ -18,12 +18,17 @@
 #define HAZARD_STRETCH 0.25
 #define HAZARD_RADIUS 0.75
 
-enum { HAZARDS_MOST = 9 /* number of hazards in the ranking */ };
+#define HAZARD_FREE_SPACE "free space"
+
+enum {
+    HAZARDS_MOST = 9, /* number of hazards in the ranking */
+    HAZARD_ALONE = -2,
+};
 
 /* Data of one chair on one stretch, or of all walkers on one square. */
 typedef struct Stretch {
     Vec2 at;           /* m, where the body was nearest to an obstacle or a person */
-    int other;         /* the nearest person, or -1: an obstacle */
+    int other;         /* the nearest person; -1: an obstacle; HAZARD_ALONE: nothing came near a chair */
     double clearance;  /* m */
     double peak_force; /* N */
     double lost_time;  /* s */
@@ -33,7 +38,7 @@ typedef struct Stretch {
 
 typedef struct Hazard {
     Vec2 at;           /* m */
-    char what[96];     /* "door d2", "wardrobe (f3)", "wall w1", "person p2" */
+    char what[96];     /* "door d2", "wardrobe (f3)", "wall w1", "person p2", "free space" */
     double score;      /* 1 */
     double clearance;  /* m, least; infinite: nothing came near */
     double peak_force; /* N, largest contact */

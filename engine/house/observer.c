@@ -173,20 +173,19 @@ static Stretch *stretch_of(Observer *observer, size_t i, Vec2 at) {
         return square_of(observer, at);
     if (!watched->stretch || observer->people[i].path_length >= watched->ended) {
         watched->stretch = add_stretch(observer, observer->world->centre[i]) + 1;
+        observer->stretches[watched->stretch - 1].other = HAZARD_ALONE;
         watched->ended += HAZARD_STRETCH;
     }
     return &observer->stretches[watched->stretch - 1];
 }
 
-/* Records the clearance. Walkers near one another are not a danger of the house, nor are obstacles that they do not
- * feel. */
+/* Records the clearance. Walkers near one another are not a danger of the house, nor is what is out of sight. */
 static void watch_clearance(PersonObservation *person, Stretch *stretch, const World *world, size_t i, Vec2 at) {
     const Sense *sense = &world->sense[i];
     bool felt = sense->clearance < world->body[i].sight, rides = world_rides(world, i);
-    if (sense->clearance < stretch->clearance && (rides || (felt && sense->other < 0))) {
+    if (felt && sense->clearance < stretch->clearance && (rides || sense->other < 0)) {
         stretch->clearance = sense->clearance;
-        if (felt)
-            stretch->at = sense->nearest_at;
+        stretch->at = sense->nearest_at;
         stretch->other = sense->other;
     }
     if (sense->clearance < person->narrowest) {

@@ -4,6 +4,7 @@
 nothing of the result can be seen before the class has guessed."""
 
 import json
+import shutil
 
 import stage
 from classroom import apart, judged, lesson, select, step, type_number
@@ -249,6 +250,17 @@ check(undone["parameters"]["person.p1.heading"] != 5 and undone["lesson"]["step"
 check(freed["parameters"]["person.p1.heading"] == 5, "and is free once the teacher unlocks it", freed["message"])
 check(later["parameters"]["run.until"] == 60 and later["lesson"]["step"] == 2, "a step that was gone back to is as it was left")
 check(earlier["parameters"] == begun["parameters"], "and starts again from its beginning", earlier["parameters"]["run.until"])
+
+# the house of a shipped lesson is not written over, also where it may be written
+assets = stage.folder / "assets"
+for part in ("lessons", "profiles", "populations", "furniture", "help", "rules"):
+    shutil.copytree(stage.source / "assets" / part, assets / part)
+flat = assets / "lessons" / "houses" / "flat.json"
+before = flat.read_bytes()
+saved, = act("saved", "until answered", "set run.until 50", "until answered", "key Ctrl+S", "wait 3", "state STATE",
+             arguments=[assets / "lessons" / "legal-no-way.json", "--size", "800x450"], CLEARANCE_ASSETS=str(assets))
+check(saved["sheet"] == "save" and flat.read_bytes() == before, "Ctrl+S asks for a name", (saved["sheet"], saved["message"]))
+check(saved["field"].startswith(str(stage.folder / "saved" / "home" / "Documents")), "in the documents", saved["field"])
 
 # a lesson of one step is left by the key that goes on
 told = json.loads(short.read_text())

@@ -65,8 +65,9 @@ def states(path):
     return [json.loads(line) for line in lines]
 
 
-def act(name, *lines, arguments=(), code=0):
-    """Runs a script without a display; `STATE` is a file, `FOLDER` a folder. Returns the states it wrote."""
+def act(name, *lines, arguments=(), code=0, **more):
+    """Runs a script without a display; `STATE` is a file, `FOLDER` a folder; `more` goes to the environment. Returns the
+    states it wrote."""
     place = folder / name
     place.mkdir(exist_ok=True)
     words = re.sub(r"(?m)^until (\w+)$", rf"until \1 {PATIENCE}", "\n".join(lines))
@@ -74,7 +75,7 @@ def act(name, *lines, arguments=(), code=0):
     (place / "script").write_text(words + "\nquit\n")
     done = subprocess.run([program, "open", *arguments, "--script", str(place / "script")], cwd=place,
                           timeout=10 * PATIENCE, capture_output=True, text=True,
-                          env=environment(place / "home", SDL_VIDEODRIVER="offscreen"))
+                          env=environment(place / "home", SDL_VIDEODRIVER="offscreen", **more))
     check(done.returncode == code, f"{name}: the script runs to its end", f"exit code {done.returncode}: {done.stderr}")
     return states(place / "states")
 

@@ -220,6 +220,20 @@ TEST(a_hazard_is_where_the_passage_is_narrow) {
     house_free(&house);
 }
 
+TEST(time_lost_where_nothing_is_near_is_lost_in_free_space) {
+    House house;
+    json_t *plan = case_corridor(8);
+    case_add_person(plan, "manual-chair", 5, 0, 180);
+    case_made(&house, plan, -1, NULL);
+    Observation observation = case_run(&house, 1);
+    CHECK(observation.completed && observation.hazard_count == 1);
+    const Hazard *turn = &observation.hazards[0];
+    CHECK_TEXT(turn->what, HAZARD_FREE_SPACE);
+    CHECK(isinf(turn->clearance) && turn->lost_time > 1 && vec2_distance(turn->at, house.people[0].at) < HAZARD_RADIUS);
+    observation_free(&observation);
+    house_free(&house);
+}
+
 TEST(routes_alone_do_not_meet) {
     House house;
     case_house(&house, "ube-techno-house", -1, NULL);
