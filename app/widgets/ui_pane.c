@@ -244,6 +244,12 @@ void ui_gap(Ui *ui, double height) {
     ui->y += height;
 }
 
+Box ui_space(Ui *ui, double height) {
+    Box box = {{ui->inner.low.x, ui->y}, {ui->inner.high.x, ui->y + height}};
+    ui->y += height;
+    return box;
+}
+
 double ui_pane_width(const Ui *ui) {
     if (ui->at_given)
         return box_width(ui->at);

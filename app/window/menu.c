@@ -15,6 +15,7 @@
 #define WIDTH 376.0
 #define ROW 28.0
 #define MARGIN 6.0
+#define END_MARGIN 8.0 /* above the first and below the last row, as in every pane */
 #define WORD_PAD 20.0
 #define COMPACT_PAD 12.0 /* of a word in an open menu */
 #define GROUP_GAP 9.0    /* with a line, between two groups of rows */
@@ -135,18 +136,17 @@ static bool is_on(Window *window, Action action) {
     }
 }
 
-/* Returns the place of the next row below `top`, which moves down. */
-static Box row_box(Box pane, double *top) {
-    Box box = {{pane.low.x + 2 * MARGIN, *top}, {pane.high.x - 2 * MARGIN, *top + ROW}};
-    *top += ROW;
-    return box;
+/* Returns the place of what is next in a menu, with the margins of its rows. */
+static Box next_box(Window *window, Box pane, double height) {
+    Box box = ui_space(window->ui, height);
+    return (Box){{pane.low.x + 2 * MARGIN, box.low.y}, {pane.high.x - 2 * MARGIN, box.high.y}};
 }
 
 /* Draws the line between two groups. */
-static void show_group_line(Window *window, Box pane, double *top) {
-    double y = *top + GROUP_GAP / 2;
-    ui_draw_line(window->ui, vec2(pane.low.x + 2 * MARGIN, y), vec2(pane.high.x - 2 * MARGIN, y), ROLE_GRID, 1.5);
-    *top += GROUP_GAP;
+static void show_group_line(Window *window, Box pane) {
+    Box box = next_box(window, pane, GROUP_GAP);
+    double y = (box.low.y + box.high.y) / 2;
+    ui_draw_line(window->ui, vec2(box.low.x, y), vec2(box.high.x, y), ROLE_GRID, 1.5);
 }
 
 /* Shows a row; true if it was chosen: by a click, a key, or where a press that opened the menu ends. */
@@ -222,7 +222,8 @@ static double height_of(Window *window) {
         KeyRow row = keys_at(i);
         rows += is_there(&row, window->menu);
     }
-    return (double)rows * ROW + gaps_of(window->menu, recent) + (window->frame.compact ? 3 : 2) * MARGIN;
+    return (double)rows * ROW + gaps_of(window->menu, recent) + 2 * END_MARGIN +
+           (window->frame.compact ? MARGIN : 0);
 }
 
 Box menu_box(Window *window) {
@@ -237,35 +238,37 @@ bool menu_scrolls(Window *window) {
 
 /* In a small window the other menus are words at the top of the open one. */
 static void show_words(Window *window, Box box) {
+    Box row = next_box(window, box, ROW);
     double left = box.low.x + MARGIN;
     for (KeyMenu menu = MENU_FILE; menu < MENUS; menu++) {
         double right = left + ui_extent(window->ui, UI_BODY, keys_menus[menu]).x + COMPACT_PAD;
-        ui_at(window->ui, (Box){{left, box.low.y + MARGIN}, {right, box.low.y + MARGIN + ROW}});
+        ui_at(window->ui, (Box){{left, row.low.y}, {right, row.high.y}});
         if (ui_button(window->ui,
                       &(UiButton){.label = keys_menus[menu], .plain = true, .chosen = menu == window->menu}))
             window->menu = menu;
         left = right;
     }
+    ui_gap(window->ui, MARGIN);
 }
 
 static bool show_rows(Window *window, Box box) {
     const char *paths[SETTINGS_RECENT_MOST];
-    double first = box.low.y + MARGIN + (window->frame.compact ? ROW + MARGIN : 0), top = first;
-    size_t recent = recent_files(window, paths);
+    size_t recent = recent_files(window, paths), shown = 0;
     for (size_t i = 0; i < keys_count(); i++) {
         KeyRow row = keys_at(i);
         if (!is_there(&row, window->menu))
             continue;
-        if (top > first && keys_begins_group(row.action))
-            show_group_line(window, box, &top);
-        if (show_action(window, row_box(box, &top), &row))
+        if (shown++ && keys_begins_group(row.action))
+            show_group_line(window, box);
+        if (show_action(window, next_box(window, box, ROW), &row))
             return true;
     }
     if (recent)
-        show_group_line(window, box, &top);
+        show_group_line(window, box);
     for (size_t i = 0; i < recent; i++)
-        if (show_recent(window, row_box(box, &top), paths[i]))
+        if (show_recent(window, next_box(window, box, ROW), paths[i]))
             return true;
+    ui_gap(window->ui, END_MARGIN);
     return false;
 }
 

@@ -19,6 +19,14 @@ for size in ("1024x600", "1280x720", "1920x1080"):
         check(box[1] >= 0 and box[3] <= height and not state["menu_scrolls"], f"14: {size}: {state['menu']} fits", box)
     check({s["menu"] for s in found} >= {"File", "Edit", "View", "Run", "Help"}, f"14: {size}: Right goes through all menus")
 
+# with large letters it scrolls, and what the focus is on is seen
+act("menus-large", "wait 3", "key F10", "wait 3", "key q", "wait 5", "texts FOLDER/texts", "wait 2",
+    arguments=["--size", "1280x720", "--text", "3"])
+seen = [text for line in (stage.folder / "menus-large" / "texts").read_text().splitlines() for text in json.loads(line)]
+last = [text for text in seen if text["string"].strip() == "Quit"]
+check(last and all(text["clip"][1] <= text["box"][1] and text["box"][3] <= text["clip"][3] for text in last),
+      "the last row of a large menu is scrolled into view", last)
+
 plan = Plan("menus", stage.house("flat-0.910-widened"))
 plan.until(lambda s: s.get("complete"))
 
