@@ -138,8 +138,8 @@ Vec2 ui_extent(Ui *ui, UiTextStyle style, const char *text);
 double ui_text_height(Ui *ui, UiTextStyle style, const char *text, double width);
 
 /* The flow: widgets stand below each other in the pane; ui_at puts the next one into a box of the window; ui_row puts
- * the next `count` side by side, equally wide. ui_gap leaves a gap. ui_space leaves one as well and returns its box, for
- * what is put there by ui_at or drawn, and scrolls with the pane. */
+ * the next `count` side by side, equally wide. ui_gap leaves a gap. ui_space leaves one as well and returns its box,
+ * for what is put there by ui_at or drawn, and scrolls with the pane. */
 void ui_at(Ui *ui, Box box);
 void ui_row(Ui *ui, int count);
 void ui_gap(Ui *ui, double height);

@@ -222,8 +222,7 @@ static double height_of(Window *window) {
         KeyRow row = keys_at(i);
         rows += is_there(&row, window->menu);
     }
-    return (double)rows * ROW + gaps_of(window->menu, recent) + 2 * END_MARGIN +
-           (window->frame.compact ? MARGIN : 0);
+    return (double)rows * ROW + gaps_of(window->menu, recent) + 2 * END_MARGIN + (window->frame.compact ? MARGIN : 0);
 }
 
 Box menu_box(Window *window) {
