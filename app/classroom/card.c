@@ -565,6 +565,29 @@ static void show_line(Card *card, Box box) {
         }
 }
 
+/* Sets the text in the first size in which all of it fits, and the most important of it in the last; true if it fits.
+ */
+static bool set_text(Card *card) {
+    for (int t = 0; t < TRIES; t++) {
+        card->size = tries[t].size;
+        card->whole = tries[t].whole;
+        add_body(card);
+        if (card->y <= card->box.high.y)
+            return true;
+    }
+    return false;
+}
+
+/* Shows what does not fit above the buttons in a pane of its own that scrolls. */
+static void show_scrolled(Card *card, Box box) {
+    ui_pane_begin(card->ui, &(UiPane){.name = "lesson text", .box = box, .ground = ROLE_PANEL, .scrolls = true});
+    Box inside = ui_space(card->ui, 0);
+    card->box = (Box){{card->box.low.x, inside.low.y}, {inside.high.x, HUGE_VAL}};
+    add_body(card);
+    ui_gap(card->ui, card->y - inside.low.y);
+    ui_pane_end(card->ui);
+}
+
 CardPress card_show(Ui *ui, const Play *play, Box box, const CardLook *look, Arena *arena) {
     Card card = {.ui = ui,
                  .play = play,
@@ -573,26 +596,25 @@ CardPress card_show(Ui *ui, const Play *play, Box box, const CardLook *look, Are
                  .arena = arena,
                  .box = box_expand(box, -EDGE),
                  .look = *look};
-    ui_pane_begin(ui, &(UiPane){.name = "lesson", .box = box, .ground = ROLE_PANEL});
     if (look->folded) {
+        ui_pane_begin(ui, &(UiPane){.name = "lesson", .box = box, .ground = ROLE_PANEL});
         show_line(&card, (Box){vec2(box.low.x + EDGE, box.low.y + GAP), vec2(box.high.x - EDGE, box.high.y - GAP)});
         ui_pane_end(ui);
         return card.press;
     }
     card.box.high.y -= FOOT + GAP;
-    for (int t = 0; t < TRIES; t++) {
-        card.size = tries[t].size;
-        card.whole = tries[t].whole;
-        add_body(&card);
-        if (card.y <= card.box.high.y)
-            break;
-    }
-    card.draws = true;
+    bool fits = set_text(&card);
     card.roomy = card.y + FOOT + GAP <= card.box.high.y;
-    add_body(&card);
-    if (look->numbers && card.roomy)
-        add_button(&card, "numbers", look->numbers, numbers_help, (CardPress){.numbers = true});
+    card.draws = true;
+    ui_pane_begin(ui, &(UiPane){.name = "lesson", .box = box, .ground = ROLE_PANEL});
     show_foot(&card, box);
+    if (fits) {
+        add_body(&card);
+        if (look->numbers && card.roomy)
+            add_button(&card, "numbers", look->numbers, numbers_help, (CardPress){.numbers = true});
+    }
     ui_pane_end(ui);
+    if (!fits)
+        show_scrolled(&card, (Box){box.low, {box.high.x, card.box.high.y}});
     return card.press;
 }

@@ -351,6 +351,12 @@ static void show_remark(Window *window, const Tab *tab, Box bar, Box detail) {
     window->noted_in_bar = true;
 }
 
+/* True if the title would be cut off, so that it takes the first of two small lines. */
+static bool is_stacked(Window *window, const Result *answer, double right) {
+    return !window->answer_tall && !lesson_hides_words(window) &&
+           MARGIN + ui_extent(window->ui, UI_CLOCK, answer->title).x > right;
+}
+
 void bars_show_answer(Window *window) {
     Box bar = window->frame.answer;
     Tab *tab = window_tab(window);
@@ -365,8 +371,11 @@ void bars_show_answer(Window *window) {
         double right = lacks ? show_cure_button(window, tab, bar, &answer) : show_place_button(window, tab, bar, hides);
         double y = middle_of(bar).y;
         UiTextStyle size = title_size(window, &answer, right);
+        bool stacked = is_stacked(window, &answer, right);
+        if (stacked)
+            size = MARGIN + ui_extent(window->ui, UI_HEADING, answer.title).x > right ? UI_BOLD : UI_HEADING;
         double width = ui_extent(window->ui, size, answer.title).x, left = MARGIN + width + 2 * GAP, below = y + 2;
-        if (window->answer_tall) {
+        if (window->answer_tall || stacked) {
             below = bar.high.y - TALL_FOOT * box_height(bar);
             y = bar.low.y + TALL_HEAD * box_height(bar);
             left = MARGIN;
@@ -380,7 +389,7 @@ void bars_show_answer(Window *window) {
             show_work(window, tab, &answer, left, right, below);
         } else {
             window->work_begun = 0;
-            if (window->answer_tall)
+            if (window->answer_tall || stacked)
                 show_detail_below(window, &answer, right, below);
             else
                 detail = show_detail(window, &answer, left, right, below);

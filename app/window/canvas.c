@@ -18,6 +18,7 @@
 #define LEAST_SIDE 24.0
 #define EDIT_HEIGHT 32.0
 #define SCALE_WIDTH 150.0 /* of the view's scale bar, at the right */
+#define SCALE_HEIGHT 40.0 /* of the scale bar with its number, in the same corner */
 #define LEAST_NOTE 110.0  /* width of a note */
 
 #define RING 34.0     /* across, of the pointer in presentation mode */
@@ -214,23 +215,31 @@ static Box lay_note(Window *window, Box picture, Vec2 low, const char *note, boo
     return all;
 }
 
+/* True if a box leaves the view, or has a label or a part of the picture below it. */
+static bool covers(const Window *window, const Tab *tab, Box picture, Box box) {
+    Box view = window->frame.view;
+    bool over = box.low.x < picture.high.x && picture.low.x < box.high.x && box.low.y < picture.high.y &&
+                picture.low.y < box.high.y;
+    return over || box.low.y < view.low.y || box.high.x > view.high.x || has_label(window, tab, box);
+}
+
 /* Shows a note at the top of the view, where the title bar has no room for it. With large letters it goes to the foot
- * if it would cover a label of the plan only at the top. */
+ * if it would cover something at the top, and to the timeline if it would at both. */
 static void show_note(Window *window, Tab *tab, const char *note) {
     Box view = window->frame.view, picture = tab->view_layers.painted ? picture_box(window, tab) : view;
-    Vec2 top = {note_left(window), view.low.y + MARGIN / 2}, low = top;
+    Vec2 low = {note_left(window), view.low.y + MARGIN / 2};
     Box box = lay_note(window, picture, low, note, false);
-    if (window->frame.compact && has_label(window, tab, box)) {
+    if (window->frame.compact && covers(window, tab, picture, box)) {
         low.y = view.high.y - MARGIN / 2 - box_height(box);
-        box = lay_note(window, picture, low, note, false);
-        if (low.y < view.low.y || has_label(window, tab, box))
-            low = top;
+        window->note_crowded = covers(window, tab, picture, lay_note(window, picture, low, note, false));
     }
-    lay_note(window, picture, low, note, true);
+    if (!window->note_crowded)
+        lay_note(window, picture, low, note, true);
 }
 
 static void show_view_text(Window *window, Tab *tab) {
     Box view = window->frame.view;
+    window->note_crowded = false;
     if (!window->noted_in_bar)
         show_note(window, tab, tab->laboratory->note(tab->session));
     show_animation(window, plan_input_animation(tab));
@@ -245,7 +254,8 @@ static void show_view_text(Window *window, Tab *tab) {
     Vec2 down = {0, size.y + 6 + MARGIN};
     while (has_label(window, tab, tag) && tag.high.y + down.y < view.high.y)
         tag = (Box){vec2_add(tag.low, down), vec2_add(tag.high, down)};
-    if (window->frame.compact && has_label(window, tab, tag))
+    bool on_scale = tag.high.y > view.high.y - SCALE_HEIGHT;
+    if (window->frame.compact && (on_scale || has_label(window, tab, tag)))
         return; /* no place is free: Play says it */
     ui_draw_box(window->ui, tag, ROLE_TEXT, 1);
     ui_draw_text(window->ui, UI_HEADING, ROLE_PAPER, vec2(tag.low.x + MARGIN, middle_of(tag).y), 0, "PAUSED");

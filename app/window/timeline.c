@@ -139,6 +139,17 @@ static void show_track(Window *window, Tab *tab, Box box) {
     }
 }
 
+/* Shows the note that has no room in the view, in place of the speed and of the track. */
+static void show_crowded_note(Row *row, const char *note) {
+    Ui *ui = row->window->ui;
+    double width = row->right - row->left - GAP, height = ui_text_height(ui, UI_SMALL, note, fmax(width, 1));
+    double y = middle_of(row->bar).y - height / 2;
+    if (y < row->bar.low.y)
+        return;
+    ui_at(ui, (Box){{row->left, y}, {row->left + width, y + height}});
+    ui_text(ui, UI_SMALL, ROLE_DIM_TEXT, note);
+}
+
 void timeline_show(Window *window) {
     Tab *tab = window_tab(window);
     Row row = {window, window->frame.timeline, MARGIN, window->frame.timeline.high.x - MARGIN, false};
@@ -161,12 +172,15 @@ void timeline_show(Window *window) {
             add_button(&row, ACTION_STEP, ">", false, false);
         if (!compact)
             add_button(&row, ACTION_LOOP, "Loop", tab->player.loops, false);
-        add_text(&row, compact ? UI_BOLD : UI_CLOCK, tab->laboratory->clock(tab->session, tab->player.time),
-                 CLOCK_WIDEST, false);
+        const char *clock = tab->laboratory->clock(tab->session, tab->player.time);
+        add_text(&row, compact ? UI_BOLD : UI_CLOCK, clock, window->note_crowded ? "" : CLOCK_WIDEST, false);
         if (!compact)
             add_button(&row, ACTION_NOW, "Now", false, true);
-        add_speed(&row, &tab->player);
-        if (row.right - row.left > LEAST_TRACK && !lesson_hides(window))
+        if (window->note_crowded)
+            show_crowded_note(&row, tab->laboratory->note(tab->session));
+        else
+            add_speed(&row, &tab->player);
+        if (!window->note_crowded && row.right - row.left > LEAST_TRACK && !lesson_hides(window))
             show_track(window, tab, (Box){{row.left + GAP, row.bar.low.y}, {row.right - GAP, row.bar.high.y}});
     }
     ui_pane_end(window->ui);
