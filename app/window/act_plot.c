@@ -111,9 +111,16 @@ static bool do_pane(Window *window, PlotPane *pane, Action action, int mods) {
 
 /* Exports ---------------------------------------------------------------------------------------------------------- */
 
+/* Returns the command that produces what is shown, or NULL if no file holds it yet. */
+static const char *const *command_of(const Tab *tab, size_t *count) {
+    const char *const *words = tab->laboratory->command(tab->session, count);
+    return *count > 1 && !*words[1] ? NULL : words;
+}
+
 static SnapshotNote note_of(const Tab *tab) {
     SnapshotNote note = {.shows = tab->laboratory->title(tab->session), .time = tab->player.time};
-    note.command = tab->laboratory->command(tab->session, &note.command_count);
+    note.command = command_of(tab, &note.command_count);
+    note.command_count = note.command ? note.command_count : 0;
     return note;
 }
 
@@ -182,7 +189,7 @@ static void begin_frames(Window *window) {
     snprintf(name, sizeof name, "%s frames", tab->laboratory->title(tab->session));
     char *out = export_free_name(folder, name, endings);
     ExportOrder order = {.options = options, .option_count = sizeof options / sizeof *options, .out = out};
-    order.arguments = autosave_command(window, &order.argument_count);
+    order.arguments = autosave_command(window, folder, &order.argument_count);
     window->export = export_begin(&order, &fault);
     if (window->export)
         notice_log(window, "Writing frames to %s", out);
@@ -194,8 +201,8 @@ static void begin_frames(Window *window) {
 static void copy_command(Window *window) {
     Tab *tab = window_tab(window);
     size_t count;
-    const char *const *words = tab->laboratory->command(tab->session, &count);
-    if (count > 1 && !*words[1]) {
+    const char *const *words = command_of(tab, &count);
+    if (!words) {
         notice_post(window, "Save the house first (Ctrl+S): the command line needs a file.");
         return;
     }

@@ -6,6 +6,7 @@
 #include "base/file_write.h"
 #include "base/stopwatch.h"
 #include "base/digest.h"
+#include "platform/export.h"
 #include "window/notice.h"
 #include "window/plan_input.h"
 
@@ -40,17 +41,22 @@ static void write_recovery(Window *window, const Tab *tab, Editor *editor) {
     window->watch.failed = error;
 }
 
-const char *const *autosave_command(Window *window, size_t *count) {
+const char *const *autosave_command(Window *window, const char *folder, size_t *count) {
     enum { FILE_WORD = 1 };
+    static const char *const endings[] = {"house.json", NULL};
     Tab *tab = window_tab(window);
     Editor *editor = tab_editor(tab);
     const char *const *arguments = tab->laboratory->command(tab->session, count);
-    if (*arguments[FILE_WORD] || !editor || !window->recovery)
+    if (*arguments[FILE_WORD] || !editor)
         return arguments;
-    write_recovery(window, tab, editor);
-    const char **given = arena_allocate(&window->arena, *count * sizeof *given);
+    char *name = export_free_name(folder, tab->laboratory->title(tab->session), endings);
+    const char **given = arena_allocate(&window->arena, *count * sizeof *given), *text = editor_text(editor);
     memcpy(given, arguments, *count * sizeof *given);
-    given[FILE_WORD] = recovery_path(window->recovery);
+    given[FILE_WORD] = text_in_arena(&window->arena, "%s.%s", name, endings[0]);
+    int error = file_write_bytes(given[FILE_WORD], text, strlen(text));
+    if (error)
+        notice_post(window, "%s cannot be written: %s", given[FILE_WORD], file_write_reason(error));
+    memory_free(name);
     return given;
 }
 

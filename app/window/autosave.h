@@ -16,5 +16,6 @@ void autosave_update(Window *window);
 /* Drops the recovery file: what it held is saved. */
 void autosave_drop(Window *window);
 
-/* Returns Laboratory.command with a file that holds what is shown: the recovery file, written now, if no other does. */
-const char *const *autosave_command(Window *window, size_t *count);
+/* Returns Laboratory.command with a file that holds what is shown: if no other does, one that is written now to the
+ * folder of the exports, so that the command stays good. */
+const char *const *autosave_command(Window *window, const char *folder, size_t *count);

@@ -75,7 +75,7 @@ static void make(Window *window, const Making *making) {
     const char *out = making->ending ? text_in_arena(&window->arena, "%s.%s", free_name, making->ending) : free_name;
     const char *movie = making->movie ? text_in_arena(&window->arena, "%s.mp4", out) : NULL;
     ExportOrder order = {.options = options, .option_count = count, .out = making->movie ? NULL : out, .movie = movie};
-    order.arguments = autosave_command(window, &order.argument_count);
+    order.arguments = autosave_command(window, folder, &order.argument_count);
     const char *const plan[] = {"export", order.arguments[1]};
     if (making->ending) {
         order.arguments = plan;
@@ -107,7 +107,9 @@ void dialog_export_show(Window *window) {
     size_t count;
     const char *const *words = tab->session ? tab->laboratory->command(tab->session, &count) : NULL;
     char *command = words ? export_command(words, count) : NULL;
-    ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT, command ? command : "");
+    bool saved = words && (count < 2 || *words[1]);
+    ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT,
+            saved ? command : "The command line stands here once the house is saved (Ctrl+S).");
     memory_free(command);
     if (ui_button(window->ui,
                   &(UiButton){.label = "Copy command", .help = keys_help(&window->arena, ACTION_COPY_COMMAND)}))

@@ -57,6 +57,22 @@ void tries_take_room(Window *window) {
     window->tries = (Box){{0, foot}, {right, frame->timeline.low.y}};
 }
 
+/* True if the parameter is the width of a door. */
+static bool is_door_width(const PanelParameter *parameter) {
+    const char *end = strrchr(parameter->name, '.');
+    return strncmp(parameter->name, "door.", 5) == 0 && end && strcmp(end, ".width") == 0;
+}
+
+/* True if a door is narrower than in the file. */
+static bool has_narrowed(const Tab *tab) {
+    size_t count;
+    const PanelParameter *parameters = tab->laboratory->parameters(tab->session, &count);
+    for (size_t i = 0; i < count; i++)
+        if (is_door_width(&parameters[i]) && parameters[i].value < parameters[i].initial)
+            return true;
+    return false;
+}
+
 /* Selects the door that the headline names, else the narrowest one, and gives its width the focus. */
 static void select_door(Window *window, Tab *tab) {
     size_t count, index = 0;
@@ -66,8 +82,7 @@ static void select_door(Window *window, Tab *tab) {
     const char *told = text_in_arena(&window->arena, "%s", first && first->row.cells[0] ? first->row.cells[0] : "");
     const PanelParameter *parameters = tab->laboratory->parameters(tab->session, &count);
     for (size_t i = 0; i < count; i++) {
-        const char *name = parameters[i].name, *end = strrchr(name, '.');
-        if (strncmp(name, "door.", 5) != 0 || !end || strcmp(end, ".width") != 0)
+        if (!is_door_width(&parameters[i]))
             continue;
         Item door = {HOUSE_DOOR, index++};
         bool named = strcmp(tab->laboratory->item_name(tab->session, door), told) == 0;
@@ -99,10 +114,9 @@ static void begin(Window *window, Tab *tab, int bit) {
 
 static void note_done(Window *window, const Tab *tab) {
     int *tried = &window->settings.state.tried;
-    const char *step = editor_undo_name(tab_editor(tab));
     if (tab->player.time > WATCHED && tab->player.playing)
         *tried |= TRY_WATCH;
-    if (step && strstr(step, "width"))
+    if (!(*tried & TRY_NARROW) && has_narrowed(tab))
         *tried |= TRY_NARROW;
     if (*editor_shake_result(tab_editor(tab)))
         *tried |= TRY_SHAKE;

@@ -4,6 +4,7 @@ of four rooms drawn from an empty plan, once with the mouse and once with the ke
 
 import json
 import math
+import pathlib
 import subprocess
 
 import stage
@@ -263,6 +264,12 @@ plan.keys("F9")
 told = plan.until(lambda s: (s["message"] or "").startswith("Written: "))["message"] or ""
 picture = told.removeprefix("Written: ").split(",")[0]
 check(picture.endswith(".png") and open(picture, "rb").read(8) == b"\x89PNG\r\n\x1a\n", "11: F9 writes its picture", told)
+about = read(pathlib.Path(picture).with_suffix(".json"))
+check(about["command"] is None, "no command is told of a house that no file holds", about)
+plan.keys("shift+F9")
+written = pathlib.Path(picture).parent / "new-house.house.json"
+plan.until(lambda s: "frames (" in (s["message"] or ""))
+check(written.exists() and len(read(written)["walls"]) == 3, "a house that no file holds is written beside its frames", written)
 typed = plan.place / "keys.json"
 plan.save_as(typed)
 house = read(typed) if typed.exists() else {}

@@ -174,8 +174,8 @@ said = answer_of("no-door", {
     "rooms": [{"id": "r1", "name": "bedroom", "outline": room},
               {"id": "r2", "name": "corridor", "outline": [[x + 3, y] for x, y in room]}],
     "exits": [{"id": "porch", "from": [3, -0.45], "to": [3, 0.45]}]})
-check((said["title"], said["detail"]) == ("Room without a door", "D on the wall between bedroom and corridor") or
-      said["detail"] == "D on the wall between corridor and bedroom", "a room without a door is named", said)
+check((said["title"], said["detail"]) == ("Room without a door", "Add a door (D) in the wall between bedroom and corridor") or
+      said["detail"] == "Add a door (D) in the wall between corridor and bedroom", "a room without a door is named", said)
 
 # a double click between walls makes the room; a typed place far away stays in the view
 room = stage.folder / "rooms.json"
