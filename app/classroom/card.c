@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "classroom/dots.h"
+#include "classroom/hands.h"
 #include "lesson/words.h"
 
 /* Design points. */
@@ -14,8 +15,6 @@
 #define FOOT 36.0   /* height of the buttons */
 #define DIGIT 28.0  /* width of the box with an option's number */
 #define STRIP 15.0  /* height of the bar of a vote */
-#define COUNT 46.0  /* width of its number */
-#define HATCH 7.0   /* between two lines of a pattern */
 #define MARK 24.0   /* width of a tick or cross */
 #define SPACING 1.1 /* height of a line, times that of its letters */
 #define FOLD 30.0   /* width of the button that folds it */
@@ -118,44 +117,6 @@ static void add_marked(Card *card, CardText kind, bool good, const char *text) {
     card->y += GAP / 2;
 }
 
-/* Bars ------------------------------------------------------------------------------------------------------------- */
-
-/* Draws a line of a pattern, cut at the box's sides; `slope` 1 or -1. */
-static void draw_hatch_line(Ui *ui, Box box, double x, int slope) {
-    double height = box_height(box);
-    double from = fmax(x, box.low.x), to = fmin(x + height, box.high.x);
-    if (from >= to)
-        return;
-    double low = slope > 0 ? box.high.y - (from - x) : box.low.y + (from - x);
-    double high = slope > 0 ? box.high.y - (to - x) : box.low.y + (to - x);
-    ui_draw_line(ui, vec2(from, low), vec2(to, high), ROLE_DIM_TEXT, 1.5);
-}
-
-/* Draws a bar: hatched one way for the first vote, both ways for the second. */
-static void draw_bar(Ui *ui, Box box, int vote) {
-    for (double x = box.low.x - box_height(box); x < box.high.x; x += HATCH) {
-        draw_hatch_line(ui, box, x, 1);
-        if (vote)
-            draw_hatch_line(ui, box, x, -1);
-    }
-    ui_draw_frame(ui, box, ROLE_DIM_TEXT, 1.5);
-}
-
-/* Draws the hands of a vote for an option as a bar with its number. */
-static void draw_vote(Card *card, const PlayStep *guesses, int vote, size_t option, Box box) {
-    int most = 1;
-    for (size_t o = 0; o < LESSON_OPTIONS_MOST; o++)
-        for (int v = 0; v < PLAY_VOTES; v++)
-            most = guesses->hands[v][o] > most ? guesses->hands[v][o] : most;
-    int hands = guesses->hands[vote][option];
-    Box bar = box;
-    bar.high.x = box.low.x + (box_width(box) - COUNT) * hands / most;
-    if (hands)
-        draw_bar(card->ui, bar, vote);
-    ui_draw_text(card->ui, UI_BOLD, ROLE_TEXT, vec2(box.high.x, (box.low.y + box.high.y) / 2), 1,
-                 text_in_arena(card->arena, "%d", hands));
-}
-
 /* Options ---------------------------------------------------------------------------------------------------------- */
 
 /* Returns what stands at the end of an option: a tick or a cross once it is known; "" before. */
@@ -215,8 +176,9 @@ static void add_option(Card *card, size_t option) {
         for (int vote = 0; vote < votes; vote++) {
             double from = beside ? left + BESIDE * (right - left) + GAP : left, width = (right - from + GAP) / votes;
             double top = beside ? middle - STRIP / 2 : card->y + lines + GAP / 2;
-            draw_vote(card, card->shown, vote, option,
-                      (Box){{from + vote * width, top + 2}, {from + (vote + 1) * width - GAP, top + STRIP - 2}});
+            hands_draw(card->ui, card->shown, vote, option,
+                       (Box){{from + vote * width, top + 2}, {from + (vote + 1) * width - GAP, top + STRIP - 2}},
+                       card->arena);
         }
     }
     card->y += height + GAP / 2;
@@ -316,8 +278,8 @@ static void add_guesses(Card *card) {
         double middle = card->y + height / 2, left = card->box.low.x + DIGIT + GAP;
         ui_draw_text(card->ui, UI_BOLD, ROLE_TEXT, vec2(card->box.low.x, middle), 0,
                      text_in_arena(card->arena, "%zu%s", o + 1, true_one ? " \u2713" : ""));
-        draw_vote(card, guesses, guesses->vote, o,
-                  (Box){{left, card->y + 2}, {card->box.high.x, card->y + height - 2}});
+        hands_draw(card->ui, guesses, guesses->vote, o,
+                   (Box){{left, card->y + 2}, {card->box.high.x, card->y + height - 2}}, card->arena);
     }
     card->y += GAP;
 }
