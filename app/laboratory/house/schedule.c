@@ -415,6 +415,7 @@ void house_schedule_stop(HouseSession *session) {
         session->runs[RUN_SHOWN]->wish.route ? arena_text(&session->arena, session->runs[RUN_SHOWN]->wish.route) : NULL;
     editor_set_driving(session->editor, session->wish.driving);
     house_value_rebuild(&session->values, &session->opened, &session->runs[RUN_SHOWN]->house);
+    session->changed |= LABORATORY_PARAMETERS;
     session->texts_are_stale = true;
     if (!is_up_to_date(session))
         ask_missing(session);

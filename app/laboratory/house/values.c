@@ -198,6 +198,12 @@ static void add_profile(HouseValues *values, const House *house, const Profile *
     }
 }
 
+/* Lists the rows as they are, until they are sorted for a selection. */
+static void list_in_order(HouseValues *values) {
+    for (size_t i = 0; i < values->count; i++)
+        values->listed[i] = values->rows[i];
+}
+
 void house_value_list(HouseValues *values, const House *house) {
     for (size_t k = 0; k < house->profile_count; k++)
         add_profile(values, house, &house->profiles[k]);
@@ -213,6 +219,7 @@ void house_value_list(HouseValues *values, const House *house) {
         parameter->group = "Run";
     }
     values->listed = memory_zeroed(values->count, sizeof *values->listed);
+    list_in_order(values);
 }
 
 void house_value_rebuild(HouseValues *values, const HouseValues *opened, const House *house) {
@@ -231,6 +238,7 @@ void house_value_rebuild(HouseValues *values, const HouseValues *opened, const H
         parameter->low = fmin(opened->rows[at].low, parameter->value);
         parameter->high = fmax(opened->rows[at].high, parameter->value);
     }
+    list_in_order(values);
 }
 
 void house_value_clear(HouseValues *values) {

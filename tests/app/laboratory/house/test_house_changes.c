@@ -200,6 +200,7 @@ TEST(what_is_given_up_leaves_the_plan_and_the_run_before) {
     CHECK(running_house_set(session, "door.d5.width", 0.97));
     CHECK(laboratory->runs(session).working);
     laboratory->stop(session);
+    CHECK_NEAR(running_house_parameter(session, "door.d5.width")->value, width, 0); /* the panel shows it at once */
     running_house_finish(session, 0);
     CHECK(laboratory->runs(session).answer == before.answer);
     CHECK_NEAR(running_house_parameter(session, "door.d5.width")->value, width, 0);
