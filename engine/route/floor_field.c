@@ -34,6 +34,7 @@
 #define SEEDED 2.5     /* cells, about an exit's line where times are given: both orders then begin on one side */
 #define SQUEEZED 3.0   /* 1, times the slowness next to a wall: makes the path out of a squeeze the short one */
 #define DOUBTFUL 0.75  /* cells, by which a passable point may lack room */
+#define OPPOSITE 0.5   /* 1, cosine of the angle up to which two obstacles are opposite: those of a corner are not */
 #define PUSHED_OFF 1.5 /* cells: at this distance from a wall, no neighbouring grid point lies behind it */
 #define KINK 0.8       /* 1, length of a mean direction below which its parts are two different paths */
 #define OUTSIDE 5.0   /* m, from the edge of the grid: a side of an exit that reaches the edge within this is outside */
@@ -81,7 +82,7 @@ static bool is_tight(const FloorField *field, Vec2 touching, Vec2 away) {
     Vec2 back;
     return nearest_obstacle(field->space, vec2_along(touching, half, away), field->radius + half - TOUCHING, &back,
                             &distance) &&
-           vec2_dot(back, away) < 0;
+           vec2_dot(back, away) < -OPPOSITE;
 }
 
 /* True if the disc is free when it is moved off the obstacle that it overlaps at this place; by more than half a cell
