@@ -279,13 +279,13 @@ static const char *open_name(const House *house, Vec2 at, Arena *arena) {
     const char *room = names_room(&house->plan, at);
     for (size_t i = 0; i < house->person_count; i++)
         if (vec2_distance(house->people[i].at, at) < HAZARD_RADIUS)
-            return "turning at the start";
+            return "the start";
     return room ? text_in_arena(arena, "open floor of %s", room) : "open floor";
 }
 
 const char *names_thing(const House *house, const char *thing, Vec2 at, Arena *arena) {
     enum { WAYS = 8 };
-    if (strcmp(thing, HAZARD_FREE_SPACE) == 0)
+    if (strcmp(thing, OUTLINE_FREE_SPACE) == 0)
         return open_name(house, at, arena);
     const char *name = names_text(house, thing, arena), *room = names_room(&house->plan, at);
     for (int way = 0; way < WAYS && !room; way++)

@@ -216,7 +216,7 @@ static Box lay_note(Window *window, Box picture, Vec2 low, const char *note, boo
 }
 
 /* True if a box leaves the view, or has a label or a part of the picture below it. */
-static bool covers(const Window *window, const Tab *tab, Box picture, Box box) {
+static bool covers_something(const Window *window, const Tab *tab, Box picture, Box box) {
     Box view = window->frame.view;
     bool over = box.low.x < picture.high.x && picture.low.x < box.high.x && box.low.y < picture.high.y &&
                 picture.low.y < box.high.y;
@@ -229,9 +229,9 @@ static void show_note(Window *window, Tab *tab, const char *note) {
     Box view = window->frame.view, picture = tab->view_layers.painted ? picture_box(window, tab) : view;
     Vec2 low = {note_left(window), view.low.y + MARGIN / 2};
     Box box = lay_note(window, picture, low, note, false);
-    if (window->frame.compact && covers(window, tab, picture, box)) {
+    if (window->frame.compact && covers_something(window, tab, picture, box)) {
         low.y = view.high.y - MARGIN / 2 - box_height(box);
-        window->note_crowded = covers(window, tab, picture, lay_note(window, picture, low, note, false));
+        window->note_crowded = covers_something(window, tab, picture, lay_note(window, picture, low, note, false));
     }
     if (!window->note_crowded)
         lay_note(window, picture, low, note, true);
@@ -240,8 +240,9 @@ static void show_note(Window *window, Tab *tab, const char *note) {
 static void show_view_text(Window *window, Tab *tab) {
     Box view = window->frame.view;
     window->note_crowded = false;
-    if (!window->noted_in_bar)
-        show_note(window, tab, tab->laboratory->note(tab->session));
+    const char *note = tab->laboratory->note(tab->session);
+    if (*note && !window->noted_in_bar)
+        show_note(window, tab, note);
     show_animation(window, plan_input_animation(tab));
     bool crowded =
         window->frame.compact && tab->laboratory->numbers_first; /* a machine fills a low view: Play says it */

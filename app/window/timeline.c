@@ -139,15 +139,15 @@ static void show_track(Window *window, Tab *tab, Box box) {
     }
 }
 
-/* Shows the note that has no room in the view, in place of the speed and of the track. */
+/* Shows the note that has no room in the view, in place of the speed and of the track; shortened where lines have no
+ * room, either. */
 static void show_crowded_note(Row *row, const char *note) {
     Ui *ui = row->window->ui;
-    double width = row->right - row->left - GAP, height = ui_text_height(ui, UI_SMALL, note, fmax(width, 1));
-    double y = middle_of(row->bar).y - height / 2;
-    if (y < row->bar.low.y)
-        return;
-    ui_at(ui, (Box){{row->left, y}, {row->left + width, y + height}});
-    ui_text(ui, UI_SMALL, ROLE_DIM_TEXT, note);
+    double width = fmax(row->right - row->left - GAP, 1), height = ui_text_height(ui, UI_SMALL, note, width);
+    bool fits = height <= box_height(row->bar);
+    double y = middle_of(row->bar).y, half = (fits ? height : ui_extent(ui, UI_SMALL, note).y) / 2;
+    ui_at(ui, (Box){{row->left, y - half}, {row->left + width, y + half}});
+    (fits ? ui_text : ui_line)(ui, UI_SMALL, ROLE_DIM_TEXT, note);
 }
 
 void timeline_show(Window *window) {

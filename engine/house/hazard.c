@@ -118,7 +118,7 @@ size_t hazard_rank(Hazard hazards[HAZARDS_MOST], const Stretch *stretches, size_
         if (other >= 0)
             snprintf(hazard->what, sizeof hazard->what, "person %s", house->people[other].id);
         else if (other == HAZARD_ALONE && outline_door_at(&house->plan, hazard->at) < 0)
-            snprintf(hazard->what, sizeof hazard->what, HAZARD_FREE_SPACE);
+            snprintf(hazard->what, sizeof hazard->what, OUTLINE_FREE_SPACE);
         else
             outline_place_name(&house->outline, &house->plan, hazard->at, hazard->what, sizeof hazard->what);
         Vec2 middle = stretches[worst].at;

@@ -18,17 +18,15 @@
 #define HAZARD_STRETCH 0.25
 #define HAZARD_RADIUS 0.75
 
-#define HAZARD_FREE_SPACE "free space"
-
 enum {
-    HAZARDS_MOST = 9, /* number of hazards in the ranking */
-    HAZARD_ALONE = -2,
+    HAZARDS_MOST = 9,  /* number of hazards in the ranking */
+    HAZARD_ALONE = -2, /* in place of a person: a chair had nothing near it */
 };
 
 /* Data of one chair on one stretch, or of all walkers on one square. */
 typedef struct Stretch {
     Vec2 at;           /* m, where the body was nearest to an obstacle or a person */
-    int other;         /* the nearest person; -1: an obstacle; HAZARD_ALONE: nothing came near a chair */
+    int other;         /* the nearest person; -1: an obstacle; or HAZARD_ALONE */
     double clearance;  /* m */
     double peak_force; /* N */
     double lost_time;  /* s */

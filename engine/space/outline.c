@@ -329,7 +329,7 @@ void outline_place_name(const Outline *outline, const Plan *plan, Vec2 at, char 
     for (double reach = 0.5; nearest.face < 0 && reach < 100; reach *= 4)
         broadphase_visit(outline->broadphase, box_around(at, reach), visit_nearest, &nearest);
     if (nearest.face < 0)
-        snprintf(name, size, "free space");
+        snprintf(name, size, OUTLINE_FREE_SPACE);
     else
         outline_name(plan, outline->faces[nearest.face].owner, outline->faces[nearest.face].index, name, size);
 }

@@ -97,6 +97,8 @@ void outline_name(const Plan *plan, int owner, int index, char *name, size_t siz
 /* Returns the door in whose opening a place lies, or -1. */
 int outline_door_at(const Plan *plan, Vec2 at);
 
+#define OUTLINE_FREE_SPACE "free space"
+
 /* Writes the best name of a place for a report: the door whose opening contains the place, otherwise the owner of the
- * nearest face, or "free space" where no face is near. */
+ * nearest face, or OUTLINE_FREE_SPACE where no face is near. */
 void outline_place_name(const Outline *outline, const Plan *plan, Vec2 at, char *name, size_t size);

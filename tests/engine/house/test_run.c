@@ -228,7 +228,7 @@ TEST(time_lost_where_nothing_is_near_is_lost_in_free_space) {
     Observation observation = case_run(&house, 1);
     CHECK(observation.completed && observation.hazard_count == 1);
     const Hazard *turn = &observation.hazards[0];
-    CHECK_TEXT(turn->what, HAZARD_FREE_SPACE);
+    CHECK_TEXT(turn->what, OUTLINE_FREE_SPACE);
     CHECK(isinf(turn->clearance) && turn->lost_time > 1 && vec2_distance(turn->at, house.people[0].at) < HAZARD_RADIUS);
     observation_free(&observation);
     house_free(&house);
