@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "plan/plan_geometry.h"
 #include "route/neck.h"
+#include "route/widen.h"
 #include "space/outline.h"
 #include "space/passage.h"
 
@@ -293,16 +294,34 @@ static bool find_breach(const RouteQuery *query, Vec2 *at) {
     return found;
 }
 
-/* Names a piece of furniture among the faces beside the place, where that is named after something else. */
-static void name_beside(Blockage *blockage, const RouteQuery *query, const int *faces, int count) {
-    for (int f = 0; f < count && !*blockage->beside; f++) {
-        if (faces[f] < 0 || query->space->outline->faces[faces[f]].owner != OWNER_FURNITURE)
-            continue;
-        char name[sizeof blockage->beside];
-        outline_name(query->plan, OWNER_FURNITURE, query->space->outline->faces[faces[f]].index, name, sizeof name);
-        if (strcmp(name, blockage->what) != 0)
-            snprintf(blockage->beside, sizeof blockage->beside, "%s", name);
+static bool owned_alike(const Face *a, const Face *b) {
+    return a->owner == b->owner && a->index == b->index;
+}
+
+/* Names what narrows the place, and what it leaves the room to. Of the faces on its sides, a piece of furniture comes
+ * before a wall, and before a door in whose opening the place lies unless its jambs are the narrow place. */
+static void name_sides(Blockage *blockage, const RouteQuery *query, const int *sides, int count) {
+    const Face *faces = query->space->outline->faces, *piece = NULL, *other = NULL;
+    outline_place_name(query->space->outline, query->plan, blockage->at, blockage->what, sizeof blockage->what);
+    for (int i = 0; i < count && !piece; i++)
+        if (sides[i] >= 0 && faces[sides[i]].owner == OWNER_FURNITURE)
+            piece = &faces[sides[i]];
+    for (int i = 0; i < count && !other && piece; i++)
+        if (sides[i] >= 0 && !owned_alike(&faces[sides[i]], piece))
+            other = &faces[sides[i]];
+    if (!piece)
+        return;
+    char name[sizeof blockage->what];
+    outline_name(query->plan, OWNER_FURNITURE, piece->index, name, sizeof name);
+    if (widen_door_at(blockage, query) >= 0) {
+        snprintf(blockage->beside, sizeof blockage->beside, "%s", name);
+        return;
     }
+    if (outline_door_at(query->plan, blockage->at) >= 0)
+        snprintf(blockage->beside, sizeof blockage->beside, "%s", blockage->what);
+    else if (other)
+        outline_name(query->plan, other->owner, other->index, blockage->beside, sizeof blockage->beside);
+    snprintf(blockage->what, sizeof blockage->what, "%s", name);
 }
 
 void blockage_of_fit(Blockage *blockage, const RouteQuery *query, const Rectangle *body, const FitPlace *place) {
@@ -310,9 +329,7 @@ void blockage_of_fit(Blockage *blockage, const RouteQuery *query, const Rectangl
     Chord chord = chord_at(query, body, place);
     *blockage = (Blockage){.at = chord.middle, .has = chord.width, .estimated = true};
     blockage->needs = blockage->has > 0 ? fmax(blockage->has + 2 * missing, own) : own;
-    outline_place_name(query->space->outline, query->plan, blockage->at, blockage->what, sizeof blockage->what);
-    if (blockage->has > 0)
-        name_beside(blockage, query, (const int[]){chord.left, chord.right}, 2);
+    name_sides(blockage, query, (const int[]){chord.left, chord.right}, blockage->has > 0 ? 2 : 0);
 }
 
 bool blockage_of_disc(Blockage *blockage, const RouteQuery *query, double radius, const Goal *goals,
@@ -327,12 +344,11 @@ bool blockage_of_disc(Blockage *blockage, const RouteQuery *query, double radius
     } else {
         blockage->has = neck.width;
     }
-    outline_place_name(query->space->outline, query->plan, blockage->at, blockage->what, sizeof blockage->what);
-    int faces[NECK_FACES];
+    int faces[NECK_FACES], count = 0;
     double reach = blockage->has / 2 + query->space->cell;
     if (blockage->has > 0 && reach < FREESPACE_FARTHEST)
-        name_beside(blockage, query, faces,
-                    freespace_faces(query->space, blockage->at, vec2(1, 0), 0, 0, reach, faces, NECK_FACES));
+        count = freespace_faces(query->space, blockage->at, vec2(1, 0), 0, 0, reach, faces, NECK_FACES);
+    name_sides(blockage, query, faces, count);
     return true;
 }
 

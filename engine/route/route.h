@@ -40,12 +40,12 @@ typedef struct Pose {
 /* Place and cause of a missing path. */
 typedef struct Blockage {
     Vec2 at;         /* m */
-    char what[96];   /* "door d2", "wardrobe (f3)", "start", "exit e1" */
+    char what[96];   /* "door d2", "wardrobe (f3)", "start", "exit e1"; furniture before a wall */
     double has;      /* m, existing width; 0 if the cause is not a width */
     double needs;    /* m: tried for a chair at a door, or else estimated; of a disc, its own width */
     bool estimated;  /* True if `needs` is an estimate */
     double skid;     /* m, with which the chair gets out if its drive wheels skid sideways, in all; 0: none is known */
-    char beside[96]; /* the piece of furniture that narrows the place, where `what` does not name it; "": none */
+    char beside[96]; /* the other side of a place that furniture narrows, where `what` does not name it */
 } Blockage;
 
 typedef enum RouteAnswer {

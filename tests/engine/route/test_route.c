@@ -364,20 +364,39 @@ TEST(a_chair_that_a_jamb_holds_first_goes_back) {
     }
 }
 
-TEST(furniture_that_narrows_a_door_is_named_beside_it) {
-    Rooms fixture;
-    rooms_make_two(&fixture, 0.63, 0.9, DOOR_OPEN);
-    rooms_free(&fixture);
-    fixture.furniture[0] =
-        (Furniture){.id = "f1", .name = "wardrobe", .centre = {3, 1.8}, .size = {0.6, 0.6}, .height = 2};
-    fixture.plan.furniture_count = 1;
-    rooms_build(&fixture);
-    Route route = route_round(&fixture.query);
-    CHECK(route.answer == ROUTE_CANNOT_PASS && strcmp(route.blockage.what, "door d1") == 0);
-    CHECK(strncmp(route.blockage.beside, "wardrobe", 8) == 0);
-    char widths[ROUTE_WIDTHS];
-    route_widths(&route.blockage, widths, sizeof widths);
-    CHECK(strstr(widths, " m beside wardrobe"));
-    route_free(&route);
-    rooms_free(&fixture);
+/* A wardrobe in two rooms of 3 m x 3 m leaves a place too narrow for a chair. */
+static Route route_past_wardrobe(Rooms *rooms, double door, Vec2 centre, Vec2 size, bool round) {
+    rooms_make_two(rooms, 0.63, door, DOOR_OPEN);
+    rooms_free(rooms);
+    rooms->furniture[0] = (Furniture){.id = "f1", .name = "wardrobe", .centre = centre, .size = size, .height = 2};
+    rooms->plan.furniture_count = 1;
+    rooms_build(rooms);
+    return round ? route_round(&rooms->query) : route_drive(&rooms->query);
+}
+
+TEST(furniture_that_narrows_a_place_is_named_before_a_wall_or_a_door) {
+    static const struct {
+        double door;
+        Vec2 centre, size;
+        const char *what, *beside;
+    } cases[] = {
+        {0.9, {3, 1.8}, {0.6, 0.6}, "wardrobe", "door d1"}, /* in the door's opening */
+        {0.9, {4.5, 1.45}, {0.4, 1.9}, "wardrobe", "wall"}, /* across a room */
+        {0.5, {4.5, 0.5}, {0.4, 0.4}, "door d1", ""},       /* aside, where the door itself is too narrow */
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        for (int round = 0; round < 2; round++) {
+            Rooms rooms;
+            Route route = route_past_wardrobe(&rooms, cases[i].door, cases[i].centre, cases[i].size, round);
+            CHECK(route.answer == ROUTE_CANNOT_PASS);
+            CHECK(strncmp(route.blockage.what, cases[i].what, strlen(cases[i].what)) == 0);
+            CHECK(strncmp(route.blockage.beside, cases[i].beside, strlen(cases[i].beside)) == 0);
+            CHECK(*cases[i].beside || !*route.blockage.beside);
+            char widths[ROUTE_WIDTHS];
+            route_widths(&route.blockage, widths, sizeof widths);
+            CHECK(strstr(widths, " m beside ") || !*cases[i].beside);
+            route_free(&route);
+            rooms_free(&rooms);
+        }
+    }
 }
