@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "draw/caption.h"
 #include "window/plan_input.h"
 #include "window/selected_name.h"
 
@@ -25,9 +26,9 @@
 #define ASIDE 14.0 /* from the pointer */
 #define HAND 30.0  /* from the pointer to the middle of what a click does */
 
-enum { LABELS_MOST = 24, PLACES = 5 /* that a label tries */ };
+enum { LABELS_MOST = 64, PLACES = 5 /* that a label tries */ };
 
-/* Boxes of the labels placed so far; no label covers another. */
+/* Boxes of the labels placed so far, and of the picture's tags; no label covers another. */
 typedef struct Labels {
     Box boxes[LABELS_MOST];
     size_t count;
@@ -64,24 +65,40 @@ static Box kept_within(Box box, Box bounds) {
     return (Box){vec2_add(box.low, by), vec2_add(box.high, by)};
 }
 
-/* Places a label at its middle, or above or below that if another label is there. */
-static Box place_label(const Window *window, Labels *labels, Vec2 middle, Vec2 size) {
-    static const double steps[PLACES] = {0, 1, -1, 2, -2};
-    Vec2 half = vec2_scale(size, 0.5);
-    Box box = {{0, 0}, {0, 0}};
-    for (int i = 0; i < PLACES; i++) {
-        Vec2 at = vec2_add(middle, vec2(0, steps[i] * (size.y + 2)));
-        box = kept_within((Box){vec2_sub(at, half), vec2_add(at, half)}, box_expand(window->frame.view, -EDGE));
-        if (is_free(labels, box))
-            break;
-    }
+static void claim(Labels *labels, Box box) {
     if (labels->count < LABELS_MOST)
         labels->boxes[labels->count++] = box;
-    return box;
 }
 
-static Box label_box(Window *window, Labels *labels, Vec2 middle, const char *text) {
-    return place_label(window, labels, middle, vec2_add(ui_extent(window->ui, UI_BOLD, text), vec2(2 * PAD, 2)));
+/* Claims the places of the picture's tags: exits, tight places and what is in the way stay readable during a gesture.
+ */
+static void claim_tags(const Window *window, const ViewLayers *layers, Labels *labels) {
+    const Layout *layouts[] = {&layers->still, &layers->moving};
+    for (int l = 0; l < 2 && layers->painted; l++)
+        for (size_t i = 0; i < layouts[l]->caption_count; i++) {
+            Box box = caption_box(&layouts[l]->captions[i]);
+            if (layouts[l]->captions[i].shape != LABEL_BARE)
+                claim(labels,
+                      (Box){vec2_add(box.low, window->frame.view.low), vec2_add(box.high, window->frame.view.low)});
+        }
+}
+
+/* Places a label at its middle, or above or below that if another label is there. Returns false if one is everywhere:
+ * then the box is the last one that was tried. */
+static bool place_label(const Window *window, const Labels *labels, Vec2 middle, Vec2 size, Box *box) {
+    static const double steps[PLACES] = {0, 1, -1, 2, -2};
+    Vec2 half = vec2_scale(size, 0.5);
+    for (int i = 0; i < PLACES; i++) {
+        Vec2 at = vec2_add(middle, vec2(0, steps[i] * (size.y + 2)));
+        *box = kept_within((Box){vec2_sub(at, half), vec2_add(at, half)}, box_expand(window->frame.view, -EDGE));
+        if (is_free(labels, *box))
+            return true;
+    }
+    return false;
+}
+
+static Vec2 label_size(Window *window, const char *text) {
+    return vec2_add(ui_extent(window->ui, UI_BOLD, text), vec2(2 * PAD, 2));
 }
 
 static void write_in(Window *window, Box box, Role ground, const char *text) {
@@ -89,8 +106,13 @@ static void write_in(Window *window, Box box, Role ground, const char *text) {
     ui_draw_text(window->ui, UI_BOLD, ROLE_PAPER, vec2(box.low.x + PAD, (box.low.y + box.high.y) / 2), 0, text);
 }
 
+/* Writes a label unless others are everywhere about its place. */
 static void write_label(Window *window, Labels *labels, Vec2 middle, Role ground, const char *text) {
-    write_in(window, label_box(window, labels, middle, text), ground, text);
+    Box box;
+    if (!place_label(window, labels, middle, label_size(window, text), &box))
+        return;
+    claim(labels, box);
+    write_in(window, box, ground, text);
 }
 
 /* Lines ------------------------------------------------------------------------------------------------------------ */
@@ -329,8 +351,7 @@ static void show_read_out(Window *window, const GestureView *gesture, Labels *la
     size_t lines = gesture->field_count + (gesture->typed_error ? 1 : 0);
     Vec2 at = read_out_at(window), size = {width + 2 * PAD, height * (double)lines + 2 * PAD};
     Box box = kept_within((Box){at, vec2_add(at, size)}, box_expand(window->frame.view, -EDGE));
-    if (labels->count < LABELS_MOST)
-        labels->boxes[labels->count++] = box;
+    claim(labels, box);
     ui_draw_box(window->ui, box, ROLE_PANEL, 1);
     ui_draw_frame(window->ui, box, gesture->typed_error ? ROLE_ERROR : ROLE_TEXT, 2);
     double y = box.low.y + PAD + height / 2;
@@ -395,7 +416,12 @@ void plan_overlay_show(Window *window) {
     snprintf(window->hovered, sizeof window->hovered, "%s", name ? name : "");
     words = words ? words : name ? window->hovered : NULL; /* a copy: other names are asked for below */
     Vec2 above = vec2_add(vec2_scale(window->mouse, 1 / window->unit), vec2(0, -HAND)); /* never under the pointer */
-    Box box = words ? label_box(window, &labels, above, words) : box_empty();
+    Box box = box_empty();
+    if (words) {
+        place_label(window, &labels, above, label_size(window, words), &box);
+        claim(&labels, box);
+    }
+    claim_tags(window, &tab->view_layers, &labels);
     bool tagged = name && hovered.kind == selected.kind && hovered.index == selected.index;
     if (!gesture->active && !window->present && editor_tool(editor) == TOOL_SELECT && !tagged)
         selected_name_show(window);

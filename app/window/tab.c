@@ -9,7 +9,8 @@
 #include "base/text.h"
 #include "laboratory/edit/editor.h"
 
-#define LEAST_SEEN 8.0 /* m of an editable plan that are always visible: a new house is empty */
+#define SMALLEST 3.0   /* m: a smaller plan is one that is begun, */
+#define LEAST_SEEN 8.0 /* m, and this much of it is seen, as room to draw in */
 #define ASPECT 1.5     /* of contents without a size */
 #define ZOOM_LEAST 0.2
 #define ZOOM_MOST 64.0
@@ -51,10 +52,10 @@ static void keep_shape(Tab *tab) {
     tab->aspect = width > 0 && height > 0 ? width / height : ASPECT;
 }
 
-/* Returns the zoom that shows the whole plan, but leaves room to draw in a small one. */
+/* Returns the zoom that shows the whole plan, but leaves room to draw in one that is begun. */
 static double fitted_zoom(const Tab *tab) {
     double size = fmax(box_width(tab->shape), box_height(tab->shape));
-    return tab->laboratory->editor ? fmin(1, fmax(size / LEAST_SEEN, ZOOM_LEAST)) : 1;
+    return tab->laboratory->editor && size < SMALLEST ? fmax(size / LEAST_SEEN, ZOOM_LEAST) : 1;
 }
 
 /* Fits the camera to the whole plan. */

@@ -328,6 +328,9 @@ void blockage_of_fit(Blockage *blockage, const RouteQuery *query, const Rectangl
     double missing = fmax(-place->margin, 0), own = 2 * body->half_width;
     Chord chord = chord_at(query, body, place);
     *blockage = (Blockage){.at = chord.middle, .has = chord.width, .estimated = true};
+    blockage->posed = blockage->has > 0;
+    blockage->middle = place->centre;
+    blockage->heading = place->heading;
     blockage->needs = blockage->has > 0 ? fmax(blockage->has + 2 * missing, own) : own;
     name_sides(blockage, query, (const int[]){chord.left, chord.right}, blockage->has > 0 ? 2 : 0);
 }

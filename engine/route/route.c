@@ -515,8 +515,13 @@ static void answer_in_frame(Route *route, const RouteQuery *query, bool round) {
     if (!frame)
         return;
     leave_with_poses(route, frame, &framed, query, round);
-    if (*route->blockage.what)
-        route->blockage.at = frame_place_in_plan(frame, route->blockage.at);
+    Blockage *blockage = &route->blockage;
+    if (*blockage->what)
+        blockage->at = frame_place_in_plan(frame, blockage->at);
+    if (blockage->posed) {
+        blockage->middle = frame_place_in_plan(frame, blockage->middle);
+        blockage->heading = frame_heading_in_plan(frame, blockage->heading);
+    }
 }
 
 /* Finds where the path is narrowest; that of a round body at its poses. */

@@ -46,6 +46,9 @@ typedef struct Blockage {
     bool estimated;  /* True if `needs` is an estimate */
     double skid;     /* m, with which the chair gets out if its drive wheels skid sideways, in all; 0: none is known */
     char beside[96]; /* the other side of a place that furniture narrows, where `what` does not name it */
+    bool posed;      /* True if the pose of the chair that sticks there is known: */
+    Vec2 middle;     /* m, of its body */
+    double heading;  /* rad */
 } Blockage;
 
 typedef enum RouteAnswer {

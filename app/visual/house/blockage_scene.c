@@ -49,7 +49,7 @@ static const Door *named_door(const Plan *plan, const char *what) {
 }
 
 /* Returns the pose of a person who cannot pass: at the start of one who is caught or has no room there, across a door's
- * line, otherwise on the route from the start. */
+ * line, where the chair sticks, otherwise on the route from the start. */
 static Pose pose_before(const Plan *plan, const Inhabitant *person, const Blockage *blockage) {
     Vec2 way = vec2_sub(blockage->at, person->at);
     const Door *door = named_door(plan, blockage->what);
@@ -61,8 +61,10 @@ static Pose pose_before(const Plan *plan, const Inhabitant *person, const Blocka
         Vec2 across = vec2_left(vec2_sub(to, from));
         way = vec2_dot(across, way) < 0 ? vec2_scale(across, -1) : across;
     }
-    Pose pose = {.heading = atan2(way.y, way.x)};
-    pose.at = vec2_sub(blockage->at, silhouette_middle(person->profile, vec2(0, 0), pose.heading));
+    bool posed = blockage->posed && !door;
+    Pose pose = {.heading = posed ? blockage->heading : atan2(way.y, way.x)};
+    Vec2 middle = posed ? blockage->middle : blockage->at;
+    pose.at = vec2_sub(middle, silhouette_middle(person->profile, vec2(0, 0), pose.heading));
     return pose;
 }
 

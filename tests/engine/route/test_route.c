@@ -7,6 +7,7 @@
 #include "base/random.h"
 #include "base/stop.h"
 #include "rooms.h"
+#include "route/search.h"
 
 TEST(a_chair_drives_round_corners_along_free_poses) {
     const double widths[][2] = {{0.95, 0.95}, {1.0, 0.9}, {1.0, 1.0}, {1.2, 1.0}, {1.0, 1.3}, {1.5, 1.5}, {1.8, 0.9}};
@@ -227,6 +228,28 @@ TEST(no_more_reversals_are_driven_than_allowed) {
             CHECK(route.blockage.needs > route.blockage.has && route.blockage.has > 0.7);
         route_free(&route);
         rooms_free(&fixture);
+    }
+}
+
+/* The chair that is shown where it sticks lies on the corner, in houses that are turned, too. */
+TEST(where_a_chair_sticks_its_pose_is_known) {
+    for (int k = 0; k < 12; k++) {
+        Rooms rooms;
+        double width = 0.76 + 0.01 * k;
+        rooms_make_corner(&rooms, 1.1, 0.63, width, width, false);
+        rooms_turn(&rooms, radians(31) * k, vec2(0.3 * k, -0.7));
+        Route route = route_drive(&rooms.query);
+        const Blockage *blockage = &route.blockage;
+        Rectangle body = search_body(rooms.query.profile);
+        Vec2 axis = vec2_heading(blockage->heading), reference = vec2_along(blockage->middle, -body.ahead, axis);
+        CHECK(route.answer == ROUTE_CANNOT_PASS && blockage->posed);
+        double clearance = search_clearance(rooms.query.space, &body, reference, blockage->heading, 1, NULL);
+        CHECK(clearance > -0.1 && clearance < 0.03);
+        CHECK(vec2_distance(blockage->middle, blockage->at) < body.half_length + body.half_width);
+        CHECK(fabs(vec2_dot(vec2_unit(axis), vec2_heading(radians(31) * k))) < 0.99); /* on the slant of both legs */
+        CHECK(fabs(vec2_cross(vec2_unit(axis), vec2_heading(radians(31) * k))) < 0.99);
+        route_free(&route);
+        rooms_free(&rooms);
     }
 }
 
