@@ -70,6 +70,7 @@ typedef struct Result {
     double part;       /* completed share of that work, 0 to 1; NAN: unknown */
     const char *cure;  /* words of a button that takes a tool: "Add an exit"; NULL: none */
     int tool;          /* that EditTool */
+    bool broken;       /* nothing can be run, so no fix can be tried */
 } Result;
 
 /* Something that can be selected; kind 0: nothing. */

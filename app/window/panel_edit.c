@@ -255,7 +255,7 @@ static void show_way_out(Window *window, Tab *tab, Editor *editor) {
     if (tab_first_place(tab) &&
         ui_button(window->ui, &(UiButton){.id = "show", .label = "Show", .help = "Show: Zoom to the place"}))
         act_show_place(window);
-    if (!doing &&
+    if (!doing && !answer.broken &&
         ui_button(window->ui, &(UiButton){.label = "Suggest a fix",
                                           .help = "Suggest a fix: Find the smallest change that lets all people "
                                                   "leave, by simulating wider doors and moved furniture"})) {

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "laboratory/house/runs.h"
+#include "visual/house/plan_picture.h"
 
 enum { GHOSTS_MOST = 60 /* people: larger crowds have no ghosts, since no person could be recognised */ };
 
@@ -79,6 +80,20 @@ void house_picture_make_film(HouseSession *session, double time) {
     session->film = film_create(house, session->observation, &options);
     session->film_is_stale = false;
     session->fresh = true;
+}
+
+void house_picture_make_plain(HouseSession *session) {
+    House house = {.seed = 0};
+    Fault fault = {0};
+    scene_reset(&session->plain);
+    session->plain.bare = true;
+    const char *path = session->wish.path;
+    if (plan_read_text(&house.plan, path, draft_text(session->draft), NULL, 0, &fault) &&
+        outline_build(&house.outline, &house.plan, &fault))
+        plan_picture_make(&session->plain, &house, false);
+    fault_clear(&fault);
+    house_free(&house);
+    session->changed |= LABORATORY_VIEW;
 }
 
 /* The plots -------------------------------------------------------------------------------------------------------- */

@@ -19,6 +19,9 @@ static inline bool house_picture_has_film(const HouseSession *session) {
 /* Rebuilds the film for a time, s, if it is missing or stale. */
 void house_picture_make_film(HouseSession *session, double time);
 
+/* Makes the picture of the plan alone, for a house that cannot be run. */
+void house_picture_make_plain(HouseSession *session);
+
 /* Makes the plots of the displayed run; `restart`: for another run, person or ghost, not only with more rows. */
 void house_picture_make_plots(HouseSession *session, bool restart);
 void house_picture_clear_plots(HouseSession *session);

@@ -176,15 +176,26 @@ static void report_divergence(HouseSession *session) {
     }
 }
 
+/* Returns the line of an error without its place: it was found in the text of the draft, not in the file. */
+static const char *without_place(const HouseSession *session, const char *line) {
+    size_t length = strlen(session->wish.path);
+    if (strncmp(line, session->wish.path, length) != 0)
+        return line;
+    const char *rest = line + length + strspn(line + length, ":0123456789");
+    return *rest == ' ' ? rest + 1 : line;
+}
+
 /* Undoes an edit that made the plan invalid, and restarts the displayed run if it was cancelled. */
 static void undo_invalid(HouseSession *session, HouseRun *run) {
     clear_error(session);
     for (size_t i = 0; i < run->fault.count; i++)
-        text_format(&session->error, "%s%s", i ? "\n" : "", run->fault.lines[i]);
+        text_format(&session->error, "%s%s", i ? "\n" : "", without_place(session, run->fault.lines[i]));
     report_error(session, NAN);
     session->changed |= LABORATORY_PARAMETERS;
-    if (!session->runs[RUN_SHOWN])
+    if (!session->runs[RUN_SHOWN]) {
+        house_picture_make_plain(session);
         return;
+    }
     uint64_t revision = house_run_revision(run);
     bool undone = !draft_is_open(session->draft) && revision == draft_revision(session->draft) &&
                   revision != house_run_revision(session->runs[RUN_SHOWN]) && draft_undo(session->draft);

@@ -177,6 +177,7 @@ static void close_house(void *context) {
     recall_destroy(session->wish.recall);
     house_fall_clear(session);
     house_picture_clear_plots(session);
+    scene_clear(&session->plain);
     house_text_clear(session);
     house_value_clear(&session->values);
     house_value_clear(&session->opened);
@@ -239,7 +240,9 @@ static bool is_unchanged(const void *context, double time) {
 static const Scene *still(void *context) {
     HouseSession *session = house_control_sync(context);
     house_picture_make_film(session, session->time); /* a call since the last update may have made the film stale */
-    return house_picture_has_film(session) ? film_still(session->film) : &session->nothing;
+    if (house_picture_has_film(session))
+        return film_still(session->film);
+    return session->plain.count && !session->runs[RUN_SHOWN] ? &session->plain : &session->nothing;
 }
 
 static const Scene *added(const void *context) {

@@ -100,6 +100,7 @@ typedef struct HouseSession {
     uint64_t film_of, texts_of, plots_of; /* identities of the runs that they show, see house_runs_identity */
     bool fresh;                           /* nothing of the film has been displayed yet */
     Scene nothing;                        /* displayed before the first house is read */
+    Scene plain;                          /* the plan of a file whose house cannot be run */
     HouseFall fall;                       /* only in the picture */
 
     HouseGhost ghost;

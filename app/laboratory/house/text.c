@@ -517,7 +517,8 @@ static Result answer_nothing(HouseSession *session) {
     return (Result){.title = "This house cannot be run",
                     .role = ROLE_ERROR,
                     .detail = session->error.text ? session->error.text : "",
-                    .part = NAN};
+                    .part = NAN,
+                    .broken = true};
 }
 
 Result house_text_answer(HouseSession *session) {

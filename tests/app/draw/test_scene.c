@@ -452,9 +452,9 @@ static Scene crowd_scene(Census *census, bool interrupted) {
                                                                   [TRACE_X] = people[i].at.x + 0.001 * k,
                                                                   [TRACE_Y] = people[i].at.y});
     }
-    static const Blockage blockages[] = {{{4, 1}, "person adults-6", 3, 0.76, false, 0, ""},
-                                         {{4.5, 1}, "door d1", 3, 0.38, false, 0, ""},
-                                         {{8, 5}, "wall w", 3, 0.38, false, 0, ""}};
+    static const Blockage blockages[] = {{.at = {4, 1}, .what = "person adults-6", .has = 3, .needs = 0.76},
+                                         {.at = {4.5, 1}, .what = "door d1", .has = 3, .needs = 0.38},
+                                         {.at = {8, 5}, .what = "wall w", .has = 3, .needs = 0.38}};
     for (int i = 0; i < 3; i++) {
         observed[4 + i].completed = false;
         observed[4 + i].reason = REASON_BLOCKED;

@@ -42,6 +42,18 @@ found = act("pipes", f'open "{place / "traced.json"}"', "until complete", "wait 
 check(len(found) == 2 and "traced" in found[0]["file"], "a house whose picture to trace is a pipe is shown", found)
 check(len(found) == 2 and found[1]["messages"] > found[0]["messages"], "a pipe that is opened is refused", found)
 
+# a house whose people stand in each other is shown as a plan, and told in words that hold whatever was read
+plan = json.loads(pathlib.Path(stage.house("flat-0.910-module")).read_text())
+first = plan["people"][0]
+plan["people"].append({**first, "id": "p2", "at": [first["at"][0] + 0.1, first["at"][1]]})
+(stage.folder / "inside.json").write_text(json.dumps(plan))
+found = act("inside", f'open "{stage.folder / "inside.json"}"', "until answered", "wait 5", "state STATE")
+answer = found[0]["answer"] if found else {}
+check(answer.get("title") == "This house cannot be run"
+      and answer["detail"] == "person p2 stands inside person p1, must stand apart", "who stands where is told", answer)
+named = [text["string"] for text in found[0]["text_in_view"]] if found else []
+check({"p1", "p2", "bed", "EXIT"} <= set(named), "and the plan is seen", named)
+
 # without a display the program prints a sentence, with exit code 2
 done = subprocess.run([stage.program, "open"], capture_output=True, text=True, timeout=600,
                       env=stage.environment(stage.folder / "nobody"))
