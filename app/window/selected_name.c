@@ -9,11 +9,12 @@
 /* Design points. */
 #define PAD 5.0
 #define BESIDE 4.0 /* from the outline */
+#define ASIDE 16.0 /* from it where the places beside it are taken */
 #define EDGE 8.0   /* of the view */
 
 #define END 12.0 /* of a shifted label, over the thing */
 
-enum { SHIFTS = 3, OTHERS_MOST = 64 };
+enum { SHIFTS = 5, PLACES_MOST = 3 * SHIFTS + 2, OTHERS_MOST = 64 };
 
 static bool overlap(Box a, Box b) {
     return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
@@ -57,8 +58,11 @@ static Box selected_box(const Window *window, const Tab *tab, Item item) {
     return box;
 }
 
-static Box around(Vec2 middle, Vec2 size) {
+/* Returns the box of a label about a middle, moved sideways into the view. */
+static Box around(const Window *window, Vec2 middle, Vec2 size) {
+    Box view = box_expand(window->frame.view, -EDGE);
     Vec2 half = vec2_scale(size, 0.5);
+    middle.x = fmax(fmin(middle.x, view.high.x - half.x), view.low.x + half.x);
     return (Box){vec2_sub(middle, half), vec2_add(middle, half)};
 }
 
@@ -88,9 +92,10 @@ static bool is_nearest(Box label, Vec2 own, const Vec2 *others, size_t count) {
     return true;
 }
 
-/* Lists places for a label: beside the thing where it is long, over its middle last; above and below also shifted, so
- * that only the label's end stands there. Returns their number. */
-static size_t list_places(Box thing, Vec2 size, Vec2 places[3 * SHIFTS + 2]) {
+/* Lists places for a label, `gap` from the thing: beside it where it is long, over its middle last; above and below
+ * also shifted, so that only the label's end stands there. Returns their number. */
+static size_t list_places(Box thing, double gap, Vec2 size, Vec2 places[PLACES_MOST]) {
+    static const double shifts[SHIFTS] = {0, 1, -1, 0.5, -0.5};
     Vec2 middle = vec2_scale(vec2_add(thing.low, thing.high), 0.5), half = vec2_scale(size, 0.5);
     bool tall = box_height(thing) > box_width(thing);
     double shift = fmax(half.x - END, 0);
@@ -98,41 +103,59 @@ static size_t list_places(Box thing, Vec2 size, Vec2 places[3 * SHIFTS + 2]) {
     for (int part = 0; part < 3; part++) {
         bool beside = part == (tall ? 0 : 1), above = part == (tall ? 1 : 0);
         for (int side = 0; side < 2 && beside; side++)
-            places[count++] = vec2(side ? thing.low.x - BESIDE - half.x : thing.high.x + BESIDE + half.x, middle.y);
+            places[count++] = vec2(side ? thing.low.x - gap - half.x : thing.high.x + gap + half.x, middle.y);
         for (int s = 0; s < SHIFTS && above; s++) {
-            double x = middle.x + (s == 0 ? 0 : s == 1 ? shift : -shift);
-            places[count++] = vec2(x, thing.low.y - BESIDE - half.y);
-            places[count++] = vec2(x, thing.high.y + BESIDE + half.y);
+            double x = middle.x + shift * shifts[s];
+            places[count++] = vec2(x, thing.low.y - gap - half.y);
+            places[count++] = vec2(x, thing.high.y + gap + half.y);
         }
         for (int s = 0; s < SHIFTS && part == 2; s++)
-            places[count++] = vec2(middle.x + (s == 0 ? 0 : s == 1 ? shift : -shift), middle.y);
+            places[count++] = vec2(middle.x + shift * shifts[s], middle.y);
     }
     return count;
+}
+
+/* Places and shows a name at the selected thing; false: there is no room for it. */
+static bool show_name(Window *window, Tab *tab, Item item, Box thing, const char *name) {
+    Vec2 size = vec2_add(ui_extent(window->ui, UI_BOLD, name), vec2(2 * PAD, 2));
+    Vec2 places[2 * PLACES_MOST], others[OTHERS_MOST], middle = vec2_scale(vec2_add(thing.low, thing.high), 0.5);
+    size_t place_count = list_places(thing, BESIDE, size, places);
+    place_count += list_places(thing, ASIDE, size, places + place_count);
+    size_t other_count = list_others(window, tab, item, others);
+    for (size_t i = 0; i < place_count; i++) {
+        Box box = around(window, places[i], size);
+        if (!overlap(box, box_expand(thing, ASIDE + 1)) || !is_free(window, &tab->view_layers, box) ||
+            !is_nearest(box, middle, others, other_count))
+            continue;
+        ui_draw_box(window->ui, box, ROLE_TEXT, 1);
+        ui_draw_text(window->ui, UI_BOLD, ROLE_PAPER, vec2(box.low.x + PAD, places[i].y), 0, name);
+        SelectedName *shown = &window->selected_name;
+        shown->box = box;
+        shown->pointed = middle;
+        snprintf(shown->text, sizeof shown->text, "%s", name);
+        return true;
+    }
+    return false;
+}
+
+/* Returns the beginning of a name that stands for it where there is little room: "washroom door" of "washroom door to
+ * corridor", "washing machine" of "washing machine (f3)". */
+static const char *brief_of(Window *window, const char *name) {
+    const char *to = strstr(name, " to "), *id = strstr(name, " ("), *end = to ? to : id;
+    return end ? text_in_arena(&window->arena, "%.*s", (int)(end - name), name) : NULL;
 }
 
 void selected_name_show(Window *window) {
     Tab *tab = window_tab(window);
     Item item = tab->laboratory->selected(tab->session);
-    SelectedName *shown = &window->selected_name;
-    *shown->text = 0;
+    *window->selected_name.text = 0;
     if (!item.kind || !tab->view_layers.painted || box_height(window->frame.view) <= 0)
         return;
     const char *name = text_in_arena(&window->arena, "%s", tab->laboratory->item_name(tab->session, item));
     Box thing = selected_box(window, tab, item);
     if (!*name || !(box_width(thing) >= 0) || is_written(window, &tab->view_layers, thing, name))
         return;
-    Vec2 size = vec2_add(ui_extent(window->ui, UI_BOLD, name), vec2(2 * PAD, 2));
-    Vec2 places[3 * SHIFTS + 2], others[OTHERS_MOST], middle = vec2_scale(vec2_add(thing.low, thing.high), 0.5);
-    size_t place_count = list_places(thing, size, places), other_count = list_others(window, tab, item, others);
-    for (size_t i = 0; i < place_count; i++) {
-        Box box = around(places[i], size);
-        if (!is_free(window, &tab->view_layers, box) || !is_nearest(box, middle, others, other_count))
-            continue;
-        ui_draw_box(window->ui, box, ROLE_TEXT, 1);
-        ui_draw_text(window->ui, UI_BOLD, ROLE_PAPER, vec2(box.low.x + PAD, places[i].y), 0, name);
-        shown->box = box;
-        shown->pointed = middle;
-        snprintf(shown->text, sizeof shown->text, "%s", name);
-        return;
-    }
+    const char *brief = brief_of(window, name);
+    if (!show_name(window, tab, item, thing, name) && brief)
+        show_name(window, tab, item, thing, brief);
 }
