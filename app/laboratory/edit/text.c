@@ -1,6 +1,5 @@
 #include "laboratory/edit/text.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -19,20 +18,13 @@ static bool is_named(DraftList list) {
     return list == DRAFT_FURNITURE || list == DRAFT_ROOMS;
 }
 
-static const char *group_of(Editor *edit, const char *id) {
-    char name[EDIT_NAME];
-    edit_select_name(edit, id, name);
-    *name = (char)toupper((unsigned char)*name);
-    return arena_text(&edit->text_arena, name);
-}
-
 static void add_selected(Editor *edit, size_t *count) {
     const char *id = edit->ids[edit->id_count - 1];
     size_t index;
     DraftList list = draft_find(edit->draft, id, &index);
     if (list == DRAFT_LISTS)
         return;
-    const char *group = group_of(edit, id);
+    static const char group[] = "Names"; /* the thing itself is named above them */
     const char *name = json_string_value(json_object_get(draft_at(edit->draft, list, index), "name"));
     if (is_named(list))
         add(edit, count,
