@@ -320,13 +320,14 @@ static const char *field_text(Window *window, const GestureView *gesture, size_t
                          field->unit, field->typed ? " (typed)" : "", cursor);
 }
 
-/* Shows the fields of the gesture next to the pointer, or in the middle of the view without one. */
+/* Returns where the fields of the gesture are shown: next to the pointer, or in the view's corner without one, since
+ * what is placed by keys is in its middle. */
 static Vec2 read_out_at(const Window *window) {
     Vec2 at = vec2_scale(window->mouse, 1 / window->unit);
     Box view = window->frame.view;
     if (box_holds(view, at))
         return vec2_add(at, vec2(ASIDE, ASIDE));
-    return vec2((view.low.x + view.high.x) / 2 + 2 * CROSS, (view.low.y + view.high.y) / 2 + 2 * CROSS);
+    return vec2(view.low.x, view.high.y); /* kept within the view */
 }
 
 static bool has_pointer(const Window *window) {
