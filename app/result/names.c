@@ -199,6 +199,27 @@ static bool is_piece(const Plan *plan, Word word) {
     return false;
 }
 
+/* True if a piece of furniture is named here. */
+static bool begins_piece(const Plan *plan, const char *at) {
+    for (size_t f = 0; f < plan->furniture_count; f++) {
+        const char *name = *plan->furniture[f].name ? plan->furniture[f].name : plan->furniture[f].id;
+        size_t length = strlen(name);
+        if (strncmp(at, name, length) == 0 && (!at[length] || strchr(ENDS, at[length])))
+            return true;
+    }
+    return false;
+}
+
+/* Adds "the " where a sentence goes on with a thing. */
+static void add_article(Text *text) {
+    static const char *const before[] = {" pass ", " at "};
+    for (size_t i = 0; i < sizeof before / sizeof *before; i++) {
+        size_t length = strlen(before[i]);
+        if (text->used >= length && strcmp(text->text + text->used - length, before[i]) == 0)
+            text_add(text, "the ");
+    }
+}
+
 /* Adds the name that a word and the one behind it stand for; returns the end of what it stands for. */
 static const char *add_name(Text *text, const House *house, Word word, Arena *arena) {
     const Plan *plan = &house->plan;
@@ -207,16 +228,12 @@ static const char *add_name(Text *text, const House *house, Word word, Arena *ar
     size_t door = is_word(word, "door") ? door_called(plan, next) : plan->door_count;
     size_t person = person_called(house, is_word(word, "person") ? next : word);
     if (door < plan->door_count) {
-        static const char *const before[] = {" pass ", " at "};
-        for (size_t i = 0; i < sizeof before / sizeof *before; i++) {
-            size_t length = strlen(before[i]);
-            if (text->used >= length && strcmp(text->text + text->used - length, before[i]) == 0)
-                text_add(text, "the ");
-        }
+        add_article(text);
         text_add(text, names_door(plan, door, arena));
         return next_end;
     }
     if (is_word(word, "wall") && next.length && is_wall(plan, next)) {
+        add_article(text);
         text_add(text, "wall");
         return next_end;
     }
@@ -228,6 +245,8 @@ static const char *add_name(Text *text, const House *house, Word word, Arena *ar
         text_add(text, names_person(house, person, arena));
         return is_word(word, "person") ? next_end : end;
     }
+    if (begins_piece(plan, word.at))
+        add_article(text);
     text_format(text, "%.*s", (int)word.length, word.at);
     return end;
 }

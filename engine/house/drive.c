@@ -239,11 +239,10 @@ static double calmness(const Profile *profile) {
 }
 
 /* Returns how much of the path's own curvature is driven, the rest being the average of what is near, 1: less than all
- * where its change asks for `change`, rad/s2, of which there is not as much, and by a weak driver, who would make sharp
- * bends too late. */
+ * where its change asks for `change`, rad/s2, of which there is not as much. */
 static double sharpness(const Profile *profile, double change) {
-    double most = PACE_OWN_MOMENT * agility(profile), strength = real_min(agility(profile) / AGILE, 1);
-    return fabs(change) > most ? strength * most / fabs(change) : strength;
+    double most = PACE_OWN_MOMENT * agility(profile);
+    return fabs(change) > most ? most / fabs(change) : 1;
 }
 
 /* Returns the moment towards the turn rate `target`, rad/s, which itself changes at `rate`, rad/s2, against the moment

@@ -11,10 +11,10 @@
 #include "space/passage.h"
 
 /* The width of a passage is the shortest chord from obstacle to obstacle across both long sides of the body, at most 30
- * degrees from square, or the distance between the two faces at its ends where that is about the same. A body that
- * lacks a margin m on either side needs 2 m more than that, and its own width at least; a disc needs its own.
- * Without any passage, a wall blocks the path or a door is locked: then the path through the fewest solids, which
- * prefers locked doors to walls, names the place. */
+ * degrees from square, or the distance between the two faces at its ends where that is about the same, or where they
+ * are parallel: a body on the slant between two walls is across them. A body that lacks a margin m on either side needs
+ * 2 m more than that, and its own width at least; a disc needs its own. Without any passage, a wall blocks the path or
+ * a door is locked: then the path through the fewest solids, which prefers locked doors to walls, names the place. */
 
 #define RAY_REACH 20.0      /* m: a passage wider than this has no width worth reporting */
 #define DEEPEST_OVERLAP 0.2 /* m, of a track */
@@ -27,6 +27,7 @@ enum { NECK_FACES = 16 };
 enum { STEP_FREE = 1, STEP_DOOR = 2000, STEP_SOLID = 40000 };
 
 #define SAME_WIDTH 0.05 /* 1, of a chord: the distance between the faces at its ends differs by no more */
+#define PARALLEL 0.05   /* 1, the sine of the angle between two faces that are parallel, at most */
 
 typedef struct Chord {
     double width;    /* m */
@@ -118,11 +119,11 @@ static Chord chord_at(const RouteQuery *query, const Rectangle *body, const FitP
     if (!(best.width < HUGE_VAL))
         return (Chord){0, place->centre, -1, -1};
     if (best.left >= 0 && best.right >= 0) {
-        const Face *faces = query->space->outline->faces;
+        const Face *left = &query->space->outline->faces[best.left], *right = &query->space->outline->faces[best.right];
         Vec2 middle = best.middle;
-        double width = passage_between(&faces[best.left], &faces[best.right], &middle);
-        double least = 2 * flanks_of(body, place, 0).half_gap;
-        if (width >= least && fabs(width - best.width) <= SAME_WIDTH * best.width) {
+        double width = passage_between(left, right, &middle), least = 2 * flanks_of(body, place, 0).half_gap;
+        bool same = fabs(width - best.width) <= SAME_WIDTH * best.width;
+        if (width >= least && (same || fabs(vec2_cross(left->normal, right->normal)) < PARALLEL)) {
             best.width = width;
             best.middle = middle;
         }

@@ -45,7 +45,9 @@ static double planned_turn(const Profile *profile) {
 }
 
 Agility pace_agility(const Profile *profile) {
-    return (Agility){pace_turning(profile), planned_turn(profile)};
+    double swung = profile->mass * profile->mass_centre;
+    return (Agility){pace_turning(profile), planned_turn(profile),
+                     swung > 0 ? PACE_MOMENT * profile->turning_moment / swung : HUGE_VAL};
 }
 
 double pace_at(const Profile *profile, const Agility *agility, double free, double clearance, double curvature,
@@ -55,7 +57,8 @@ double pace_at(const Profile *profile, const Agility *agility, double free, doub
         speed = real_min(speed, profile->reversing_speed);
     double bend = fabs(curvature), change = fabs(bending);
     if (bend > 0)
-        speed = real_min(speed, real_min(sqrt(profile->lateral_acceleration / bend), agility->rate / bend));
+        speed = real_min(speed, real_min(sqrt(real_min(profile->lateral_acceleration, agility->swing) / bend),
+                                         agility->rate / bend));
     if (change > 0)
         speed = real_min(speed, sqrt(agility->acceleration / change));
     return real_max(speed, real_min(TURNING_CREEP, free));

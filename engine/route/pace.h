@@ -19,6 +19,7 @@
 typedef struct Agility {
     double acceleration; /* rad/s2: PACE_MOMENT of the turning moment over the inertia about the axle */
     double rate;         /* rad/s: nine tenths of the turn rate, and what half of the push holds the mass centre at */
+    double swing;        /* m/s2, across: PACE_MOMENT of the turning moment over m c; infinite without a mass centre */
 } Agility;
 
 Agility pace_agility(const Profile *profile);
@@ -35,7 +36,8 @@ double pace_turning(const Profile *profile);
  * corners, or drive.creep where the profile has it. With less than body.hands beside the rims the arms are tucked in:
  * PACE_TUCKED_SPEED. Curvature k: v^2 k <= the lateral acceleration, v k <= nine tenths of the turn rate, since a
  * driver who turns as quickly as possible cannot come back to the path, and of the rate w at which half of the push
- * holds the mass centre, c ahead of the axle: m c w^2 <= push / 2. Bending: I v^2 dk/ds <= half of the turning
+ * holds the mass centre, c ahead of the axle: m c w^2 <= push / 2; m c v^2 k <= half of the turning moment, since the
+ * drive wheels hold the axle and the mass centre swings the chair straight. Bending: I v^2 dk/ds <= half of the turning
  * moment. A bend is taken at 0.03 m/s, however narrow it is and however weak the driver. */
 double pace_at(const Profile *profile, const Agility *agility, double free, double clearance, double curvature,
                double bending, int direction);

@@ -127,8 +127,8 @@ TEST(a_house_that_cannot_be_run_says_why) {
     size_t count;
     laboratory->parameters(session, &count);
     CHECK(count == 0 && !running_house_set(session, "wall.w1.thickness", 0.2));
-    CHECK(!laboratory->show(session, 0) && laboratory->still(session)->count == 0 &&
-          laboratory->plot_count(session) == 0);
+    CHECK(!laboratory->show(session, 0) && laboratory->plot_count(session) == 0);
+    CHECK(laboratory->still(session)->count > 0); /* the plan alone */
     CHECK(laboratory->next(session, (Item){0, 0}, 1).kind == HOUSE_NOTHING);
     laboratory->close(session);
     session = open_made(path, "");

@@ -58,3 +58,27 @@ TEST(a_wall_is_called_by_its_room_or_else_by_the_side_of_the_plan) {
     check_wall(bare, vec2(5.95, 2), "right wall");
     check_wall(bare, vec2(3, 2), "wall");
 }
+
+TEST(sentences_name_things_with_an_article) {
+    static const char plan[] =
+        "{\"format\": \"clearance-house\", \"version\": 1, \"name\": \"hall\","
+        " \"walls\": [{\"id\": \"w1\", \"points\": [[0, 0], [6, 0], [6, 4], [0, 4], [0, 0]], \"thickness\": 0.1}],"
+        " \"furniture\": [{\"id\": \"f1\", \"name\": \"chest of drawers\", \"centre\": [3, 2], \"size\": [1, 1]},"
+        "                 {\"id\": \"stove\", \"centre\": [1, 1], \"size\": [0.5, 0.5]}]}";
+    static const char *const sentences[][2] = {
+        {"A cannot pass wall w1", "A cannot pass the wall"},
+        {"A cannot pass chest of drawers (f1)", "A cannot pass the chest of drawers"},
+        {"A is blocked at stove after 3.0 s", "A is blocked at the stove after 3.0 s"},
+        {"A cannot pass here", "A cannot pass here"},
+        {"narrowest 0.06 m beside chest of drawers (f1)", "narrowest 0.06 m beside chest of drawers"},
+    };
+    House house = {.seed = 0};
+    Fault fault = {0};
+    Arena arena = {0};
+    CHECK(plan_read_text(&house.plan, "hall", plan, NULL, 0, &fault));
+    for (size_t i = 0; i < sizeof sentences / sizeof *sentences; i++)
+        CHECK_TEXT(names_text(&house, sentences[i][0], &arena), sentences[i][1]);
+    arena_clear(&arena);
+    house_free(&house);
+    fault_clear(&fault);
+}
