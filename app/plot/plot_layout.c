@@ -135,6 +135,16 @@ static const char *shorter_title(Layout *sheet, const char *text, double size, b
                : text;
 }
 
+/* Returns the whole title, or a shorter one where the units of both axes need the rest of the row. */
+static const char *bare_title(Layout *sheet, const Plot *plot, const char *upright) {
+    double right = sheet->page.x - MARGIN, units = text_extent(upright, AXIS_TEXT, false).x + 2 * ITEM_GAP;
+    if (plot->x.unit)
+        units += text_extent(text_in_arena(&sheet->arena, "over %s", plot->x.unit), AXIS_TEXT, false).x;
+    double whole = text_extent(plot->title, TITLE_TEXT, true).x, fits = right - MARGIN - units;
+    const char *brief = shorter_title(sheet, plot->title, TITLE_TEXT, true, fits);
+    return whole > fits && text_extent(brief, TITLE_TEXT, true).x <= fits ? brief : plot->title;
+}
+
 /* Adds a text, `before` design points to its left kept free, to this row or the next. */
 static Caption *add_item(Rows *rows, const char *text, double size, bool bold, double before) {
     Layout *sheet = &rows->layout->sheet;
@@ -238,7 +248,7 @@ static double add_rows(PlotLayout *layout, const Plot *plot, Above wanted) {
     Rows rows = {layout, MARGIN, ROW_HEIGHT / 2 + 2};
     bool low = layout->sheet.page.y < LOW;
     if (plot->title)
-        add_item(&rows, plot->title, TITLE_TEXT, true, 0);
+        add_item(&rows, wanted.bare ? bare_title(&layout->sheet, plot, title) : plot->title, TITLE_TEXT, true, 0);
     if (*title && (low || !plot->title))
         add_item(&rows, title, plot->title ? AXIS_TEXT : TITLE_TEXT - 2, !plot->title, 0);
     if (wanted.across && plot->x.title) {

@@ -12,6 +12,7 @@
 #define NEARLY 1e-9       /* of a step: an end at most this far beyond a tick is on the tick */
 #define PLAIN_LARGEST 1e5 /* the largest and smallest order that labels show without a power of ten: */
 #define PLAIN_LEAST 1e-3  /* five digits before the point or four behind it */
+#define LEAST 2           /* ticks of an axis */
 #define LONGEST_COUNT 4   /* digits that are legible without a gap */
 
 #define THIN_SPACE "\u2009"
@@ -45,7 +46,7 @@ static void make_range(double *low, double *high) {
 
 /* Returns the ticks of a range with a step of multiple x 10^exponent. */
 static PlotTicks with_step(double low, double high, int multiple, int exponent, bool widened) {
-    PlotTicks ticks = {.low = low, .high = high, .multiple = multiple, .exponent = exponent};
+    PlotTicks ticks = {.low = low, .high = high, .multiple = multiple, .exponent = exponent, .stride = 1};
     double step = decimal(multiple, exponent);
     if (widened) {
         ticks.low = floor(2 * low / step + NEARLY) / 2 * step;
@@ -63,16 +64,28 @@ static int label_power(double largest) {
     return 3 * (int)floor((log10(largest) + NEARLY) / 3);
 }
 
-PlotTicks plot_ticks_make(double low, double high, int most, bool widened) {
-    static const int multiples[] = {1, 2, 5};
-    make_range(&low, &high);
-    int first = 3 * (int)floor(log10((high - low) / most));
+/* Returns the finest of these steps, `count` multiples in each decade, with at most `most` ticks. */
+static PlotTicks with_multiples(double low, double high, const int *multiples, int count, int most, bool widened) {
     PlotTicks ticks;
-    int step = first;
+    int step = count * (int)floor(log10((high - low) / most));
     do {
-        ticks = with_step(low, high, multiples[step - 3 * (int)floor(step / 3.0)], (int)floor(step / 3.0), widened);
+        int decade = (int)floor((double)step / count);
+        ticks = with_step(low, high, multiples[step - count * decade], decade, widened);
         step++;
-    } while (ticks.count > (most > 2 ? most : 2));
+    } while (ticks.count > most);
+    return ticks;
+}
+
+PlotTicks plot_ticks_make(double low, double high, int most, bool widened) {
+    static const int usual[] = {1, 2, 5}, closer[] = {1, 2, 4, 5};
+    make_range(&low, &high);
+    PlotTicks ticks = with_multiples(low, high, usual, 3, most > LEAST ? most : LEAST, widened);
+    if (ticks.count < LEAST) /* any 4 ticks of one of these steps hold 2 of the next one: some step has 2 or 3 */
+        ticks = with_multiples(low, high, closer, 4, LEAST + 1, widened);
+    if (most < LEAST && ticks.count > LEAST) { /* no room for the middle one of three */
+        ticks.stride = 2;
+        ticks.count = LEAST;
+    }
     ticks.power = label_power(fmax(fabs(low), fabs(high)));
     ticks.digits = ticks.power > ticks.exponent ? ticks.power - ticks.exponent : 0;
     return ticks;
@@ -89,7 +102,7 @@ static double logarithmic_at(int multiple, double tick) {
 
 /* Returns ticks in steps of `multiple` decades. */
 static PlotTicks with_decades(double low, double high, int multiple, bool widened) {
-    PlotTicks ticks = {.low = low, .high = high, .multiple = multiple, .logarithmic = true};
+    PlotTicks ticks = {.low = low, .high = high, .multiple = multiple, .stride = 1, .logarithmic = true};
     double slack = 1 + NEARLY, per_decade = multiple ? 1.0 / multiple : 3;
     double first = floor(log10(low) * per_decade) - 1, last = ceil(log10(high) * per_decade) + 1;
     while (logarithmic_at(multiple, first + 1) <= low * slack)
@@ -108,6 +121,16 @@ static PlotTicks with_decades(double low, double high, int multiple, bool widene
     return ticks;
 }
 
+/* Returns the finest steps with at most `most` ticks, or, if there are none, steps beyond the range. */
+static PlotTicks with_few_decades(double low, double high, int most, bool widened) {
+    PlotTicks ticks;
+    int decades = 0;
+    do
+        ticks = with_decades(low, high, decades++, widened);
+    while (ticks.count > most && decades < log10(high / low) + 2);
+    return ticks;
+}
+
 PlotTicks plot_ticks_make_logarithmic(double low, double high, int most, bool widened) {
     if (!(low > 0 && high >= low && high < HUGE_VAL)) {
         low = 0.1;
@@ -115,12 +138,20 @@ PlotTicks plot_ticks_make_logarithmic(double low, double high, int most, bool wi
     }
     low = real_clamp(low, 1 / LARGEST, LARGEST);
     high = real_clamp(high, low * (1 + FINEST), LARGEST * 10);
-    PlotTicks ticks;
-    int decades = 0;
-    do
-        ticks = with_decades(low, high, decades++, widened);
-    while (ticks.count > (most > 2 ? most : 2));
-    ticks.raised = ticks.multiple && (ticks.high >= PLAIN_LARGEST || ticks.low < PLAIN_LEAST);
+    int wanted = most > LEAST ? most : LEAST;
+    PlotTicks ticks = with_few_decades(low, high, wanted, widened);
+    if (ticks.count > wanted || ticks.count < LEAST) /* around 1, even the widest steps have 3 */
+        ticks = with_few_decades(low, high, LEAST + 1, widened);
+    if (ticks.count < LEAST && ticks.multiple) { /* at most 5 ticks of 1, 2, 5 hold fewer than 2 powers of ten */
+        ticks = with_decades(low, high, 0, widened);
+        ticks.stride = 2;
+        ticks.count = (ticks.count + 1) / 2;
+    }
+    if (ticks.count < LEAST) {
+        ticks = plot_ticks_make(low, high, most, false);
+        ticks.logarithmic = ticks.equal = true;
+    }
+    ticks.raised = !ticks.equal && ticks.multiple && (ticks.high >= PLAIN_LARGEST || ticks.low < PLAIN_LEAST);
     return ticks;
 }
 
@@ -131,9 +162,9 @@ double plot_ticks_part(const PlotTicks *ticks, double value) {
 }
 
 double plot_ticks_at(const PlotTicks *ticks, int index) {
-    if (ticks->logarithmic)
-        return logarithmic_at(ticks->multiple, ticks->first + index);
-    return decimal((ticks->first + index) * ticks->multiple, ticks->exponent);
+    if (ticks->logarithmic && !ticks->equal)
+        return logarithmic_at(ticks->multiple, ticks->first + index * ticks->stride);
+    return decimal((ticks->first + index * ticks->stride) * ticks->multiple, ticks->exponent);
 }
 
 /* Prints "10" with the power raised behind it. */
@@ -149,18 +180,18 @@ static void raised_power(int power, char text[PLOT_TICKS_LABEL]) {
 
 static void logarithmic_label(const PlotTicks *ticks, int index, char label[PLOT_TICKS_LABEL]) {
     if (ticks->raised)
-        raised_power((int)(ticks->first + index) * ticks->multiple, label);
+        raised_power((int)(ticks->first + index * ticks->stride) * ticks->multiple, label);
     else
         snprintf(label, PLOT_TICKS_LABEL, "%.9g", plot_ticks_at(ticks, index));
 }
 
 void plot_ticks_label(const PlotTicks *ticks, int index, char label[PLOT_TICKS_LABEL]) {
-    if (ticks->logarithmic) {
+    if (ticks->logarithmic && !ticks->equal) {
         logarithmic_label(ticks, index, label);
         return;
     }
     char digits[PLOT_TICKS_LABEL / 2];
-    double steps = ticks->first + index;
+    double steps = ticks->first + index * ticks->stride;
     const char *sign = steps < 0 ? MINUS : "";
     int decimals = steps == 0 ? 0 : ticks->digits;
     double value = decimal(fabs(steps) * ticks->multiple, ticks->exponent - ticks->power);

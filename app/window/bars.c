@@ -415,16 +415,19 @@ static void show_export(Window *window, Box box) {
         export_cancel(window->export);
 }
 
-/* Shows a text in a box up to `right`, in two lines where one is too short and the box is high enough. */
+/* Shows a text in a box up to `right`, in several lines where one is too short and the box is high enough, and smaller
+ * where these are too many. */
 static void show_lines(Window *window, Role role, Box box, double right, const char *text) {
-    enum { LINES = 2 };
-    double left = box.low.x + MARGIN, y = middle_of(box).y, half = LINES * ui_extent(window->ui, UI_BODY, text).y / 2;
-    if (left + ui_extent(window->ui, UI_BODY, text).x <= right || 2 * half > box_height(box)) {
+    double left = box.low.x + MARGIN, y = middle_of(box).y, room = box_height(box);
+    double two = 2 * ui_extent(window->ui, UI_BODY, text).y;
+    if (left + ui_extent(window->ui, UI_BODY, text).x <= right || two > room) {
         show_text(window, UI_BODY, role, left, right, y, text);
         return;
     }
+    UiTextStyle size = ui_text_height(window->ui, UI_BODY, text, right - left) <= room ? UI_BODY : UI_SMALL;
+    double half = fmin(ui_text_height(window->ui, size, text, right - left), room) / 2;
     ui_at(window->ui, (Box){{left, y - half}, {right, y + half}});
-    ui_text(window->ui, UI_BODY, role, text);
+    ui_text(window->ui, size, role, text);
 }
 
 /* Shows why the gesture cannot be completed, or, in a window without a strip, its description. */

@@ -31,6 +31,7 @@ enum { RING_POINTS = 36 };
 #define CHANGE_ASIDE 18.0
 #define CHANGE_TICK 6.0
 
+#define READ_OUT_MARGIN 12.0 /* of a plot's width, beside its read-out */
 #define WHEEL_ZOOM 1.15
 
 static Vec2 middle_of(Box box) {
@@ -417,8 +418,10 @@ static void show_view(Window *window, Tab *tab) {
 static void show_read_out(Window *window, Tab *tab, PlotPane *pane, size_t plot, Vec2 at) {
     char text[PLOT_PANES_TEXT];
     Vec2 nearest;
-    if (!plot_panes_read(pane, tab->laboratory, tab->session, plot, tab->player.time, at, &nearest, text))
+    if (!plot_panes_read(pane, tab->laboratory, tab->session, plot, tab->player.time, at, false, &nearest, text))
         return;
+    if (ui_extent(window->ui, UI_BODY, text).x > box_width(pane->place) - READ_OUT_MARGIN)
+        plot_panes_read(pane, tab->laboratory, tab->session, plot, tab->player.time, at, true, &nearest, text);
     Vec2 extent = ui_extent(window->ui, UI_BODY, text);
     double left = fmin(fmax(nearest.x + 10, pane->place.low.x), pane->place.high.x - extent.x - 8);
     Box frame = plot_panes_frame(pane);
@@ -454,7 +457,7 @@ static void show_pane(Window *window, Tab *tab, size_t index) {
     PlotPane *pane = &tab->panes.panes[index];
     Box box = window->frame.panes[index];
     ui_pane_begin(window->ui, &(UiPane){.name = text_in_arena(&window->arena, "plot:%s", pane->source.name),
-                                        .box = box,
+                                        .box = box_expand(box, FRAME_RIM),
                                         .ground = ROLE_PAPER,
                                         .stop = true});
     size_t plot = plot_of(tab, pane);

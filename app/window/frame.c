@@ -98,7 +98,7 @@ static void place_rows(Frame *frame, Box place, size_t count, size_t rows) {
         double width = box_width(place) / (double)here;
         for (size_t i = 0; i < here; i++) {
             Box box = {{place.low.x + (double)i * width, y}, {place.low.x + (double)(i + 1) * width, y + height}};
-            frame->panes[frame->pane_count++] = box_expand(box, -GAP / 2);
+            frame->panes[frame->pane_count++] = box_expand(box, -FRAME_RIM);
         }
         y += height;
     }

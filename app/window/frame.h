@@ -23,6 +23,8 @@
 
 enum { FRAME_PANES_MOST = 8 };
 
+#define FRAME_RIM 3.0 /* design points around a plot, for the frame of the focus */
+
 typedef struct FrameWish {
     bool panel, plots, present;
     bool tall_answer; /* of a presentation: it has a line more */

@@ -243,8 +243,8 @@ bool plot_panes_value(const PlotPane *pane, Vec2 at, Vec2 *value) {
     return true;
 }
 
-/* Writes a value with as many digits as a pixel of the axis can tell. */
-static void format_axis(char *text, size_t size, const PlotAxis *axis, const double ends[2], double value) {
+/* Writes a value with as many digits as a pixel of the axis can tell, behind the axis' title unless it is `brief`. */
+static void format_axis(char *text, size_t size, const PlotAxis *axis, const double ends[2], double value, bool brief) {
     bool pure = !axis->unit || strcmp(axis->unit, "1") == 0;
     double step = fabs(ends[1] - ends[0]) / PIXELS;
     int digits = step > 0 ? (int)fmin(fmax(ceil(-log10(step)), 0), MOST_DIGITS) : (int)MOST_DIGITS;
@@ -254,12 +254,12 @@ static void format_axis(char *text, size_t size, const PlotAxis *axis, const dou
     else
         snprintf(number, sizeof number, "%.*f", digits, value);
     const char *minus = *number == '-' ? "\u2212" : "";
-    snprintf(text, size, "%s %s%s%s%s", axis->title, minus, number + (*minus != 0), pure ? "" : " ",
-             pure ? "" : axis->unit);
+    snprintf(text, size, "%s%s%s%s%s%s", brief ? "" : axis->title, brief ? "" : " ", minus, number + (*minus != 0),
+             pure ? "" : " ", pure ? "" : axis->unit);
 }
 
 bool plot_panes_read(const PlotPane *pane, const Laboratory *laboratory, const void *session, size_t index, double time,
-                     Vec2 at, Vec2 *nearest, char text[PLOT_PANES_TEXT]) {
+                     Vec2 at, bool brief, Vec2 *nearest, char text[PLOT_PANES_TEXT]) {
     double least = NEAR;
     Vec2 value = {0};
     if (!pane->canvas)
@@ -279,8 +279,8 @@ bool plot_panes_read(const PlotPane *pane, const Laboratory *laboratory, const v
     }
     char x[PLOT_PANES_TEXT / 2], y[PLOT_PANES_TEXT / 2];
     PlotPaneAxes axes = plot_panes_axes(pane);
-    format_axis(x, sizeof x, &pane->shown.x, axes.x, value.x);
-    format_axis(y, sizeof y, &pane->shown.y, axes.y, value.y);
+    format_axis(x, sizeof x, &pane->shown.x, axes.x, value.x, brief);
+    format_axis(y, sizeof y, &pane->shown.y, axes.y, value.y, brief);
     snprintf(text, PLOT_PANES_TEXT, "%.*s, %.*s", PLOT_PANES_TEXT / 2 - 4, x, PLOT_PANES_TEXT / 2 - 4, y);
     return least < NEAR;
 }

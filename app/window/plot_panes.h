@@ -57,9 +57,10 @@ void plot_panes_show(PlotPane *pane, const Laboratory *laboratory, const void *s
 /* Finds the values at a point of the window; false: it is outside of the axes. */
 bool plot_panes_value(const PlotPane *pane, Vec2 at, Vec2 *value);
 
-/* Formats the point of a series nearest to a point of the window, "x 0.12 mm, y 0.3 m/s"; false: none is near. */
+/* Formats the point of a series nearest to a point of the window, "x 0.12 mm, y 0.3 m/s", or, if
+ * `brief`, "0.12 mm, 0.3 m/s"; false: none is near. */
 bool plot_panes_read(const PlotPane *pane, const Laboratory *laboratory, const void *session, size_t index, double time,
-                     Vec2 at, Vec2 *nearest, char text[PLOT_PANES_TEXT]);
+                     Vec2 at, bool brief, Vec2 *nearest, char text[PLOT_PANES_TEXT]);
 
 /* Zoom to the box between two points (values); go back to the previous axes; go back to the plot's own axes. */
 void plot_panes_zoom(PlotPane *pane, Vec2 from, Vec2 to);

@@ -139,15 +139,17 @@ static void show_track(Window *window, Tab *tab, Box box) {
     }
 }
 
-/* Shows the note that has no room in the view, in place of the speed and of the track; shortened where lines have no
- * room, either. */
-static void show_crowded_note(Row *row, const char *note) {
+/* Shows the note that has no room in the view, in place of the speed and of the track; false: it has no room here,
+ * either. */
+static bool show_crowded_note(Row *row, const char *note) {
     Ui *ui = row->window->ui;
     double width = fmax(row->right - row->left - GAP, 1), height = ui_text_height(ui, UI_SMALL, note, width);
-    bool fits = height <= box_height(row->bar);
-    double y = middle_of(row->bar).y, half = (fits ? height : ui_extent(ui, UI_SMALL, note).y) / 2;
-    ui_at(ui, (Box){{row->left, y - half}, {row->left + width, y + half}});
-    (fits ? ui_text : ui_line)(ui, UI_SMALL, ROLE_DIM_TEXT, note);
+    double y = middle_of(row->bar).y;
+    if (height > box_height(row->bar))
+        return false;
+    ui_at(ui, (Box){{row->left, y - height / 2}, {row->left + width, y + height / 2}});
+    ui_text(ui, UI_SMALL, ROLE_DIM_TEXT, note);
+    return true;
 }
 
 void timeline_show(Window *window) {
@@ -176,11 +178,10 @@ void timeline_show(Window *window) {
         add_text(&row, compact ? UI_BOLD : UI_CLOCK, clock, window->note_crowded ? "" : CLOCK_WIDEST, false);
         if (!compact)
             add_button(&row, ACTION_NOW, "Now", false, true);
-        if (window->note_crowded)
-            show_crowded_note(&row, tab->laboratory->note(tab->session));
-        else
+        bool noted = window->note_crowded && show_crowded_note(&row, tab->laboratory->note(tab->session));
+        if (!noted)
             add_speed(&row, &tab->player);
-        if (!window->note_crowded && row.right - row.left > LEAST_TRACK && !lesson_hides(window))
+        if (!noted && row.right - row.left > LEAST_TRACK && !lesson_hides(window))
             show_track(window, tab, (Box){{row.left + GAP, row.bar.low.y}, {row.right - GAP, row.bar.high.y}});
     }
     ui_pane_end(window->ui);

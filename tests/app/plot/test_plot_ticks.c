@@ -36,7 +36,8 @@ static const Range ranges[] = {{0, 1, 4},
                                {3, 1, 5}};
 
 static bool is_round(const PlotTicks *ticks) {
-    return ticks->multiple == 1 || ticks->multiple == 2 || ticks->multiple == 5;
+    return ticks->multiple == 1 || ticks->multiple == 2 || ticks->multiple == 5 ||
+           (ticks->multiple == 4 && ticks->count <= 3);
 }
 
 TEST(ticks_are_few_round_increasing_and_within_their_axis) {
@@ -46,13 +47,31 @@ TEST(ticks_are_few_round_increasing_and_within_their_axis) {
             double slack = 1e-6 * (ticks.high - ticks.low);
             CHECK(is_round(&ticks));
             CHECK(isfinite(ticks.low) && isfinite(ticks.high) && ticks.low < ticks.high);
-            CHECK(ticks.count <= (ranges[i].most > 2 ? ranges[i].most : 2) && ticks.count >= 1);
+            CHECK(ticks.count <= (ranges[i].most > 3 ? ranges[i].most : 3) && ticks.count >= 2);
             for (int t = 0; t < ticks.count; t++) {
                 double at = plot_ticks_at(&ticks, t);
                 CHECK(at >= ticks.low - slack && at <= ticks.high + slack);
                 CHECK(t == 0 || at > plot_ticks_at(&ticks, t - 1));
             }
         }
+}
+
+TEST(no_axis_has_a_single_tick) {
+    for (int low = -400; low < 400; low += 7)
+        for (int span = 1; span < 400; span = span * 5 / 4 + 1)
+            for (int most = 1; most < 6; most++)
+                for (int widened = 0; widened <= 1; widened++) {
+                    int largest = most > 3 ? most : 3;
+                    PlotTicks ticks = plot_ticks_make(low / 100.0, (low + span) / 100.0, most, widened);
+                    CHECK(ticks.count >= 2 && ticks.count <= largest);
+                    ticks =
+                        plot_ticks_make_logarithmic(pow(10, low / 100.0), pow(10, (low + span) / 100.0), most, widened);
+                    CHECK(ticks.count >= 2 && ticks.count <= largest);
+                    for (int t = 0; t < ticks.count; t++) {
+                        double part = plot_ticks_part(&ticks, plot_ticks_at(&ticks, t));
+                        CHECK(part > -1e-6 && part < 1 + 1e-6);
+                    }
+                }
 }
 
 TEST(widened_axes_cover_what_they_show_and_no_more_than_a_step_beyond) {

@@ -67,6 +67,8 @@ for name, (path, expected) in FILES.items():
             check(units or across or chart["x_unit"] in (None, "", "1"),
                   f"8: {name}, {size}, {plot}: the x axis has its unit", written)
             check(wanted and not missing, f"8: {name}, {size}, {plot}: each tick has its number", (missing, wanted))
+            check(len(chart["x_ticks"]) > 1 < len(chart["y_ticks"]), f"8: {name}, {size}, {plot}: two numbers at each axis",
+                  (chart["x_ticks"], chart["y_ticks"]))
             words = [text for text in written if text not in wanted and text not in units]
             check(words, f"8: {name}, {size}, {plot}: there is a title", texts)
             check(all(t["size"] >= 15.9 for t in texts), f"8: {name}, {size}, {plot}: letters can be read",

@@ -59,7 +59,7 @@ def read(screen, plot, parts):
     return found
 
 
-READ_OUT = re.compile(r"\D*? (\u2212?[0-9.]+)(?: \S+)?, \D*? (\u2212?[0-9.]+)(?: \S+)?")
+READ_OUT = re.compile(r"(?:\D*? )?(\u2212?[0-9.]+)(?: \S+)?, (?:\D*? )?(\u2212?[0-9.]+)(?: \S+)?")
 PLACES = [(a / 12, b / 12) for a in range(2, 12) for b in range(2, 10)]
 for (width, height), (name, path, plots) in [(size, kind) for size in ((1280, 720), (1920, 1080)) for kind in (
         ("house", stage.house("flat-0.910-widened"), ("speed",)), ("beam", stage.beam("ibs"), ("phase", "orbit")))]:
