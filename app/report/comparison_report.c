@@ -6,6 +6,7 @@
 #include "result/page.h"
 #include "visual/house/house_scene.h"
 #include "result/headline.h"
+#include "result/names.h"
 #include "report/report_basis.h"
 #include "report/report_motion.h"
 #include "report/report_people.h"
@@ -47,7 +48,8 @@ static void add_pictures(Document *document, const Reported runs[2]) {
     Scene scenes[2];
     const char *captions[2];
     for (int r = 0; r < 2; r++) {
-        const char *headline = headline_sentence(runs[r].house, runs[r].observation, &document->arena);
+        const char *headline = names_text(
+            runs[r].house, headline_sentence(runs[r].house, runs[r].observation, &document->arena), &document->arena);
         captions[r] = document_text(document, "%s: %s. %s.", names[r], house_report_name(runs[r].house), headline);
         Before before = {.house = r ? runs[0].house : NULL, .observation = r ? runs[0].observation : NULL};
         house_scene_make_small(&scenes[r], runs[r].house, runs[r].observation, before);
@@ -66,24 +68,24 @@ static void add_notes(Document *document, const Reported runs[2]) {
 /* People ----------------------------------------------------------------------------------------------------------- */
 
 /* Adds two tables of the same kind with the differences; both are released. */
-static void add_pair(Document *document, const char *caption, ResultTable a, ResultTable b, const char *succeeded,
-                     const char *alike) {
+static void add_pair(Document *document, const char *caption, const House *house, ResultTable a, ResultTable b,
+                     const char *succeeded, const char *alike) {
     ResultPair pair = {&a, &b, {names[0], names[1], names[2]}, succeeded, alike};
     ResultTable table = {0};
     result_compare(&table, &pair);
-    result_page_take(document, caption, table);
+    result_page_take_named(document, caption, house, table);
     result_clear(&a);
     result_clear(&b);
 }
 
 static void add_people(Document *document, const Reported runs[2]) {
     add_pair(document, "Differences of times and clearances are given for people who are out of both houses.",
-             result_house_people(runs[0].house, runs[0].observation),
+             runs[1].house, result_house_people(runs[0].house, runs[0].observation),
              result_house_people(runs[1].house, runs[1].observation), "completed", NULL);
 }
 
 static void add_parties(Document *document, const Reported runs[2], const Census census[2]) {
-    add_pair(document, NULL, result_house_parties(runs[0].house, &census[0], false),
+    add_pair(document, NULL, runs[1].house, result_house_parties(runs[0].house, &census[0], false),
              result_house_parties(runs[1].house, &census[1], false), "out", "profile");
 }
 
@@ -114,7 +116,7 @@ static void add_hazards(Document *document, const Reported runs[2]) {
     for (int r = 0; r < 2; r++)
         if (runs[r].observation->hazard_count)
             report_places_add_table(
-                document, runs[r].observation,
+                document, runs[r].house, runs[r].observation,
                 document_text(document, "%s: %s, worst first", names[r], house_report_name(runs[r].house)));
         else
             document_add_paragraph(

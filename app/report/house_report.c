@@ -5,6 +5,7 @@
 #include "visual/house/house_scene.h"
 #include "visual/house/people_scene.h"
 #include "result/headline.h"
+#include "result/names.h"
 #include "report/report_basis.h"
 #include "report/report_density.h"
 #include "report/report_loci.h"
@@ -63,7 +64,7 @@ Document house_report_make(const HouseReport *report) {
     const House *house = report->run.house;
     const Observation *observation = report->run.observation;
     Document document = document_begin(report->making->program);
-    const char *headline = headline_sentence(house, observation, &document.arena);
+    const char *headline = names_text(house, headline_sentence(house, observation, &document.arena), &document.arena);
     document_add_title(&document, document_text(&document, "Evacuation report: %s", house_report_name(house)),
                        headline);
     add_house(&document, &report->run, report->making, headline);
@@ -83,5 +84,6 @@ Document house_report_make(const HouseReport *report) {
     for (size_t p = 0; p < house->profile_count; p++)
         report_basis_add_profile(&document, house, &house->profiles[p]);
     report_basis_add_making(&document, report->making, &report->run, 1);
+    report_basis_add_names(&document, house);
     return document;
 }

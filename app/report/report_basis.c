@@ -5,6 +5,8 @@
 
 #include "base/text.h"
 #include "plan/plan_tables.h"
+#include "result/census.h"
+#include "result/names.h"
 
 /* How ---------------------------------------------------------------------------------------------------------------*/
 
@@ -21,8 +23,8 @@ static void add_doors(Document *document, const Plan *plan) {
     const char *doors = "";
     for (size_t d = 0; d < plan->door_count; d++)
         if (outline_door_moves(&plan->doors[d]))
-            doors = document_text(document, "%s%s%s %g s", doors, *doors ? ", " : "", plan->doors[d].id,
-                                  plan->doors[d].opening_time);
+            doors = document_text(document, "%s%s%s %g s", doors, *doors ? ", " : "",
+                                  names_door(plan, d, &document->arena), plan->doors[d].opening_time);
     if (*doors)
         document_add_paragraph(document,
                                document_text(document,
@@ -111,7 +113,7 @@ void report_basis_add_settings(Document *document, const House *house) {
     }
 }
 
-/* Returns the change of a number of a profile by this house or the command line, or NULL. */
+/* Returns the change of a number of a profile by this house or for this run, or NULL. */
 static const Override *find_override(const House *house, const Profile *profile, const Parameter *row) {
     const Override *last = NULL;
     size_t length = strlen(profile->name);
@@ -129,7 +131,7 @@ static void add_number(Document *document, const House *house, const Profile *pr
     const Override *override = find_override(house, profile, row);
     const char *provenance = profile->provenance[index];
     if (override)
-        provenance = strncmp(override->place, "--set", strlen("--set")) == 0 ? "changed here, on the command line"
+        provenance = strncmp(override->place, "--set", strlen("--set")) == 0 ? "changed here, for this run"
                                                                              : "changed here, in the house's file";
     const char *cells[] = {row->name, stored_values(document, row, profile), unit_text(document, row), row->meaning,
                            provenance};
@@ -180,7 +182,7 @@ void report_basis_add_changes(Document *document, const Making *making) {
         text_add(&text, making->settings[s]);
     }
     if (text.used)
-        document_add_note(document, document_text(document, "Changed on the command line: %s.", text.text));
+        document_add_note(document, document_text(document, "Changed for this run: %s.", text.text));
     memory_free(text.text);
 }
 
@@ -208,4 +210,23 @@ void report_basis_add_making(Document *document, const Making *making, const Rep
                                document_text(document, "%016" PRIx64, observation->digest)};
         document_add_row(document, cells);
     }
+}
+
+/* Adds a pair of a name and an id, unless they are the same. */
+static void add_pair(Text *text, const char *name, const char *kind, const char *id) {
+    bool same = strncmp(name, kind, strlen(kind)) == 0 && strcmp(name + strlen(kind), id) == 0;
+    if (!same)
+        text_format(text, "%s%s is %s%s", text->used ? "; " : "", name, kind, id);
+}
+
+void report_basis_add_names(Document *document, const House *house) {
+    Text text = {0};
+    for (size_t d = 0; d < house->plan.door_count; d++)
+        add_pair(&text, names_door(&house->plan, d, &document->arena), "door ", house->plan.doors[d].id);
+    for (size_t i = 0; i < house->person_count && house->person_count <= CENSUS_FEW; i++)
+        add_pair(&text, names_person(house, i, &document->arena), "", house->people[i].id);
+    if (text.used)
+        document_add_paragraph(
+            document, document_text(document, "Names here and ids in the house's file and the data: %s.", text.text));
+    memory_free(text.text);
 }

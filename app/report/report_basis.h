@@ -29,3 +29,6 @@ void report_basis_add_profile(Document *document, const House *house, const Prof
 
 /* Adds command and version; seed, step and digest of each of `count` runs. */
 void report_basis_add_making(Document *document, const Making *making, const Reported *runs, size_t count);
+
+/* Says which ids of doors and people the names in the report stand for. */
+void report_basis_add_names(Document *document, const House *house);

@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "report/report_pictures.h"
+#include "result/names.h"
 #include "result/check.h"
 #include "result/drivers.h"
 #include "result/page.h"
@@ -40,7 +41,7 @@ static void add_plot(Document *document, DriversPlotKind kind, const Reported *r
     *plot = drivers_plot_make(kind, run->house, run->observation, drivers, person);
     Text caption = {0};
     const char *gap = strstr(captions[kind], "%s");
-    text_format(&caption, "%s%s", run->house->people[person].id, gap + 2);
+    text_format(&caption, "%s%s", names_person(run->house, person, &document->arena), gap + 2);
     const char *text = document_text(document, "%s", caption.text);
     memory_free(caption.text);
     document_add_picture(document, paint_plot, plot, vec2(PLOT_WIDTH, PLOT_HEIGHT), text, text)->release = release_plot;
@@ -101,7 +102,7 @@ void report_drivers_add(Document *document, const char *name, const Reported *ru
         document_add_paragraph(document, document_text(document, "Of the population %s: %s. %s", of->population->id,
                                                        of->population->title, of->population->note));
         add_sentences(document, run, of->drivers);
-        result_page_take(document, NULL, result_drivers_table(house, run->observation, of->drivers));
+        result_page_take_named(document, NULL, house, result_drivers_table(house, run->observation, of->drivers));
         ResultTable routes = result_drivers_routes(house, of->drivers);
         if (routes.record_count)
             document_add_heading(document, 3, "Measured and simulated times");
@@ -118,12 +119,12 @@ void report_drivers_add(Document *document, const char *name, const Reported *ru
                                          "spare. It does not depend on the quickest way, and the limits of the grades, "
                                          "A (easy) to F (impossible), are assumed.");
     }
-    result_page_take(document, NULL, grades);
+    result_page_take_named(document, NULL, house, grades);
     ResultTable places = result_check_grade_places(house, of->grades);
     if (places.record_count)
         document_add_paragraph(document,
                                "Places that stand between a way and a better grade, each with the least change "
                                "that buys that grade here while the other places are eased. Walls are not "
                                "moved: where none helps, nothing beyond is listed.");
-    result_page_take(document, NULL, places);
+    result_page_take_named(document, NULL, house, places);
 }

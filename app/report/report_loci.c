@@ -5,6 +5,7 @@
 
 #include "house/locus.h"
 #include "visual/house/blockage_scene.h"
+#include "result/names.h"
 #include "result/census.h"
 #include "visual/house/house_scene.h"
 #include "visual/house/people_scene.h"
@@ -91,7 +92,7 @@ static void add_locus(Scene *scene, const House *house, size_t person, const Loc
 }
 
 static void add_name(Scene *scene, const House *house, size_t person, Vec2 at) {
-    Primitive *tag = scene_add_label(scene, ROLE_TEXT, NAME_TEXT, at, house->people[person].id);
+    Primitive *tag = scene_add_label(scene, ROLE_TEXT, NAME_TEXT, at, names_person(house, person, &scene->arena));
     tag->fill = people_scene_look(house, person).role;
     tag->shape = LABEL_TAG;
     tag->bold = tag->leader = true;
@@ -155,7 +156,7 @@ static void add_way(Document *document, const HouseReport *report, size_t person
     const Reported *run = &report->by_driving[driving];
     const PersonObservation *observed = &run->observation->people[person];
     bool moved = observed->time > 0;
-    const char *cells[] = {run->house->people[person].id,
+    const char *cells[] = {names_person(run->house, person, &document->arena),
                            way_names[driving],
                            observed->completed ? report_people_number(document, observed->time, 2)
                                                : observation_reason(observed->reason),
@@ -210,7 +211,7 @@ static void add_agreement(Document *document, const Reported *run, int driving, 
     LocusDistance apart = locus_distance(&observed->locus, &locus);
     double taken = observed->locus.times[observed->locus.count - 1] - observed->locus.times[0];
     bool both = simulated->completed && taken > 0;
-    const char *cells[] = {run->house->people[person].id,
+    const char *cells[] = {names_person(run->house, person, &document->arena),
                            way_names[driving],
                            report_people_number(document, taken, 2),
                            simulated->completed ? report_people_number(document, simulated->time, 2)

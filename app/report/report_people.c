@@ -25,19 +25,19 @@ void report_people_add(Document *document, const House *house, const Observation
     if (!census.people) {
         document_add_paragraph(document, "No person takes part.");
     } else if (census.people > CENSUS_ROWS) {
-        result_page_take(
+        result_page_take_named(
             document,
             "Mean and last: times of those who are out. Lost: mean of all, against the free speed. Contacts: "
             "times that bodies began to touch something or each other.",
-            result_house_parties(house, &census, false));
+            house, result_house_parties(house, &census, false));
         add_exits(document, house, &census);
     } else {
-        result_page_take(
+        result_page_take_named(
             document,
             "Narrowest: how near the body came to anything, up to the personal space; negative: the body was "
             "pressed against it. Contacts: times that the body began to touch something. Space entered: how long "
             "something was in the personal space. Lost: time against the free speed.",
-            result_house_people(house, observation));
+            house, result_house_people(house, observation));
     }
     census_clear(&census);
 }

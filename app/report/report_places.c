@@ -1,11 +1,13 @@
 #include "report/report_places.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "base/text.h"
 #include "result/census.h"
 #include "visual/house/house_scene.h"
 #include "result/house.h"
+#include "result/names.h"
 #include "result/page.h"
 
 #define DETAIL_WIDTH 3.2 /* m, across a picture of a place */
@@ -36,8 +38,11 @@ static const char *format_hold(Document *document, const House *house, const Hol
     route_widths(blockage, widths, sizeof widths);
     snprintf(who, sizeof who, "%zu people", hold->people);
     if (hold->people == 1)
-        snprintf(who, sizeof who, "%s", house->people[hold->first].id);
-    const char *what = *blockage->what ? blockage->what : "a place on the route";
+        snprintf(who, sizeof who, "%s", names_person(house, hold->first, &document->arena));
+    const char *what = "a place on the route";
+    const char *the = strncmp(blockage->what, "door ", strlen("door ")) == 0 ? "the " : "";
+    if (*blockage->what)
+        what = document_text(document, "%s%s", the, names_thing(house, blockage->what, blockage->at, &document->arena));
     if (hold->reason == REASON_BLOCKED)
         return document_text(document, "%s: on the route, but stuck at %s without further progress.", who, what);
     return document_text(
@@ -69,9 +74,9 @@ void report_places_add_stops(Document *document, const House *house, const Obser
         if (!has_place(hold))
             continue;
         Vec2 at = hold->blockage.at;
-        add_detail(
-            document, house, observation, shown++, at, format_hold(document, house, hold),
-            document_text(document, "Detail of the plan round (%.2f, %.2f): %s", at.x, at.y, hold->blockage.what));
+        add_detail(document, house, observation, shown++, at, format_hold(document, house, hold),
+                   document_text(document, "Detail of the plan round (%.2f, %.2f): %s", at.x, at.y,
+                                 names_thing(house, hold->blockage.what, at, &document->arena)));
     }
     census_clear(&census);
 }
@@ -108,13 +113,22 @@ static const char *format_hazard(Document *document, const House *house, const H
                  run->loss_warning);
         add_text(&text, label);
     }
-    const char *said = document_text(document, "%zu. %s: %s.", rank, hazard->what, text.text ? text.text : "");
+    const char *said =
+        document_text(document, "%zu. %s: %s.", rank, names_thing(house, hazard->what, hazard->at, &document->arena),
+                      text.text ? text.text : "");
     memory_free(text.text);
     return said;
 }
 
-void report_places_add_table(Document *document, const Observation *observation, const char *caption) {
-    result_page_take(document, caption, result_house_hazards(observation));
+void report_places_add_table(Document *document, const House *house, const Observation *observation,
+                             const char *caption) {
+    ResultTable table = result_house_hazards(observation);
+    for (size_t h = 0; h < table.record_count; h++) {
+        const Hazard *hazard = &observation->hazards[h];
+        ((ResultRow *)result_find(&table, h, "what"))->text =
+            names_thing(house, hazard->what, hazard->at, &table.arena);
+    }
+    result_page_take(document, caption, table);
 }
 
 void report_places_add_hazards(Document *document, const House *house, const Observation *observation) {
@@ -133,7 +147,7 @@ void report_places_add_hazards(Document *document, const House *house, const Obs
         return;
     }
     report_places_add_table(
-        document, observation,
+        document, house, observation,
         document_text(
             document,
             "Worst first. The clearance is that of the route that is driven: a body may pass close to an obstacle "
@@ -144,6 +158,7 @@ void report_places_add_hazards(Document *document, const House *house, const Obs
     for (size_t h = 0; h < observation->hazard_count && h < PICTURES_MOST; h++) {
         const Hazard *hazard = &observation->hazards[h];
         add_detail(document, house, observation, h, hazard->at, format_hazard(document, house, hazard, h + 1),
-                   document_text(document, "Detail of the plan round dangerous point %zu, %s", h + 1, hazard->what));
+                   document_text(document, "Detail of the plan round dangerous point %zu, %s", h + 1,
+                                 names_thing(house, hazard->what, hazard->at, &document->arena)));
     }
 }

@@ -8,4 +8,5 @@ void report_places_add_stops(Document *document, const House *house, const Obser
 void report_places_add_hazards(Document *document, const House *house, const Observation *observation);
 
 /* Adds a table of all hazards. */
-void report_places_add_table(Document *document, const Observation *observation, const char *caption);
+void report_places_add_table(Document *document, const House *house, const Observation *observation,
+                             const char *caption);

@@ -3,15 +3,16 @@
 #include "report/house_report.h"
 #include "report/report_pictures.h"
 #include "result/page.h"
+#include "result/names.h"
 #include "result/rules.h"
 #include "visual/house/rules_scene.h"
 
-static void add_group(Document *document, const Inspection *inspection, FindingGroup group) {
+static void add_group(Document *document, const House *house, const Inspection *inspection, FindingGroup group) {
     ResultTable table = result_rules_findings(inspection, group);
     if (table.record_count) {
         document_add_heading(document, 2,
                              document_text(document, "%s: %zu", result_rules_group(group), table.record_count));
-        result_page_take(document, NULL, table);
+        result_page_take_named(document, NULL, house, table);
     } else {
         result_clear(&table);
     }
@@ -32,7 +33,7 @@ Document rules_report_make(const House *house, const RuleSets *sets, const Inspe
                            const Making *making) {
     Document document = document_begin(making->program);
     Scene scene = {0};
-    const char *sentence = result_rules_sentence(inspection, &document.arena);
+    const char *sentence = names_text(house, result_rules_sentence(inspection, &document.arena), &document.arena);
     document_add_title(&document, document_text(&document, "Rules report: %s", house_report_name(house)), sentence);
     document_add_paragraph(&document,
                            document_text(&document, "%s.", result_rules_counts(inspection, &document.arena)));
@@ -51,10 +52,11 @@ Document rules_report_make(const House *house, const RuleSets *sets, const Inspe
     ResultTable stops = result_rules_stops(inspection);
     if (!stops.record_count)
         document_add_paragraph(&document, "Nowhere: every chair in this house has a way out.");
-    result_page_take(&document, NULL, stops);
+    result_page_take_named(&document, NULL, house, stops);
     for (FindingGroup group = GROUP_LEGAL_IMPASSABLE; group <= GROUP_OPEN; group++)
-        add_group(&document, inspection, group);
+        add_group(&document, house, inspection, group);
     add_sets(&document, sets, inspection);
     report_basis_add_making(&document, making, NULL, 0);
+    report_basis_add_names(&document, house);
     return document;
 }

@@ -59,11 +59,11 @@ static void add_answer(Document *document, const ShakeFindings *findings, const 
 
 static void add_people(Document *document, const ShakeFindings *findings) {
     document_add_heading(document, 2, "Who is out");
-    result_page_take(
+    result_page_take_named(
         document,
         "Out in: shakes in which the person is out, of a crowd all of it. Times: of those shakes. 95 % confidence: "
         "the interval of the share, from the number of shakes.",
-        result_shake_people(findings));
+        findings->house, result_shake_people(findings));
 }
 
 static void add_times(Document *document, const ShakeFindings *findings) {

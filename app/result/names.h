@@ -1,5 +1,5 @@
 /* The names of doors, people and wheelchairs as people say them: "bedroom door" instead of "door d3", "A" instead of
- * "p-a". Pictures and the window use them; files, the terminal and JSON have the ids. */
+ * "p-a". Pictures, reports and the window use them; files, the terminal and JSON have the ids. */
 #pragma once
 
 #include "base/memory.h"

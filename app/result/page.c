@@ -3,6 +3,8 @@
 #include <ctype.h>
 #include <stdint.h>
 
+#include "result/names.h"
+
 enum { COLUMNS_MOST = 10 /* of a table that is read on a page */ };
 
 static const char *capital(Document *document, const char *words) {
@@ -52,6 +54,16 @@ void result_page_table(Document *document, const char *caption, const ResultTabl
 void result_page_take(Document *document, const char *caption, ResultTable table) {
     result_page_table(document, caption, &table);
     result_clear(&table);
+}
+
+void result_page_take_named(Document *document, const char *caption, const House *house, ResultTable table) {
+    for (size_t record = 0; record < table.record_count; record++)
+        for (size_t r = 0; r < table.row_count; r++) {
+            ResultRow *row = &table.rows[record * table.row_count + r];
+            if (row->label && row->text)
+                row->text = names_text(house, row->text, &table.arena);
+        }
+    result_page_take(document, caption, table);
 }
 
 void result_page_list(Document *document, const char *caption, const ResultTable *const *tables, size_t count) {

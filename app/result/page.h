@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/document.h"
+#include "house/house.h"
 #include "result/result.h"
 
 /* Adds a table: a line for each record, a column for each row that has a value in any of them. Of more columns than fit
@@ -10,6 +11,9 @@ void result_page_table(Document *document, const char *caption, const ResultTabl
 
 /* Adds the same of a table that is released. */
 void result_page_take(Document *document, const char *caption, ResultTable table);
+
+/* Adds the same of a table about a house, with the names of things and people in place of their ids. */
+void result_page_take_named(Document *document, const char *caption, const House *house, ResultTable table);
 
 /* Adds a table with a line for each row of the first records of `count` tables that has a value: its label, the value
  * with its unit. */
