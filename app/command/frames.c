@@ -89,6 +89,7 @@ static bool write_pictures(Film *film, const HousePlots *plots, const StudioTime
 bool frames_write(const House *house, const Observation *observation, Before before, const Scene *drivers,
                   const Options *options) {
     FilmOptions wish = {.camera = options->camera,
+                        .changed = options->setting_count > 0,
                         .panels = (int)options->plots.count,
                         .shown = options->show,
                         .before = before,

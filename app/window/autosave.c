@@ -50,13 +50,17 @@ const char *const *autosave_command(Window *window, const char *folder, size_t *
     if (*arguments[FILE_WORD] || !editor)
         return arguments;
     char *name = export_free_name(folder, tab->laboratory->title(tab->session), endings);
-    const char **given = arena_allocate(&window->arena, *count * sizeof *given), *text = editor_text(editor);
+    const char **given = arena_allocate(&window->arena, *count * sizeof *given);
+    bool edited = tab->path && editor_is_changed(editor); /* the film, the frames and the report say so */
+    char *text = editor_text_of(
+        editor, text_in_arena(&window->arena, edited ? "%s (edited)" : "%s", tab->laboratory->title(tab->session)));
     memcpy(given, arguments, *count * sizeof *given);
     given[FILE_WORD] = text_in_arena(&window->arena, "%s.%s", name, endings[0]);
     int error = file_write_bytes(given[FILE_WORD], text, strlen(text));
     if (error)
         notice_post(window, "%s cannot be written: %s", given[FILE_WORD], file_write_reason(error));
     memory_free(name);
+    memory_free(text);
     return given;
 }
 

@@ -74,7 +74,6 @@ static bool nudge_handle(Editor *edit, Vec2 by, Fault *fault) {
     edit_drag_begin(edit, &handles[handle], GRAB_KEYS);
     nudge_fields(edit, by);
     edit_gesture_update(edit);
-    snprintf(edit->name, sizeof edit->name, "Nudge");
     bool good = !edit->refusal && edit_gesture_end_valid(edit);
     if (!good) {
         fault_add(fault, "%s", edit->refusal ? edit->refusal : "the item cannot be moved there");
@@ -90,7 +89,7 @@ bool edit_action_nudge(Editor *edit, Vec2 by, Fault *fault) {
     if (edit->handle >= 0)
         return nudge_handle(edit, by, fault);
     uint64_t before = draft_revision(edit->draft);
-    edit_gesture_begin_step(edit, "Nudge");
+    open_step(edit, "Nudge %.100s");
     edit_shape_move(edit, draft_plan(edit->draft), by);
     if (!edit_gesture_end_step(edit, fault))
         return false;

@@ -483,6 +483,12 @@ const char *editor_text(const Editor *edit) {
     return draft_text(edit->draft);
 }
 
+char *editor_text_of(const Editor *edit, const char *name) {
+    Plan plan = *draft_plan(edit->draft);
+    plan.name = name;
+    return plan_text(&plan);
+}
+
 bool editor_save(Editor *edit, const char *path, Fault *fault) {
     prepare(edit);
     if (!draft_file_save(edit->draft, path, fault))

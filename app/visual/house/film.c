@@ -140,6 +140,8 @@ static void make_still(Film *film) {
     scene->panels = film->options.panels;
     scene->bare = film->options.bare;
     scene->grid = hidden & FILM_GRID ? 0 : scene->grid;
+    if (film->options.changed)
+        scene->name = scene_text(scene, "%s, changed for this run", scene->name);
     if (scene->camera.kind == VIEW_RAISED)
         scene->name = scene_text(scene, "%s, walls cut at %.1f m", scene->name, PLAN_SCENE_CUT);
     House rest = without_falling(film);

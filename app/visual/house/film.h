@@ -37,6 +37,7 @@ enum {
 typedef struct FilmOptions {
     Camera camera;
     bool bare;     /* the house alone, without answer and list */
+    bool changed;  /* the run is of a house that differs from its file: the name says so */
     int panels;    /* places for plots next to the plan, instead of the list */
     int shown;     /* sum of FILM_CIRCLES and so on */
     int hidden;    /* sum of FILM_RINGS and so on */

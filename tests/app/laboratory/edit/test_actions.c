@@ -16,7 +16,7 @@ TEST(what_is_selected_is_nudged_turned_toppled_copied_and_removed_by_steps_with_
     Fault fault = {0};
     editing_click(session, 1, 2.6);
     CHECK(editing_succeeds(editor_nudge(laboratory->editor(session), vec2(0.01, -0.1), &fault), &fault));
-    CHECK_TEXT(editor_undo_name(laboratory->editor(session)), "Nudge");
+    CHECK_TEXT(editor_undo_name(laboratory->editor(session)), "Nudge wardrobe (f1)");
     CHECK(strstr(editor_text(laboratory->editor(session)), "\"centre\": [1.01, 2.5]"));
     CHECK(editing_succeeds(editor_turn(laboratory->editor(session), 15, &fault), &fault));
     CHECK_TEXT(editor_undo_name(laboratory->editor(session)), "Turn wardrobe (f1)");
