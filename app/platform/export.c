@@ -31,6 +31,17 @@ static const double PATIENCE = 5, LAST_PATIENCE = 1;
 
 /* Where ------------------------------------------------------------------------------------------------------------ */
 
+char *export_place(void) {
+    const char *home = getenv("HOME");
+    char place[PATH_MAX];
+    bool homeless = !home || !*home;
+    if (access("out", W_OK | X_OK) == 0 || homeless)
+        snprintf(place, sizeof place, homeless ? "clearance" : "out/clearance");
+    else
+        snprintf(place, sizeof place, "%s/clearance", home);
+    return text_copy(place);
+}
+
 char *export_folder(Fault *fault) {
     const char *home = getenv("HOME");
     char in_home[NAME_MAX + PATH_MAX] = "";

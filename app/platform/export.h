@@ -9,6 +9,9 @@
 
 /* Where ------------------------------------------------------------------------------------------------------------ */
 
+/* Returns the folder that exports go to, whether it is there or not. Release it by memory_free. */
+char *export_place(void);
+
 /* Returns the folder for exports and makes it if needed: out/clearance if the current folder has a writable out/,
  * otherwise $HOME/clearance, otherwise clearance/ in the current folder. NULL: none is writable, and a fault says so.
  * Release it by memory_free. */

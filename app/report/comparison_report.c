@@ -24,13 +24,15 @@ static const char *format_answer(Document *document, const Reported runs[2]) {
         return b->completed ? "B lets all people out, A does not" : "A lets all people out, B does not";
     if (!a->completed)
         return "Neither A nor B lets all people out";
-    double gain = a->time - b->time;
+    double gain = headline_difference(b->time, a->time);
     if (fabs(gain) < 0.05)
-        return document_text(document, "All people are out in %.1f s in both", a->time);
+        return document_text(document, "All people are out in %s in both",
+                             headline_duration(a->time, &document->arena));
     return document_text(document,
-                         gain > 0 ? "All people are out %.1f s earlier in B: in %.1f s instead of %.1f s"
-                                  : "All people are out %.1f s later in B: in %.1f s instead of %.1f s",
-                         fabs(gain), b->time, a->time);
+                         gain > 0 ? "All people are out %s earlier in B: in %s instead of %s"
+                                  : "All people are out %s later in B: in %s instead of %s",
+                         headline_duration(fabs(gain), &document->arena), headline_duration(b->time, &document->arena),
+                         headline_duration(a->time, &document->arena));
 }
 
 /* Adds the totals of both runs with their differences. */

@@ -1,6 +1,7 @@
 #include "result/headline.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
@@ -13,6 +14,17 @@ const char *headline_duration(double seconds, Arena *arena) {
     long whole = lround(seconds);
     return seconds < HEADLINE_LONG ? text_in_arena(arena, "%.1f s", seconds)
                                    : text_in_arena(arena, "%ld:%02ld", whole / 60, whole % 60);
+}
+
+/* Returns a time with the digits that are shown. */
+static double shown(double seconds) {
+    char digits[64];
+    snprintf(digits, sizeof digits, "%.1f", seconds);
+    return seconds < HEADLINE_LONG ? strtod(digits, NULL) : (double)lround(seconds);
+}
+
+double headline_difference(double before, double now) {
+    return shown(now) - shown(before);
 }
 
 const char *headline_clearance(double clearance, Arena *arena) {

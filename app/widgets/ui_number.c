@@ -1,16 +1,22 @@
 #include "widgets/ui_number.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "base/quantity.h"
 
+/* Returns the unit; a pure number has none. */
+static const char *unit_of(const UiSlider *slider) {
+    return slider->unit && strcmp(slider->unit, "1") != 0 ? slider->unit : "";
+}
+
 void ui_number_print(const UiSlider *slider, double value, char *text, size_t size) {
-    const char *unit = slider->unit ? slider->unit : "";
+    const char *unit = unit_of(slider);
     snprintf(text, size, "%.*f%s%s", slider->whole ? 0 : slider->digits, value, *unit ? " " : "", unit);
 }
 
 bool ui_number_is_wrong(const UiSlider *slider, const char *text, double *value, char reason[UI_REASON]) {
-    char why[QUANTITY_REASON] = "", least[64], most[64];
+    char why[QUANTITY_REASON] = "";
     double typed;
     bool read = quantity_read(text, slider->unit, &typed, why);
     double slack = 1e-9 * fmax(fabs(slider->least), fabs(slider->most)); /* 1500 mm is 1.5 m, whatever the rounding */
@@ -20,11 +26,8 @@ bool ui_number_is_wrong(const UiSlider *slider, const char *text, double *value,
         *value = real_clamp(typed, slider->least, slider->most);
         return false;
     }
-    ui_number_print(slider, slider->least, least, sizeof least);
-    ui_number_print(slider, slider->most, most, sizeof most);
-    if (read)
-        snprintf(reason, UI_REASON, "%s to %s", least, most);
-    else
-        snprintf(reason, UI_REASON, "%s to %s; %s", least, most, why);
+    const char *unit = unit_of(slider);
+    snprintf(reason, UI_REASON, "%g to %g%s%s%s%s", slider->least, slider->most, *unit ? " " : "", unit,
+             read ? "" : "; ", why);
     return true;
 }

@@ -40,6 +40,7 @@ static void show_open(Window *window) {
     if (folder_read(&window->folder, folder, import_file_knows, &fault) ||
         folder_read(&window->folder, ".", import_file_knows, &fault)) {
         *window->field = 0;
+        window->refusal = 0;
         dialog_pane_show(window, DIALOG_OPEN);
     }
     notice_fault(window, &fault, NAN);

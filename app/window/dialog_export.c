@@ -12,7 +12,7 @@
 #include "window/plan_input.h"
 
 #define WIDTH 760.0 /* design points */
-#define HEIGHT 560.0
+#define HEIGHT 596.0
 #define EDGE 16.0
 
 /* A kind of export that the program's own command line makes. */
@@ -111,6 +111,10 @@ void dialog_export_show(Window *window) {
     ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT,
             saved ? command : "The command line stands here once the house is saved (Ctrl+S).");
     memory_free(command);
+    char *place = export_place();
+    ui_text(window->ui, UI_BODY, ROLE_TEXT,
+            text_in_arena(&window->arena, "Files go to the folder %s; nothing there is overwritten.", place));
+    memory_free(place);
     if (ui_button(window->ui,
                   &(UiButton){.label = "Copy command", .help = keys_help(&window->arena, ACTION_COPY_COMMAND)}))
         act_do(window, ACTION_COPY_COMMAND, 0, 0);

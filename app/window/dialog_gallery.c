@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/text.h"
 #include "laboratory/import_file.h"
 #include "window/autosave.h"
 #include "window/dialog_pane.h"
@@ -351,10 +352,29 @@ static const FolderEntry *first_entry(const Window *window) {
     return NULL;
 }
 
+/* Opens the typed file, or enters the typed folder. A path that leads nowhere is told at once, before anybody is asked
+ * whether to save. */
+static void open_typed(Window *window) {
+    struct stat status;
+    if (stat(window->field, &status) == 0 && S_ISDIR(status.st_mode)) {
+        FolderEntry entry = {.kind = FOLDER_FOLDER, .path = window->field};
+        choose(window, &entry);
+        *window->field = 0;
+        return;
+    }
+    window->refusal = text_read_refusal(window->field);
+    snprintf(window->refused, sizeof window->refused, "%s", window->field);
+    if (!window->refusal)
+        open_item(window, window->field);
+}
+
 void dialog_gallery_show_open(Window *window) {
     Box box = box_expand((Box){{0, 0}, window->frame.page}, -3 * EDGE);
     dialog_pane_begin(window, box);
-    ui_text(window->ui, UI_HEADING, ROLE_TEXT, "Open a house, a beam, a crank or a lesson");
+    ui_text(window->ui, UI_HEADING, ROLE_TEXT, "Open or import");
+    ui_text(
+        window->ui, UI_BODY, ROLE_TEXT,
+        "Houses, beams, cranks and lessons (.json) open; plans (.dxf, .wkt, .sh3d, Vadere's .scenario) are imported.");
     ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT, window->folder.path);
     bool typed = ui_field(window->ui, "path", "type a part of its name, or its path",
                           "Path: Type a part of a name or a path; Return opens the first one that is listed",
@@ -364,8 +384,12 @@ void dialog_gallery_show_open(Window *window) {
         choose(window, first);
         *window->field = 0;
     } else if (typed) {
-        open_item(window, window->field);
+        open_typed(window);
     }
+    if (window->refusal && strcmp(window->refused, window->field) == 0)
+        ui_text(window->ui, UI_BODY, ROLE_ERROR,
+                text_in_arena(&window->arena, "\u26a0 %s cannot be opened: %s", window->refused,
+                              text_read_reason(window->refusal)));
     for (size_t i = 0; window->dialog == DIALOG_OPEN && i < window->folder.count; i++) {
         const FolderEntry *entry = &window->folder.entries[i];
         if (!dialog_gallery_lists(window, entry))

@@ -11,7 +11,8 @@ const char *const keys_menus[MENUS] = {
 
 static const KeyRow table[] = {
     {ACTION_NEW, KEY_ANYWHERE, "Ctrl+N", MENU_FILE, "New house", "Begin a new house with an empty plan", NULL},
-    {ACTION_OPEN, KEY_ANYWHERE, "Ctrl+O", MENU_FILE, "Open ...", "Open a house, a beam or a crank from a file", NULL},
+    {ACTION_OPEN, KEY_ANYWHERE, "Ctrl+O", MENU_FILE, "Open or import ...",
+     "Open a house, a beam, a crank or a lesson, or import a plan (DXF, WKT, SH3D, Vadere)", NULL},
     {ACTION_GALLERY, KEY_ANYWHERE, "F4", MENU_FILE, "Gallery",
      "Show the shipped houses, beams and cranks with pictures", "gallery"},
     {ACTION_SAVE, KEY_ANYWHERE, "Ctrl+S", MENU_FILE, "Save",

@@ -32,7 +32,12 @@ static bool open_by(Window *window, size_t index, const char *path, const Labora
     bool opened = tab_open(tab, path, options, window->screen, &fault);
     bool several = !opened && fault.count > 1;
     notice_fault(window, &fault, NAN);
+    const Message *last = messages_last(&window->messages);
+    if (!opened && last)
+        window->open_fault = last->number;
     if (opened) {
+        if (window->fault_dismissed < window->open_fault)
+            window->fault_dismissed = window->open_fault;
         autosave_restart(window, tab);
         if (path && remembered)
             settings_add_recent(&window->settings, path);

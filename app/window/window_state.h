@@ -175,6 +175,9 @@ typedef struct Window {
     } menu_press;
     Folder folder;
     char field[WINDOW_PATH];         /* text typed into a dialog */
+    char refused[WINDOW_PATH];       /* the typed path that cannot be opened, */
+    int refusal;                     /* and why, an errno; told until another text is typed */
+    size_t open_fault;               /* number of the last message about a file that could not be opened */
     const char *shown[GALLERY_MOST]; /* (shown_count) names of the cards and, after "# ", groups on the start page */
     size_t shown_count;
     size_t corner;          /* the corner that has a card there */

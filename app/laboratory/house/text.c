@@ -379,7 +379,7 @@ static const char *against(HouseSession *session, const Observation *now) {
     if (!ghost.observation)
         return "";
     const char *word = house_scene_before_name(ghost);
-    double before = ghost.observation->time, more = now->time - before;
+    double before = ghost.observation->time, more = headline_difference(before, now->time);
     if (!ghost.observation->completed)
         return scene_text(scene, "%s: not everybody gets out", word);
     if (!now->completed || before <= 0)

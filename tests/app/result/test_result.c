@@ -9,8 +9,7 @@
 #include "pens.h"
 #include "command/answer.h"
 #include "house/journey.h"
-#include "report/report_people.h"
-#include "report/report_places.h"
+#include "result/headline.h"
 #include "result/beam.h"
 #include "result/check.h"
 #include "result/house.h"
@@ -198,7 +197,7 @@ static void check_house(const char *name, size_t least) {
     Text text = {0};
     Document document = document_begin("clearance 9");
     answer_text_add(&text, &house, &observation);
-    report_people_add(&document, &house, &observation);
+    result_page_take(&document, NULL, result_house_people(&house, &observation));
     json_t *answer = answer_house(&house, &observation);
     ResultTable people = result_house_people(&house, &observation);
     pens_check_facts(&people, least, text.text, json_array_get(json_object_get(answer, "people"), 0), &document);
@@ -206,7 +205,7 @@ static void check_house(const char *name, size_t least) {
     document_clear(&document);
     ResultTable hazards = result_house_hazards(&observation);
     document = document_begin("clearance 9");
-    report_places_add_table(&document, &observation, NULL);
+    result_page_take(&document, NULL, result_house_hazards(&observation));
     if (hazards.record_count)
         pens_check_facts(&hazards, 5, text.text, json_array_get(json_object_get(answer, "hazards"), 0), &document);
     result_clear(&hazards);
@@ -304,4 +303,10 @@ TEST(each_fact_of_a_person_who_cannot_pass_is_on_terminal_and_panel_in_json_and_
 
 TEST(each_fact_of_a_person_among_others_is_on_terminal_and_panel_in_json_and_report) {
     check_house("two-chairs-corridor", 12);
+}
+
+TEST(the_difference_of_two_times_is_that_of_their_shown_digits) {
+    CHECK_NEAR(headline_difference(15.651, 18.249), 2.5, 1e-9); /* 15.7 s and 18.2 s */
+    CHECK_NEAR(headline_difference(98.26, 104.4), 5.7, 1e-9);   /* 98.3 s and 1:44 */
+    CHECK_NEAR(headline_difference(20.04, 19.96), 0, 1e-9);
 }

@@ -424,4 +424,15 @@ state = lost.until(lambda s: s["unsaved_edits"] == 2)
 check(state["shown_title"].endswith(" [Recovered] (edited)"), "and is edited after the next one", state["shown_title"])
 lost.end()
 
+# a path that leads nowhere is told in the dialog, before anybody is asked whether to save, until another one is typed
+wrong, typing, right = stage.act("path", "until answered", "pause", "select bed", "key Shift+Right", "wait 10", "key Ctrl+O",
+                                 "wait 5", "type /nowhere/x.json", "key Return", "wait 5", "state STATE", "texts FOLDER/wrong",
+                                 "type /n", "wait 5", "state STATE", "texts FOLDER/typing", "key Ctrl+A",
+                                 f"type {stage.house('straight-corridor')}", "key Return", "wait 5", "state STATE",
+                                 arguments=[stage.house("flat-0.910-module")])
+told = [(stage.folder / "path" / name).read_text().count("/nowhere/x.json cannot be opened") for name in ("wrong", "typing")]
+check((wrong["sheet"], typing["sheet"], told) == ("open", "open", [1, 0]), "a wrong path is told where it is typed",
+      (wrong["sheet"], typing["sheet"], told))
+check(right["sheet"] == "leave" and right["faults"] == 0, "a right path asks whether to save", (right["sheet"], right["faults"]))
+
 stage.end()
