@@ -17,6 +17,8 @@
 #define EDGE 24.0
 #define ITEM_WIDTH 268.0
 #define PICTURE_HEIGHT 150.0
+#define PICTURE_PART 0.3 /* of the page, at most: a card is seen whole, whatever the size of the text */
+#define EDGE_PART 0.033  /* of the page, at most */
 #define TEXT_HEIGHT 78.0
 #define GAP 12.0
 #define TRY_HEIGHT 26.0
@@ -39,13 +41,23 @@ void dialog_gallery_clear(Window *window) {
             paint_gl_screen_release(window->screen, &window->pictures[i]);
 }
 
+static double picture_height(const Window *window) {
+    return fmin(PICTURE_HEIGHT, PICTURE_PART * window->frame.page.y);
+}
+
+/* Returns the page without an edge of some steps, which is smaller if the text is large. */
+static Box inner_page(const Window *window, double steps) {
+    Vec2 page = window->frame.page;
+    return box_expand((Box){{0, 0}, page}, -steps * fmin(EDGE, EDGE_PART * page.y));
+}
+
 /* Shows a card with picture, name and line; true if it was chosen. */
 static bool show_item(Window *window, const GalleryItem *item, size_t index) {
     UiCard card = {.id = item->path,
                    .name = item->name,
                    .text = item->fault ? item->fault : item->line,
                    .picture = index < GALLERY_MOST && window->pictures[index].name ? &window->pictures[index] : NULL,
-                   .picture_height = PICTURE_HEIGHT,
+                   .picture_height = picture_height(window),
                    .text_height = TEXT_HEIGHT};
     return ui_card(window->ui, &card);
 }
@@ -105,12 +117,14 @@ static void note(Window *window, const char *name) {
 }
 
 /* Shows the cards that are tried first; returns the path of the chosen one, or NULL. */
-static const char *show_tries(Window *window, const GalleryItem *items, size_t count) {
+static const char *show_tries(Window *window, const GalleryItem *items, size_t count, int columns) {
     const char *chosen = NULL;
+    int in_row = columns < TRIES - 1 ? 1 : TRIES;
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Try this");
     note(window, "# Try this");
-    ui_row(window->ui, TRIES);
-    for (size_t t = 0; t < TRIES; t++)
+    for (size_t t = 0; t < TRIES; t++) {
+        if (t % (size_t)in_row == 0)
+            ui_row(window->ui, in_row);
         for (size_t i = 0; i < count; i++) {
             if (!is_try(&items[i], t))
                 continue;
@@ -119,12 +133,13 @@ static const char *show_tries(Window *window, const GalleryItem *items, size_t c
                            .name = tries[t].name,
                            .text = tries[t].line,
                            .picture = i < GALLERY_MOST && window->pictures[i].name ? &window->pictures[i] : NULL,
-                           .picture_height = PICTURE_HEIGHT,
+                           .picture_height = picture_height(window),
                            .text_height = TRY_HEIGHT,
                            .whole = true};
             if (ui_card(window->ui, &card))
                 chosen = items[i].path;
         }
+    }
     ui_row(window->ui, 1);
     return chosen;
 }
@@ -181,7 +196,7 @@ static void show_corners(Window *window, const GalleryItem *items, size_t count)
 static const char *show_group(Window *window, const GalleryItem *items, size_t count, Group group, int columns) {
     const char *chosen = NULL;
     bool rows = group == GROUP_LESSONS && !window->lessons_only, all = *window->field || window->lessons_only;
-    size_t shown = 0, corners = 0, in_row = (size_t)(rows ? LESSON_COLUMNS : columns);
+    size_t shown = 0, corners = 0, in_row = (size_t)(rows && columns >= LESSON_COLUMNS ? LESSON_COLUMNS : columns);
     for (size_t i = 0; i < count; i++) {
         bool nth = !is_corner(&items[i]) || corners++ == window->corner || all;
         if (group_of(&items[i]) != group || !nth || !matches(window, &items[i]))
@@ -243,18 +258,18 @@ void dialog_gallery_show(Window *window) {
     window->dirty |= news;
     const GalleryItem *items = gallery_items(window->gallery, &count);
     fill_pictures(window, items, count, news);
-    Box box = box_expand((Box){{0, 0}, window->frame.page}, -EDGE);
+    Box box = inner_page(window, 1);
     dialog_pane_begin(window, box);
     window->shown_count = 0;
     int columns = (int)fmax(1, floor(box_width(box) / (ITEM_WIDTH + GAP)));
     const char *chosen = NULL;
-    ui_line(window->ui, UI_BODY, ROLE_DIM_TEXT,
+    ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT,
             finds                  ? text_in_arena(&window->arena, "Find: %s|", window->field)
             : window->lessons_only ? "Predict, watch, change, explain. Type to find, Return opens, Escape closes."
                                    : "1 2 3 try. Type to find, arrows choose, Return opens, Escape closes.");
     bool goes_on = !finds && !window->lessons_only && show_continue(window);
     if (!finds && !window->lessons_only)
-        chosen = show_tries(window, items, count);
+        chosen = show_tries(window, items, count, columns);
     for (int g = 0; g < (window->lessons_only ? GROUP_LESSONS + 1 : GROUPS); g++) {
         const char *one = show_group(window, items, count, (Group)g, columns);
         chosen = chosen ? chosen : one;
@@ -369,14 +384,14 @@ static void open_typed(Window *window) {
 }
 
 void dialog_gallery_show_open(Window *window) {
-    Box box = box_expand((Box){{0, 0}, window->frame.page}, -3 * EDGE);
+    Box box = inner_page(window, 3);
     dialog_pane_begin(window, box);
     ui_text(window->ui, UI_HEADING, ROLE_TEXT, "Open or import");
     ui_text(
         window->ui, UI_BODY, ROLE_TEXT,
         "Houses, beams, cranks and lessons (.json) open; plans (.dxf, .wkt, .sh3d, Vadere's .scenario) are imported.");
     ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT, window->folder.path);
-    bool typed = ui_field(window->ui, "path", "type a part of its name, or its path",
+    bool typed = ui_field(window->ui, "path", "name or path",
                           "Path: Type a part of a name or a path; Return opens the first one that is listed",
                           window->field, sizeof window->field);
     const FolderEntry *first = first_entry(window);

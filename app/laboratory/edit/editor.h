@@ -319,6 +319,6 @@ TraceImage editor_image(Editor *editor);
 size_t editor_edit_count(const Editor *editor); /* undo steps since the file was read or saved */
 uint64_t editor_revision(const Editor *editor); /* differs after every change, also within a gesture */
 bool editor_is_changed(const Editor *editor);
-const char *editor_text(const Editor *editor); /* the house as file text, valid until the next call */
+const char *editor_text(const Editor *editor);                /* the house as file text, valid until the next call */
 char *editor_text_of(const Editor *editor, const char *name); /* the same with another name; memory_free it */
 bool editor_save(Editor *editor, const char *path, Fault *fault);
