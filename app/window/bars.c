@@ -221,25 +221,24 @@ static void show_work(Window *window, Tab *tab, const Result *answer, double lef
 }
 
 /* Shows the clauses of a detail, which " \u00b7 " divides, each in a line of its own: as many as fit, whole ones from
- * the first on. Returns their box; an empty one: one of the first two is too long. */
-static Box show_clauses(Window *window, const char *detail, Role role, double left, double right, double y) {
+ * the first on. False: one of the first two is too long. */
+static bool show_clauses(Window *window, const char *detail, Role role, double left, double right, double y) {
     static const char between[] = " \u00b7 ";
     enum { LINES = 2 };
     const char *lines[LINES], *second = strstr(detail, between);
     double height = ui_extent(window->ui, UI_DETAIL, detail).y;
     if (!second || LINES * height > box_height(window->frame.answer))
-        return box_empty();
+        return false;
     lines[0] = text_in_arena(&window->arena, "%.*s", (int)(second - detail), detail);
     second += strlen(between);
     const char *end = strstr(second, between);
     lines[1] = end ? text_in_arena(&window->arena, "%.*s", (int)(end - second), second) : second;
     for (int i = 0; i < LINES; i++)
         if (left + ui_extent(window->ui, UI_DETAIL, lines[i]).x > right)
-            return box_empty();
+            return false;
     for (int i = 0; i < LINES; i++)
         show_text(window, UI_DETAIL, role, left, right, y + (i - 0.5) * height, lines[i]);
-    double width = fmax(ui_extent(window->ui, UI_DETAIL, lines[0]).x, ui_extent(window->ui, UI_DETAIL, lines[1]).x);
-    return (Box){{left, y - height}, {left + width, y + height}};
+    return true;
 }
 
 /* Names the background work behind the numbers, so that nothing moves when it ends; where it does not fit, in the line
@@ -280,14 +279,13 @@ static const char *some_clauses(Window *window, UiTextStyle size, const char *te
     return *whole ? whole : text;
 }
 
-/* Shows the result's numbers in one line, or small in two. Returns their box. */
-static Box show_detail(Window *window, const Result *answer, double left, double right, double y) {
+/* Shows the result's numbers in one line, or small in two. */
+static void show_detail(Window *window, const Result *answer, double left, double right, double y) {
     const char *detail = first_line(window, answer->detail);
     Role role = answer->stale ? ROLE_DIM_TEXT : ROLE_TEXT;
     UiTextStyle size = left + ui_extent(window->ui, UI_DETAIL, detail).x > right ? UI_BODY : UI_DETAIL;
-    Box clauses = size == UI_BODY ? show_clauses(window, detail, role, left, right, y) : box_empty();
-    if (box_width(clauses) > 0)
-        return clauses;
+    if (size == UI_BODY && show_clauses(window, detail, role, left, right, y))
+        return;
     detail = whole_clauses(window, size, detail, TWO_LINES * (right - left));
     Vec2 extent = ui_extent(window->ui, size, detail);
     y -= NOTE_ROOM;
@@ -295,12 +293,11 @@ static Box show_detail(Window *window, const Result *answer, double left, double
         double half = fmax(extent.y, ui_text_height(window->ui, size, detail, right - left) / 2);
         ui_at(window->ui, (Box){{left, y - half}, {right, y + half}});
         ui_text(window->ui, size, role, detail);
-        return (Box){{left, y - half}, {right, y + half}};
+        return;
     }
     show_text(window, size, role, left, right, y, detail);
     if (answer->doing)
         show_doing_note(window, answer->doing, left, left + (*detail ? extent.x + GAP : 0), right, y);
-    return (Box){{left, y - extent.y / 2}, {fmin(right, left + extent.x), y + extent.y / 2}};
 }
 
 /* Shows the numbers in one line below the title. */
@@ -338,19 +335,6 @@ static void show_wrapped(Window *window, UiTextStyle size, double left, double r
     ui_text(window->ui, size, ROLE_TEXT, text);
 }
 
-/* Shows the remark of a presentation at the upper right of the answer, where it covers nothing of the plan; not where
- * it would cover the detail. */
-static void show_remark(Window *window, const Tab *tab, Box bar, Box detail) {
-    const char *note = tab->laboratory->note(tab->session);
-    Vec2 extent = ui_extent(window->ui, UI_SMALL, note);
-    double y = bar.low.y + extent.y / 2 + 2;
-    bool covers = detail.high.x + GAP > bar.high.x - MARGIN - extent.x && detail.low.y < y + extent.y / 2;
-    if (!window->present || window->answer_tall || !*note || covers)
-        return;
-    ui_draw_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, vec2(bar.high.x - MARGIN, y), 1, note);
-    window->noted_in_bar = true;
-}
-
 /* True if the title would be cut off, so that it takes the first of two small lines. */
 static bool is_stacked(Window *window, const Result *answer, double right) {
     return !window->answer_tall && !lesson_hides_words(window) &&
@@ -365,7 +349,6 @@ void bars_show_answer(Window *window) {
         Result answer = tab->laboratory->answer(tab->session);
         if (lesson_hides_words(window))
             answer = (Result){.title = lesson_question(window), .role = ROLE_TEXT};
-        Box detail = box_empty();
         bool hides = answer.stale || lesson_hides_words(window);
         bool lacks = answer.cure && tab_editor(tab) && !answer.stale;
         double right = lacks ? show_cure_button(window, tab, bar, &answer) : show_place_button(window, tab, bar, hides);
@@ -392,10 +375,8 @@ void bars_show_answer(Window *window) {
             if (window->answer_tall || stacked)
                 show_detail_below(window, &answer, right, below);
             else
-                detail = show_detail(window, &answer, left, right, below);
+                show_detail(window, &answer, left, right, below);
         }
-        if (!answer.doing && !lesson_hides_words(window))
-            show_remark(window, tab, bar, detail);
         show_progress(window, bar, &answer);
     }
     ui_pane_end(window->ui);

@@ -63,7 +63,7 @@ static void paint_trial(Window *window, Tab *tab) {
     if (width < LEAST_SIDE || height < LEAST_SIDE)
         return;
     view_layers_fit(layers, sdl_window_gl(window->sdl_window), width, height, window->unit, window->theme);
-    layers->first_danger = window->present;
+    layers->plain = window->present;
     double time = trial_time(tab->laboratory, tab->trial.session, tab->player.time);
     if (layers->paint)
         view_layers_show(layers, tab->laboratory, tab->trial.session, time);
@@ -76,7 +76,7 @@ void canvas_paint(Window *window) {
     if (!tab->session || width < LEAST_SIDE || height < LEAST_SIDE)
         return;
     view_layers_fit(&tab->view_layers, sdl_window_gl(window->sdl_window), width, height, window->unit, window->theme);
-    tab->view_layers.first_danger = window->present;
+    tab->view_layers.plain = window->present;
     if (tab->view_layers.paint)
         view_layers_show(&tab->view_layers, tab->laboratory, tab->session, tab_time(tab));
     if (tab->trial.session)
@@ -242,12 +242,12 @@ static void show_view_text(Window *window, Tab *tab) {
     Box view = window->frame.view;
     window->note_crowded = false;
     const char *note = tab->laboratory->note(tab->session);
-    if (*note && !window->noted_in_bar)
+    if (*note && !window->noted_in_bar && !window->present)
         show_note(window, tab, note);
     show_animation(window, plan_input_animation(tab));
     bool crowded =
         window->frame.compact && tab->laboratory->numbers_first; /* a machine fills a low view: Play says it */
-    if (crowded || lesson_hides(window) || tab->player.playing ||
+    if (window->present || crowded || lesson_hides(window) || tab->player.playing ||
         (window->plan_input.holds && window->plan_input.plays_on))
         return;
     Vec2 size = ui_extent(window->ui, UI_HEADING, "PAUSED");

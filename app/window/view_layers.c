@@ -40,17 +40,20 @@ static void drop_dangers(Layout *layout) {
 /* Lays a scene out over the still layer. */
 static void lay_over(ViewLayers *view_layers, Layout *layout, const Scene *scene) {
     layout_make_over(layout, &view_layers->still, scene);
-    if (view_layers->first_danger)
+    if (view_layers->plain)
         drop_dangers(layout);
 }
 
 static void paint_still(ViewLayers *view_layers, const Scene *scene) {
+    Scene shown = *scene;
+    shown.unscaled |= view_layers->plain;
+    shown.grid = view_layers->plain ? 0 : shown.grid;
     layout_clear(&view_layers->still);
-    layout_make(&view_layers->still, scene,
+    layout_make(&view_layers->still, &shown,
                 vec2(view_layers->width / view_layers->unit, view_layers->height / view_layers->unit));
-    if (view_layers->first_danger)
+    if (view_layers->plain)
         drop_dangers(&view_layers->still);
-    paint_gl_still(view_layers->paint, (Layer){scene, &view_layers->still});
+    paint_gl_still(view_layers->paint, (Layer){&shown, &view_layers->still});
     view_layers->painted = true;
 }
 

@@ -10,8 +10,8 @@ typedef struct ViewLayers {
     int width, height;
     double unit; /* pixels a design point */
     Theme theme;
-    bool painted;      /* the static layer is painted */
-    bool first_danger; /* only the most dangerous place has its disc */
+    bool painted; /* the static layer is painted */
+    bool plain;   /* for a presentation: only the most dangerous place has its disc, without scale bar and grid */
     Layout still, added, moving;
 } ViewLayers;
 
