@@ -93,6 +93,9 @@ bool ui_key(Ui *ui, UiKey key, bool shift, bool control);
 /* Passes typed text, UTF-8, in order with the keys; ignored without an open field. */
 void ui_type(Ui *ui, const char *text);
 
+/* Hides the tooltip at the pointer until the pointer has left its widget: something is typed. */
+void ui_hide_hover_tip(Ui *ui);
+
 /* True if another frame would look different without input: something scrolls, a tooltip is due, or new glyphs are
  * ready. */
 bool ui_is_busy(const Ui *ui);

@@ -37,6 +37,10 @@ void ui_tip_offer(Ui *ui, UiId id, Box box, const char *help, bool hovered, bool
 void ui_tip_frame_begin(Ui *ui) {
     bool kept = ui->tip_shown && box_holds(ui->tip_box, ui->mouse);
     ui->leave_time = kept ? 0 : ui->leave_time + ui->input.seconds;
+    if (ui->pressed[0] && ui->hover_tip.id)
+        ui->tip_hidden = ui->hover_tip.id; /* the click has found what it was for */
+    else if (ui->leave_time > GRACE && !ui->held)
+        ui->tip_hidden = 0;
     if (ui->leave_time > GRACE || ui->pressed[0] || (ui->hovered && ui->hovered != ui->hover_tip.item && !kept))
         ui->hover_tip.id = 0;
     if (!ui->hover_tip.id)
@@ -48,6 +52,10 @@ bool ui_tip_comes(const Ui *ui) {
     bool waits = ui->hover_tip.id && ui->hover_tip.id != ui->tip_hidden && ui->hover_time < DELAY;
     bool leaves = ui->hover_tip.id && ui->leave_time > 0;
     return waits || leaves;
+}
+
+void ui_hide_hover_tip(Ui *ui) {
+    ui->tip_hidden = ui->hover_tip.id;
 }
 
 bool ui_tip_hide(Ui *ui) {
@@ -101,10 +109,11 @@ static void draw_text(Ui *ui, const UiTip *tip, UiInk ink, Box inside, double *h
 }
 
 void ui_tip_draw(Ui *ui) {
-    bool hovering = ui->hover_tip.id && ui->hover_time >= DELAY && ui->hover_tip.id != ui->tip_hidden;
+    bool hovering = ui->hover_tip.id && ui->hover_time >= DELAY && ui->hover_tip.id != ui->tip_hidden &&
+                    !ui->editor.id; /* nothing covers the plan while one types */
     bool focused = ui->by_key && ui->focus_tip.id && ui->focus_tip.id == ui->focus && !ui->editor.id;
     ui->tip_shown = hovering || focused;
-    if (!hovering && ui->hover_tip.id != ui->tip_hidden)
+    if (!hovering && ui->hover_tip.id && ui->hover_tip.id != ui->tip_hidden)
         ui->tip_hidden = 0;
     if (!ui->tip_shown)
         return;

@@ -159,6 +159,7 @@ static void end_waiting(Window *window, const char *text) {
 
 /* Passes typed text to the open text field, otherwise to the gesture. */
 static void type(Window *window, const char *text) {
+    ui_hide_hover_tip(window->ui);
     if (window->dialog == DIALOG_GALLERY && !ui_types(window->ui)) {
         dialog_gallery_type(window, text);
         return;
