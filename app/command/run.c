@@ -68,8 +68,11 @@ static bool write_data(const House *house, const Observation *observation, Repor
     return !error;
 }
 
-/* Adds the band, the touches and the grades to a scene. */
+/* Adds the band, the touches and the grades to a scene, and what they are to its answer. */
 static void add_fleets(Scene *scene, const House *house, const Observation *observation, ReportedDrivers fleets) {
+    const char *more = result_drivers_headline(house, fleets.drivers, fleets.grades, &scene->arena);
+    if (*more && scene->title)
+        scene->detail = observation->completed ? more : scene_text(scene, "%s \u00b7 %s", scene->detail, more);
     if (fleets.drivers->count)
         drivers_band_add(scene, fleets.drivers, &observation->trace);
     drivers_scene_add(scene, house, fleets.drivers);

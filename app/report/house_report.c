@@ -4,6 +4,7 @@
 
 #include "visual/house/house_scene.h"
 #include "visual/house/people_scene.h"
+#include "result/drivers.h"
 #include "result/headline.h"
 #include "result/names.h"
 #include "report/report_basis.h"
@@ -35,10 +36,16 @@ static const char *caption_of(Document *document, const Reported *run) {
 }
 
 /* Removes the answer from the picture, as it stands above the picture in the document. */
-static void add_house(Document *document, const Reported *run, const Making *making, const char *headline) {
+static void add_house(Document *document, const HouseReport *report, const char *headline) {
+    const Reported *run = &report->run;
     Scene scene;
     house_scene_make(&scene, run->house, run->observation);
     const char *detail = scene.detail ? scene.detail : "";
+    const ReportedDrivers *of = &report->drivers;
+    if (of->drivers && (of->drivers->count || of->grades))
+        document_add_paragraph(
+            document, document_text(document, "That is what the nominal driver does; %s.",
+                                    result_drivers_headline(run->house, of->drivers, of->grades, &document->arena)));
     if (*detail && run->observation->completed) /* otherwise the headline already says so */
         document_add_paragraph(document, document_text(document, "%c%s.", toupper((unsigned char)*detail), detail + 1));
     if (run->observation->time > 0)
@@ -46,7 +53,7 @@ static void add_house(Document *document, const Reported *run, const Making *mak
                                "Times include movement only, not alarm, waking and the transfer into the chair.");
     if (*run->house->plan.note)
         document_add_note(document, run->house->plan.note);
-    report_basis_add_changes(document, making);
+    report_basis_add_changes(document, report->making);
     document_add_contents(document);
     report_pictures_add(document, &scene, caption_of(document, run),
                         document_text(document, "Plan of %s. %s.", house_report_name(run->house), headline));
@@ -67,7 +74,7 @@ Document house_report_make(const HouseReport *report) {
     const char *headline = names_text(house, headline_sentence(house, observation, &document.arena), &document.arena);
     document_add_title(&document, document_text(&document, "Evacuation report: %s", house_report_name(house)),
                        headline);
-    add_house(&document, &report->run, report->making, headline);
+    add_house(&document, report, headline);
     report_people_add(&document, house, observation);
     report_places_add_stops(&document, house, observation);
     report_people_add_routes(&document, house, observation);

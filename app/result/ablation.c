@@ -176,8 +176,8 @@ static void say_time(Text *text, const Pairing *pairing) {
     else if (fmax(fabs(pairing->low), fabs(pairing->high)) < SAME)
         text_add(text, "the same times to 0.01 s");
     else if (pairing->low <= 0 && pairing->high >= 0)
-        text_format(text, "no difference of time that can be told from chance (%+.2f s, %.2f to %.2f)", pairing->mean,
-                    pairing->low, pairing->high);
+        text_format(text, "no difference of time that can be told from chance (%+.2f s, %.2f to %.2f)",
+                    fabs(pairing->mean) < SAME ? 0 : pairing->mean, pairing->low, pairing->high);
     else
         text_format(text, "%.2f s %s (%.2f to %.2f)", fabs(pairing->mean), pairing->mean > 0 ? "slower" : "quicker",
                     fmin(fabs(pairing->low), fabs(pairing->high)), fmax(fabs(pairing->low), fabs(pairing->high)));

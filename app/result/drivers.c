@@ -311,7 +311,46 @@ void result_drivers_say(Text *text, const House *house, const Observation *nomin
         text_format(text, "%zu of %zu out; %.0f %% touch something (%.0f to %.0f)", fleet.out.good, fleet.count,
                     100 * fleet.touch.value, 100 * fleet.touch.low, 100 * fleet.touch.high);
         if (fleet.impact.count)
-            text_format(text, ", most at %s, at most at %.2f m/s", fleet.where, fleet.impact.greatest);
+            text_format(text, ", most at %s; the fastest impact anywhere has %.2f m/s", fleet.where,
+                        fleet.impact.greatest);
         text_format(text, "\n");
     }
+}
+
+/* Returns "65" or "93 to 100". */
+static const char *from_to(double low, double high, Arena *arena) {
+    return text_in_arena(arena, high - low < 0.5 ? "%.0f" : "%.0f to %.0f", low, high);
+}
+
+const char *result_drivers_headline(const House *house, const Drivers *drivers, const Grade *grades, Arena *arena) {
+    Text text = {0};
+    size_t people = 0;
+    double out[2] = {HUGE_VAL, 0}, touch[2] = {HUGE_VAL, 0}, count = 0;
+    Fleet fleet = {.count = 0};
+    for (size_t i = 0; i < drivers->person_count && drivers->count; i++) {
+        Fleet next = fleet_of(house, drivers, i);
+        if (!next.count)
+            continue;
+        fleet = next;
+        people++;
+        count = (double)fleet.count;
+        out[0] = fmin(out[0], (double)fleet.out.good);
+        out[1] = fmax(out[1], (double)fleet.out.good);
+        touch[0] = fmin(touch[0], 100 * fleet.touch.value);
+        touch[1] = fmax(touch[1], 100 * fleet.touch.value);
+    }
+    if (people)
+        text_format(&text, "%s of %.0f drivers get out%s, %s %% touch something", from_to(out[0], out[1], arena), count,
+                    people > 1 ? " of each start" : "", from_to(touch[0], touch[1], arena));
+    if (people == 1 && fleet.time.count)
+        text_format(&text, ", %.1f s in the mean", fleet.time.mean);
+    int worst = -1;
+    for (size_t i = 0; grades && i < house->person_count; i++)
+        worst = grades[i].letter > worst ? grades[i].letter : worst;
+    if (worst >= 0)
+        text_format(&text, "%s%s %s", people ? ", " : "", house->person_count > 1 ? "worst grade" : "grade",
+                    grade_letter(worst));
+    const char *said = text_in_arena(arena, "%s", text.text ? text.text : "");
+    memory_free(text.text);
+    return said;
 }

@@ -3,6 +3,7 @@
 
 #include "base/text.h"
 #include "experiment/drivers.h"
+#include "inquiry/grade.h"
 #include "result/result.h"
 #include "study/montecarlo.h"
 
@@ -24,6 +25,10 @@ ResultTable result_drivers_paired(const House houses[2], const Drivers drivers[2
 /* Returns the drivers of a person in one line, "9 of 10 drivers 11.9 to 15.2 s; 97 of 100 out; 12 % touch, most at
  * bedroom door", in the arena; NULL: the person is not of the population. */
 const char *result_drivers_brief(const House *house, const Drivers *drivers, size_t person, Arena *arena);
+
+/* Returns what the drivers add to the nominal answer, "65 of 100 drivers get out, 32 % touch something, 28.9 s in the
+ * mean, grade D", in the arena; "": no drivers, and `grades` (person_count) is NULL. */
+const char *result_drivers_headline(const House *house, const Drivers *drivers, const Grade *grades, Arena *arena);
 
 /* Adds a sentence for each person: "p-a  13.0 s; 9 of 10 drivers 11.9 to 15.2 s; 97 of 100 out; 12 % touch (7 to 20)".
  */

@@ -59,7 +59,7 @@ static void make_times(DriversPlot *of, const House *house, const Observation *n
     plot->guides = arena_allocate(&of->arena, 3 * sizeof *plot->guides);
     add_measured(plot, house, person);
     if (nominal->people[person].completed)
-        add_guide(plot, (PlotGuide){.at = nominal->people[person].time, .name = "nominal (c)", .role = ROLE_LOCUS});
+        add_guide(plot, (PlotGuide){.at = nominal->people[person].time, .name = "nominal driver", .role = ROLE_LOCUS});
 }
 
 static void make_speeds(DriversPlot *of, const Observation *nominal, const Drivers *drivers, size_t person) {
