@@ -68,19 +68,19 @@ Grade grade_person(const House *house, size_t person, const Stop *stop) {
     grade.tightness = least;
     grade.wider = least >= easy;
     double straight = any > 0 ? largest_growth(&grading, 0, easy) : least;
-    double limit = easy, has = straight;
+    double limit = easy, has = straight, with_few = straight;
     if (straight >= easy) {
         grade.letter = GRADE_A;
     } else if (straight >= GRADE_HANDS) {
         grade.letter = GRADE_B;
     } else {
-        double with_few = few == any ? least : largest_growth(&grading, few, GRADE_ARMS_IN);
+        with_few = fmax(straight, few == any ? least : largest_growth(&grading, few, GRADE_ARMS_IN));
         limit = GRADE_HANDS;
-        if (fmax(straight, with_few) >= GRADE_ARMS_IN) {
+        if (with_few >= GRADE_ARMS_IN) {
             grade.letter = GRADE_C;
         } else if (least >= 0) {
             limit = GRADE_ARMS_IN;
-            has = fmax(straight, with_few);
+            has = with_few;
         } else {
             grade.letter = try_growth(&grading, 0, any).fits ? GRADE_E : GRADE_F;
             limit = 0;
@@ -88,8 +88,10 @@ Grade grade_person(const House *house, size_t person, const Stop *stop) {
         }
     }
     grade.to_next = grade.letter == GRADE_A ? 0 : limit - has;
-    const GradeLevel better[] = {
-        {GRADE_A, easy, 0}, {GRADE_B, GRADE_HANDS, 0}, {GRADE_C, GRADE_ARMS_IN, few}, {GRADE_D, 0, any}};
+    const GradeLevel better[] = {{GRADE_A, easy, 0, straight},
+                                 {GRADE_B, GRADE_HANDS, 0, straight},
+                                 {GRADE_C, GRADE_ARMS_IN, few, with_few},
+                                 {GRADE_D, 0, any, least}};
     GradeLevel levels[sizeof better / sizeof *better];
     size_t count = 0;
     for (int letter = grade.letter > GRADE_D ? GRADE_D : grade.letter - 1; letter >= GRADE_A; letter--)

@@ -200,9 +200,9 @@ static void add_place(Listing *listing, const Blockage *blockage, Candidate ease
 
 /* Finds how much room a place has with all others eased, m less than the level asks for. */
 static double find_missing(const Listing *listing, const GradeLevel *level, size_t p) {
-    double low = fmin(listing->grade->tightness, level->growth), high = level->growth;
-    if (!isfinite(low))
+    if (!isfinite(level->has))
         return (double)NAN;
+    double low = fmin(level->has, level->growth), high = level->growth;
     while (high - low > GRADE_RESOLUTION && !stop_requested(listing->stop)) {
         double middle = (low + high) / 2;
         GradeTry tried = try_eased(listing, level, middle, p, NULL);

@@ -8,6 +8,7 @@ typedef struct GradeLevel {
     int letter;    /* GradeLetter */
     double growth; /* m */
     int reversals; /* changes of direction that are allowed */
+    double has;    /* m, the largest growth with which there is a way with so many; NAN: none */
 } GradeLevel;
 
 /* Fills in the places of a person's grade. `levels` (count): the grades better than the present one, the next one
