@@ -76,11 +76,16 @@ static void add_shape(Scene *scene, const Finding *finding, Role role) {
     }
 }
 
+/* Returns the role of what decides: a quiet one where its number was not read in its source. */
+static Role role_of(const Dimension *dimension) {
+    return dimension->first->rule->status != STATUS_READ ? ROLE_DIM_TEXT : dimension->fails ? ROLE_ERROR : ROLE_EXIT;
+}
+
 /* Adds a line with the number that it has in the list, and a tick or a cross. */
 static void add_dimension(Scene *scene, const Dimension *dimension, size_t number) {
     const Finding *finding = dimension->first;
     bool fails = dimension->fails > 0;
-    Role role = fails ? ROLE_ERROR : ROLE_EXIT;
+    Role role = role_of(dimension);
     Vec2 middle = vec2_scale(vec2_add(finding->from, finding->to), 0.5);
     add_shape(scene, finding, role);
     scene_add_dimension(scene, role, LINE_WIDTH, finding->from, finding->to)->keep_clear = KEEP_SIGN;
@@ -122,7 +127,7 @@ static void add_list(Scene *scene, const Inspection *inspection, const Dimension
         const Finding *finding = dimensions[d].first;
         SceneRow *row = scene_add_row(scene, ROW_DISC, short_name(scene, inspection->places[finding->place].name));
         bool read = finding->rule->status == STATUS_READ;
-        row->role = dimensions[d].fails ? ROLE_ERROR : ROLE_EXIT;
+        row->role = role_of(&dimensions[d]);
         row->mark = scene_text(scene, "%zu", d + 1);
         row->cells[1] = scene_text(scene, "%.3f", finding->has);
         row->cells[2] =
