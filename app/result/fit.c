@@ -57,12 +57,12 @@ const char **result_fit_remarks(const Fit *fit, size_t *count, Arena *arena) {
                                             "predicted from the others alone, a value is off by %.2f of its standard "
                                             "deviation (root mean square); before the fit by %.2f",
                                             fit->error, fit->error_before);
-    if (fit->sign_runs > ODD_SIGNS || fit->sign_runs < -ODD_SIGNS)
+    if (fit->sign_runs < -ODD_SIGNS) /* more runs than by chance come from the order of repeated measurements */
         remarks[(*count)++] = text_in_arena(
             arena,
-            "the signs of the residuals are not in chance order (%.1f standard deviations): the model lacks "
-            "something",
-            fit->sign_runs);
+            "equal signs of the residuals follow each other more often than by chance (%.1f standard deviations): the "
+            "model lacks something",
+            -fit->sign_runs);
     return remarks;
 }
 
