@@ -235,12 +235,13 @@ static void show_note(Window *window, Tab *tab, const char *note) {
         window->note_crowded = covers_something(window, tab, picture, lay_note(window, picture, low, note, false));
     }
     if (!window->note_crowded)
-        lay_note(window, picture, low, note, true);
+        window->note = lay_note(window, picture, low, note, true);
 }
 
 static void show_view_text(Window *window, Tab *tab) {
     Box view = window->frame.view;
     window->note_crowded = false;
+    window->note = box_empty();
     const char *note = tab->laboratory->note(tab->session);
     if (*note && !window->noted_in_bar && !window->present)
         show_note(window, tab, note);

@@ -70,10 +70,12 @@ static void claim(Labels *labels, Box box) {
         labels->boxes[labels->count++] = box;
 }
 
-/* Claims the places of the picture's tags: exits, tight places and what is in the way stay readable during a gesture.
+/* Claims the places of the note and of the picture's tags: exits, tight places and what is in the way stay readable
+ * during a gesture.
  */
 static void claim_tags(const Window *window, const ViewLayers *layers, Labels *labels) {
     const Layout *layouts[] = {&layers->still, &layers->moving};
+    claim(labels, window->note);
     for (int l = 0; l < 2 && layers->painted; l++)
         for (size_t i = 0; i < layouts[l]->caption_count; i++) {
             Box box = caption_box(&layouts[l]->captions[i]);

@@ -9,7 +9,8 @@
 /* Design points. */
 #define PAD 5.0
 #define BESIDE 4.0 /* from the outline */
-#define ASIDE 16.0 /* from it where the places beside it are taken */
+#define ASIDE 16.0 /* from it where the places beside it are taken, */
+#define FAR 24.0   /* but no farther from its middle */
 #define EDGE 8.0   /* of the view */
 
 #define END 12.0 /* of a shifted label, over the thing */
@@ -25,11 +26,11 @@ static Box on_page(const Window *window, const Caption *caption) {
     return (Box){vec2_add(box.low, window->frame.view.low), vec2_add(box.high, window->frame.view.low)};
 }
 
-/* True if the box lies in the view and over none of the picture's texts. */
+/* True if the box lies in the view and over none of the texts there. */
 static bool is_free(const Window *window, const ViewLayers *layers, Box box) {
     Box view = box_expand(window->frame.view, -EDGE);
     const Layout *layouts[] = {&layers->still, &layers->moving};
-    if (!box_holds(view, box.low) || !box_holds(view, box.high))
+    if (!box_holds(view, box.low) || !box_holds(view, box.high) || overlap(box, window->note))
         return false;
     for (int l = 0; l < 2; l++)
         for (size_t i = 0; i < layouts[l]->caption_count; i++)
@@ -119,12 +120,13 @@ static size_t list_places(Box thing, double gap, Vec2 size, Vec2 places[PLACES_M
 static bool show_name(Window *window, Tab *tab, Item item, Box thing, const char *name) {
     Vec2 size = vec2_add(ui_extent(window->ui, UI_BOLD, name), vec2(2 * PAD, 2));
     Vec2 places[2 * PLACES_MOST], others[OTHERS_MOST], middle = vec2_scale(vec2_add(thing.low, thing.high), 0.5);
-    size_t place_count = list_places(thing, BESIDE, size, places);
-    place_count += list_places(thing, ASIDE, size, places + place_count);
+    size_t near_count = list_places(thing, BESIDE, size, places);
+    size_t place_count = near_count + list_places(thing, ASIDE, size, places + near_count);
     size_t other_count = list_others(window, tab, item, others);
     for (size_t i = 0; i < place_count; i++) {
         Box box = around(window, places[i], size);
-        if (!overlap(box, box_expand(thing, ASIDE + 1)) || !is_free(window, &tab->view_layers, box) ||
+        bool is_far = i >= near_count && distance(box, middle) > FAR;
+        if (is_far || !overlap(box, box_expand(thing, ASIDE + 1)) || !is_free(window, &tab->view_layers, box) ||
             !is_nearest(box, middle, others, other_count))
             continue;
         ui_draw_box(window->ui, box, ROLE_TEXT, 1);

@@ -150,6 +150,7 @@ typedef struct Window {
     size_t folds_opened;  /* and in the frame before */
     bool noted_in_bar;    /* the note of the laboratory stands in the title bar or beside the answer */
     bool note_crowded;    /* it has no room in the view: the timeline shows it */
+    Box note;             /* where it stands in the view; empty: elsewhere */
     bool drawer;          /* the panel is open as a drawer over the view, or in place of a lesson's card */
     bool lessons_only;    /* the gallery shows lessons alone */
     bool reduced;         /* nothing moves but what is simulated */

@@ -117,8 +117,8 @@ for size in ("1920x1080", "1280x720"):
         check(begin in words and last in words.split(begin)[-1], f"{size}: {begin} ... is whole above the view", words)
 
 # a tooltip lies over nothing while one types, and comes no more after a click before the pointer has left
-waited, typed, clicked = stage.act("tip-typed", "until answered", "pause", "wait 3", "mouse 50 118", "wait 100", "texts STATE",
-                                   "type 2", "wait 3", "texts STATE", "mouse 640 400", "wait 100", "click 50 118", "wait 100",
+waited, typed, clicked = stage.act("tip-typed", "until answered", "pause", "wait 3", "mouse 50 118", "wait 500", "texts STATE",
+                                   "type 2", "wait 3", "texts STATE", "mouse 640 400", "wait 500", "click 50 118", "wait 500",
                                    "texts STATE", arguments=[FILES["house"], "--size", "1280x720"])
 shown = [any("walls" in t["string"] and t["box"][0] < 400 for t in texts) for texts in (waited, typed, clicked)]
 check(shown == [True, False, False], "a tooltip is hidden by typing and by a click", shown)
