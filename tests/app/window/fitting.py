@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Tests that texts fit (check 22, and 28 of the calm window): at two small sizes, with large letters in the smaller one, in
-each laboratory and on the sheets, no text is cut, none ends in an ellipsis, and none of a pane lies over another. Also what moves: the
-plan stands still while the tools open, and folds are remembered by task."""
+"""Tests that texts fit (check 22, and 28 of the calm window): at two small sizes, with large letters in the smaller
+one, in each laboratory and on the sheets, no text is cut, none ends in an ellipsis, and none of a pane lies over
+another. Also what moves: the plan stands still while the tools open, and folds are remembered by task."""
 
 import itertools
 
