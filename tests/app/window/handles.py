@@ -214,9 +214,11 @@ plan.saved()
 told = json.loads(subprocess.run([str(stage.program), "compare", "--json", str(first), str(plan.house)],
                                  capture_output=True, text=True, timeout=600).stdout)
 before, after = told["a"], told["b"]
-check(now["answer"]["title"] == f"Out in {after['time']:.1f} s" and now["answer"]["detail"].startswith(
-    f"before {before['time']:.1f} s, {after['time'] - before['time']:+.1f} s"),
-      "19: what was before and the difference are told unasked, as by the command line", (now["answer"], after["time"]))
+was, now_is = (float(f"{run['time']:.1f}") for run in (before, after))
+more = f"{now_is - was:+.1f} s" if now_is != was else "the same"
+check(now["answer"]["title"] == f"Out in {now_is:.1f} s"
+      and now["answer"]["detail"].startswith(f"before {was:.1f} s, {more}"),
+      "19: what was before and the difference are told unasked, as by the command line", (now["answer"], now_is))
 plan.keys("r")
 clean = plan.until(lambda s: s["digest"] == after["digest"])
 check(clean["digest"] == after["digest"], "19: R runs it from the beginning, as the command line does",
