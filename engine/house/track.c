@@ -5,8 +5,6 @@
 #include "route/pace.h"
 #include "space/passage.h"
 
-/* m, assumed: a door's leaf or a corner slows a driver this far before and after it. */
-static const double FORESIGHT = 0.2;
 /* m, assumed: distance from a shut door's leaf, and from its swing. */
 static const double DOOR_SPACE = 0.10;
 /* m, assumed: a shut door is opened for a body that comes nearer than this to its leaf. */
@@ -28,21 +26,14 @@ static TrackPoint *add_point(Track *track, size_t *capacity, TrackPoint point) {
     return &track->points[track->count++];
 }
 
-/* Returns the speed that the width of the passage alone allows. */
-static double passage_speed(const Inhabitant *person, double width) {
-    const Profile *profile = person->profile;
-    double law = profile->steering_time > 0 ? (width - profile->width) / profile->steering_time : HUGE_VAL;
-    return fmin(person->speed, fmax(law, fmin(pace_creep(profile), person->speed)));
-}
-
-/* Lowers each width to the least within FORESIGHT. */
+/* Lowers each width to the least within PACE_FORESIGHT. */
 static void look_ahead(Track *track) {
     double *width = memory_zeroed(track->count, sizeof *width);
     for (size_t i = 0, first = 0; i < track->count; i++) {
-        while (track->points[first].s < track->points[i].s - FORESIGHT)
+        while (track->points[first].s < track->points[i].s - PACE_FORESIGHT)
             first++;
         width[i] = HUGE_VAL;
-        for (size_t k = first; k < track->count && track->points[k].s <= track->points[i].s + FORESIGHT; k++)
+        for (size_t k = first; k < track->count && track->points[k].s <= track->points[i].s + PACE_FORESIGHT; k++)
             width[i] = fmin(width[i], track->points[k].width);
     }
     for (size_t i = 0; i < track->count; i++)
@@ -226,9 +217,8 @@ static double driver_speed(const Inhabitant *person, const Agility *agility, con
     const TrackPoint *point = &track->points[i];
     double own = own_bending(track, i) * (PACE_MOMENT / PACE_OWN_MOMENT);
     double bending = fmax(fabs(point->bending), fabs(own));
-    double pace = pace_at(person->profile, agility, person->speed, point->clearance, sharpest(track, i), bending,
-                          point->direction);
-    return fmin(passage_speed(person, point->width), pace);
+    return pace_at(person->profile, agility, person->speed, point->clearance, point->width, sharpest(track, i), bending,
+                   point->direction);
 }
 
 /* Returns the clearance of the part of the body ahead of the axle on its left (`side` 1) or its right (-1), m, up to
@@ -578,7 +568,7 @@ void track_build_miura(Track *track, const House *house, const Inhabitant *perso
     look_ahead(track);
     for (size_t i = 0; i < track->count; i++) {
         TrackPoint *point = &track->points[i];
-        point->speed = passage_speed(person, point->width);
+        point->speed = pace_in_passage(person->profile, person->speed, point->width);
         if (point->corner >= 0) /* the floor of the paper; never faster than the legs */
             point->speed = fmin(person->profile->minimum_speed, point->speed);
     }

@@ -50,9 +50,14 @@ Agility pace_agility(const Profile *profile) {
                      swung > 0 ? PACE_MOMENT * profile->turning_moment / swung : HUGE_VAL};
 }
 
-double pace_at(const Profile *profile, const Agility *agility, double free, double clearance, double curvature,
-               double bending, int direction) {
-    double speed = speed_in_gap(profile, free, clearance);
+double pace_in_passage(const Profile *profile, double free, double width) {
+    double speed = profile->steering_time > 0 ? (width - profile->width) / profile->steering_time : HUGE_VAL;
+    return real_min(real_max(speed, pace_creep(profile)), free);
+}
+
+double pace_at(const Profile *profile, const Agility *agility, double free, double clearance, double width,
+               double curvature, double bending, int direction) {
+    double speed = real_min(speed_in_gap(profile, free, clearance), pace_in_passage(profile, free, width));
     if (direction < 0)
         speed = real_min(speed, profile->reversing_speed);
     double bend = fabs(curvature), change = fabs(bending);

@@ -28,19 +28,26 @@ Agility pace_agility(const Profile *profile);
 double pace_turning(const Profile *profile);
 
 /* Returns the speed, m/s, of a driver whose free speed is `free` m/s and who is as agile as `agility` says, where the
- * body has `clearance` m, the path's curvature is `curvature` rad/m and changes by `bending` rad/m2; `direction` is -1
- * backwards.
+ * body has `clearance` m, the passage is `width` m wide across the body's middle, here and within PACE_FORESIGHT, the
+ * path's curvature is `curvature` rad/m and changes by `bending` rad/m2; `direction` is -1 backwards.
  *
- * Clearance: in the middle of a straight passage the clearance on either side is (W - w) / 2; where the body turns, or
- * the path leads close by an obstacle, the same law holds with twice the clearance, with the floor of the paper for
- * corners, or drive.creep where the profile has it. With less than body.hands beside the rims the arms are tucked in:
+ * Width: v = (W - w) / b, but no less than drive.creep or PACE_CREEP. Clearance: in the middle of a straight passage
+ * the clearance on either side is (W - w) / 2; where the body turns, or the path leads close by an obstacle, the same
+ * law holds with twice the clearance, with the floor of the paper for corners, or drive.creep where the profile has it.
+ * With less than body.hands beside the rims the arms are tucked in:
  * PACE_TUCKED_SPEED. Curvature k: v^2 k <= the lateral acceleration, v k <= nine tenths of the turn rate, since a
  * driver who turns as quickly as possible cannot come back to the path, and of the rate w at which half of the push
  * holds the mass centre, c ahead of the axle: m c w^2 <= push / 2; m c v^2 k <= half of the turning moment, since the
  * drive wheels hold the axle and the mass centre swings the chair straight. Bending: I v^2 dk/ds <= half of the turning
  * moment. A bend is taken at 0.03 m/s, however narrow it is and however weak the driver. */
-double pace_at(const Profile *profile, const Agility *agility, double free, double clearance, double curvature,
-               double bending, int direction);
+double pace_at(const Profile *profile, const Agility *agility, double free, double clearance, double width,
+               double curvature, double bending, int direction);
+
+/* m, assumed: a door's leaf or a corner slows a driver this far before and after it. */
+#define PACE_FORESIGHT 0.2
+
+/* Returns the speed, m/s, that the width W of the passage alone allows. */
+double pace_in_passage(const Profile *profile, double free, double width);
 
 /* 1 and m/s, assumed: the share of the push that is left with the arms tucked in, and the greatest speed then. */
 #define PACE_TUCKED_PUSH 0.3

@@ -6,6 +6,7 @@
 #include "base/real.h"
 #include "route/field.h"
 #include "route/pace.h"
+#include "space/passage.h"
 
 /* At each station the pace (pace.h) gives a limit for the speed; the largest speed that keeps it, starts from rest,
  * rests at joints, and needs no more than the initial acceleration a_0 and the planned deceleration a_d, both within
@@ -27,8 +28,9 @@
 #define BETWEEN 0.06 /* m: with more clearance than this at both ends the motion between is not looked at */
 
 enum {
-    ROOMS = 13,
-    SPAN = 2 /* stations on either side of one over which its curvature is the mean */
+    ROOMS = 14,
+    SPAN = 2,         /* stations on either side of one over which its curvature is the mean */
+    WIDTHS = 2 * SPAN /* stations on either side of one whose passage limits its speed: PACE_FORESIGHT */
 };
 
 Speeds speeds_make(size_t count) {
@@ -45,7 +47,8 @@ Speeds speeds_make(size_t count) {
                     room + 9 * count,
                     room + 10 * count,
                     room + 11 * count,
-                    room + 12 * count};
+                    room + 12 * count,
+                    room + 13 * count};
 }
 
 void speeds_free(Speeds *speeds) {
@@ -83,6 +86,34 @@ static double mean_curvature(const Course *course, const Speeds *speeds, size_t 
     return speeds_turn(speeds, low, high) / ((double)(high - low) * piece->step);
 }
 
+/* Returns the station `steps` before one, or after it, or the first or last one. */
+static size_t before(size_t station, size_t steps) {
+    return station > steps ? station - steps : 0;
+}
+
+static size_t after(const Way *way, size_t station, size_t steps) {
+    return station + steps < way->count ? station + steps : way->count - 1;
+}
+
+/* Returns the width of the passage at a station, m; infinite where the clearance tells that it does not limit the
+ * speed.
+ */
+static double find_width(const Course *course, const Station *station, double clearance) {
+    const Profile *profile = course->profile;
+    if (clearance >= pace_enough(profile))
+        return HUGE_VAL;
+    Vec2 middle = vec2_along(station->at, course->body->ahead, station->axis);
+    return passage_within(course->space, middle, station->axis, profile->width / 2 + 2 * pace_enough(profile));
+}
+
+/* Returns the least width of the passage at a station and those near it. */
+static double least_width(const Course *course, const Speeds *speeds, size_t s) {
+    double least = speeds->width[s];
+    for (size_t k = before(s, WIDTHS); k <= after(course->way, s, WIDTHS); k++)
+        least = real_min(least, speeds->width[k]);
+    return least;
+}
+
 /* Fills in what limits the speed at a station and on its way from and to it; the curvatures about it are known. */
 static void find_limit(const Course *course, Speeds *speeds, size_t s) {
     const Profile *profile = course->profile;
@@ -103,8 +134,8 @@ static void find_limit(const Course *course, Speeds *speeds, size_t s) {
     double in_bend = pace_in_bend(course->agility.acceleration, bend);
     speeds->braking[s] = real_min(speeds->braking[s], in_bend);
     speeds->starting[s] = real_min(speeds->starting[s], in_bend);
-    speeds->limit[s] =
-        pace_at(profile, &course->agility, profile->free_speed, clearance, bend, bending, piece->direction);
+    speeds->limit[s] = pace_at(profile, &course->agility, profile->free_speed, clearance,
+                               least_width(course, speeds, s), bend, bending, piece->direction);
 }
 
 /* Fills in the time and the cost of the step from station s to the next one. */
@@ -134,19 +165,11 @@ static void take_over(Speeds *to, const Speeds *from, size_t s) {
     to->clearance[s] = from->clearance[s];
     to->left[s] = from->left[s];
     to->right[s] = from->right[s];
+    to->width[s] = from->width[s];
     to->heading[s] = from->heading[s];
     to->braking[s] = from->braking[s];
     to->starting[s] = from->starting[s];
     to->limit[s] = from->limit[s];
-}
-
-/* Returns the station `steps` before one, or after it, or the first or last one. */
-static size_t before(size_t station, size_t steps) {
-    return station > steps ? station - steps : 0;
-}
-
-static size_t after(const Way *way, size_t station, size_t steps) {
-    return station + steps < way->count ? station + steps : way->count - 1;
 }
 
 void speeds_run(const Course *course, const Speeds *from, Speeds *to, size_t begin, size_t end, size_t *first,
@@ -207,6 +230,7 @@ static void copy_places(const Course *course, Speeds *to, const Speeds *from, si
         memcpy(to->right + low, from->right + low, size);
     }
     memcpy(to->own + low, from->own + low, size);
+    memcpy(to->width + low, from->width + low, size);
     memcpy(to->clearance + low, from->clearance + low, size);
     memcpy(to->heading + low, from->heading + low, size);
 }
@@ -222,8 +246,9 @@ bool speeds_look(const Course *course, const Speeds *from, Speeds *to, size_t be
                          : body_clearance(course, station, course->sight);
         if (to->own[s] < course->margin)
             return false;
+        to->width[s] = find_width(course, station, to->own[s]);
     }
-    /* the curvature at the farthest station whose limit changes takes headings from 2 SPAN beyond it */
+    /* the farthest station whose limit changes takes headings and widths from 2 SPAN beyond it */
     size_t low = before(begin, 4 * SPAN), high = after(way, end, 4 * SPAN);
     if (low < begin)
         copy_places(course, to, from, low, begin - 1);

@@ -25,6 +25,7 @@ typedef struct Speeds {
     double *own;                  /* m, the clearance of the station */
     double *clearance;            /* m, the least of the station and the step after it */
     double *left, *right;         /* m, of the station, while centring */
+    double *width;                /* m, of the passage at the station, where that can limit the speed */
     double *heading;              /* rad */
     double *bend;                 /* rad/m, only about what speeds_run was asked for */
     double *braking, *starting;   /* m/s2, that the driver plans with */

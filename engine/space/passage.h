@@ -1,7 +1,8 @@
-/* The width of a passage, measured by rays through the broad phase. */
+/* The width of a passage, measured by rays. */
 #pragma once
 
 #include "base/vec2.h"
+#include "space/freespace.h"
 #include "space/outline.h"
 
 /* m: the width of a passage is clipped to this; the speed law does not depend on larger widths. */
@@ -19,6 +20,10 @@ Passage passage_at(const Outline *outline, Vec2 at, Vec2 along);
 static inline double passage_width(Passage passage) {
     return passage.left + passage.right;
 }
+
+/* Returns the same width, m, with up to `half` m (at most FREESPACE_BUCKET_REACH) on either side, without the broad
+ * phase. */
+double passage_within(const FreeSpace *space, Vec2 at, Vec2 along, double half);
 
 /* Returns the distance from a convex corner of an obstacle, starting 0.1 mm off it, to the opposite side: W1 or W2 of
  * the paper. `across` is the unit direction from the corner over the passage. */

@@ -13,10 +13,14 @@
 #define BELOW 0.05
 #define ABOVE 0.15
 
-static const char *const kind_names[TIGHT_KINDS] = {"corner", "door in", "door out", "S", "U", "flat"};
+static const char *const kind_names[TIGHT_KINDS] = {"corner", "door in", "door out",  "S",     "U",
+                                                    "flat",   "bend",    "wide door", "niche", "slalom"};
 
-static const char *const size_names[TIGHT_KINDS][TIGHT_SIZES] = {
-    {"W1", "W2"}, {"C", "D", "x"}, {"C", "D", "x"}, {"W", "middle", "axes"}, {"W", "turn"}, {"C", "D", "gap", "shelf"}};
+static const char *const size_names[TIGHT_KINDS][TIGHT_SIZES] = {{"W1", "W2"},    {"C", "D", "x"},
+                                                                 {"C", "D", "x"}, {"W", "middle", "axes"},
+                                                                 {"W", "turn"},   {"C", "D", "gap", "shelf"},
+                                                                 {"W", "angle"},  {"C", "D", "x", "out"},
+                                                                 {"C", "D", "x"}, {"C", "gap", "apart"}};
 
 const char *tight_kind_name(TightKind kind) {
     return kind_names[kind];
@@ -107,12 +111,10 @@ static void draw_corner(TightScene *scene, Random *random) {
     scene->sizes[1] = w2;
 }
 
-/* A corridor along x with a door in its upper side, and a room above. */
-static void draw_door(TightScene *scene, Random *random, bool in) {
+/* A corridor of width c along x with a door of width d in its upper side, and a room above. */
+static void build_door(TightScene *scene, double c, double d, double x, bool in) {
     const double length = 6, room = 3;
-    double c = between(random, 0.90, 1.20);
-    double d = fmax(LEAST, near_limit(random, in ? LIMIT_OF(in_limits, c) : LIMIT_OF(out_limits, c)));
-    double x = between(random, 2.8, 3.2), left = x - room / 2, right = x + room / 2, begin = in ? -THICK : -BEHIND;
+    double left = x - room / 2, right = x + room / 2, begin = in ? -THICK : -BEHIND;
     add_wall(scene, begin, -THICK, length + THICK, 0);
     add_wall(scene, length, -THICK, length + THICK, c + THICK);
     add_wall(scene, begin, c, x - d / 2, c + THICK);
@@ -132,6 +134,80 @@ static void draw_door(TightScene *scene, Random *random, bool in) {
     scene->sizes[0] = c;
     scene->sizes[1] = d;
     scene->sizes[2] = x;
+}
+
+static void draw_door(TightScene *scene, Random *random, bool in) {
+    double c = between(random, 0.90, 1.20);
+    double d = fmax(LEAST, near_limit(random, in ? LIMIT_OF(in_limits, c) : LIMIT_OF(out_limits, c)));
+    build_door(scene, c, d, between(random, 2.8, 3.2), in);
+}
+
+/* A door that is wider than the corridor, where that is too narrow for a door of its width. */
+static void draw_wide_door(TightScene *scene, Random *random) {
+    double c = between(random, 0.80, 0.95), d = between(random, 0.90, 1.20);
+    bool in = random_uniform(random) < 0.5;
+    build_door(scene, c, d, between(random, 2.8, 3.2), in);
+    scene->sizes[3] = !in;
+}
+
+/* Two legs, the second one turned to the left by any angle. */
+static void draw_bend(TightScene *scene, Random *random) {
+    const double leg = 4;
+    double angle = radians(between(random, 20, 140)), w = between(random, 0.80, 1.05);
+    double half = w / 2 + THICK / 2, inset = tan(angle / 2);
+    Vec2 corner = vec2(leg, 0), along = vec2_heading(angle);
+    for (int side = -1; side <= 1; side += 2) {
+        /* m along the legs: to where the faces of the walls meet, or, outside, to where the walls do */
+        double until = -side * inset * (side > 0 ? w / 2 : w / 2 + THICK);
+        Vec2 across = vec2_scale(vec2_left(along), side * half);
+        add_solid(scene, vec2(-THICK, side * half), vec2(leg + until, side * half), THICK / 2, true);
+        add_solid(scene, vec2_add(vec2_along(corner, -until, along), across),
+                  vec2_add(vec2_along(corner, leg + BEHIND, along), across), THICK / 2, true);
+    }
+    add_wall(scene, -THICK, -w / 2 - THICK, 0, w / 2 + THICK);
+    Vec2 end = vec2_along(corner, leg, along);
+    add_exit(scene, vec2_along(end, w / 2, vec2_left(along)), vec2_along(end, -w / 2, vec2_left(along)));
+    scene->at = vec2(1, 0);
+    scene->sizes[0] = w;
+    scene->sizes[1] = degrees(angle);
+}
+
+/* A niche above a corridor, with the chair in it as it drove in. */
+static void draw_niche(TightScene *scene, Random *random) {
+    const double length = 6, depth = 1.4;
+    double c = between(random, 0.95, 1.35), d = between(random, LEAST + 0.03, 1.05);
+    double x = between(random, 3.4, 4), left = x - d / 2, right = x + d / 2, top = c + depth;
+    add_wall(scene, -BEHIND, -THICK, length + THICK, 0);
+    add_wall(scene, length, -THICK, length + THICK, c + THICK);
+    add_wall(scene, -BEHIND, c, left, c + THICK);
+    add_wall(scene, right, c, length + THICK, c + THICK);
+    add_wall(scene, left - THICK, c, left, top + THICK);
+    add_wall(scene, right, c, right + THICK, top + THICK);
+    add_wall(scene, left - THICK, top, right + THICK, top + THICK);
+    add_exit(scene, vec2(0.2, 0), vec2(0.2, c));
+    scene->at = vec2(x, c + depth - 0.95);
+    scene->heading = M_PI_2;
+    scene->sizes[0] = c;
+    scene->sizes[1] = d;
+    scene->sizes[2] = x;
+}
+
+/* A corridor with three pieces of furniture on alternate sides. */
+static void draw_slalom(TightScene *scene, Random *random) {
+    const double length = 7, deep = 0.4;
+    double c = between(random, 1.3, 1.7), gap = between(random, LEAST + 0.03, 0.95), apart = between(random, 1.1, 1.7);
+    add_wall(scene, -THICK, -THICK, length + BEHIND, 0);
+    add_wall(scene, -THICK, c, length + BEHIND, c + THICK);
+    add_wall(scene, -THICK, -THICK, 0, c + THICK);
+    for (int i = 0; i < 3; i++) {
+        double x = 2.4 + i * apart, y = i % 2 ? c - (c - gap) / 2 : (c - gap) / 2;
+        add_piece(scene, vec2(x, y), vec2(deep, c - gap), 0);
+    }
+    add_exit(scene, vec2(length, 0), vec2(length, c));
+    scene->at = vec2(0.6, c / 2);
+    scene->sizes[0] = c;
+    scene->sizes[1] = gap;
+    scene->sizes[2] = apart;
 }
 
 /* Two legs along x whose axes are apart, and a leg upwards between them. */
@@ -212,6 +288,18 @@ TightScene tight_draw(TightKind kind, uint64_t seed) {
         break;
     case TIGHT_U:
         draw_u(&scene, &random);
+        break;
+    case TIGHT_BEND:
+        draw_bend(&scene, &random);
+        break;
+    case TIGHT_WIDE_DOOR:
+        draw_wide_door(&scene, &random);
+        break;
+    case TIGHT_NICHE:
+        draw_niche(&scene, &random);
+        break;
+    case TIGHT_SLALOM:
+        draw_slalom(&scene, &random);
         break;
     case TIGHT_FLAT:
     case TIGHT_KINDS:

@@ -1,5 +1,6 @@
-/* Tight houses drawn from a seed, for the shipped manual chair: corners, doors off a corridor, S-bends, U-turns and
- * small flats, with widths near the least with which the chair can be driven.
+/* Tight houses drawn from a seed, for the shipped manual chair: corners, doors off a corridor, S-bends, U-turns, small
+ * flats, bends by any angle, wide doors onto narrow corridors, niches to back out of and furniture on alternate sides,
+ * with widths near the least with which the chair can be driven.
  *
  * A scene is a list of rectangles, and can be moved, drawn in another manner, or given more room, before a house is
  * made from it. */
@@ -9,7 +10,19 @@
 #include "house/house.h"
 #include "route/route.h"
 
-typedef enum TightKind { TIGHT_CORNER, TIGHT_IN, TIGHT_OUT, TIGHT_S, TIGHT_U, TIGHT_FLAT, TIGHT_KINDS } TightKind;
+typedef enum TightKind {
+    TIGHT_CORNER,
+    TIGHT_IN,
+    TIGHT_OUT,
+    TIGHT_S,
+    TIGHT_U,
+    TIGHT_FLAT,
+    TIGHT_BEND,
+    TIGHT_WIDE_DOOR,
+    TIGHT_NICHE,
+    TIGHT_SLALOM,
+    TIGHT_KINDS
+} TightKind;
 
 enum { TIGHT_MOST = 48, TIGHT_SIZES = 4 };
 

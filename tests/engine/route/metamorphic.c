@@ -3,7 +3,7 @@
  * Usage: metamorphic [SEED] [--cases N] [--first SEED] [--kinds LETTERS] [--seconds S] [--each] [--brief]
  *
  *   SEED       one case, with everything about it
- *   --kinds    some of the letters "ciosuf": corner, door in, door out, S, U, flat
+ *   --kinds    some of the letters "ciosufbwnl": corner, door in, door out, S, U, flat, bend, wide door, niche, slalom
  *   --seconds  no further case is begun after S s of the processor's
  *   --each     every case is printed in short
  *   --brief    one copy, one drawing and one widening of each case, in turn
@@ -15,6 +15,7 @@
  *   drawings  the exit's ends swapped; a wall split in two collinear pieces; the walls drawn in the opposite direction;
  *             a solid added inside a wall;
  *   widened   every passage 1, 2 and 5 cm wider, since all solids shrink by half of that on every side;
+ *   roomier   one solid, drawn by lot, 1 and 3 cm smaller on every side;
  *   grown     one solid 1 cm larger on every side, if the answer is no.
  *
  * A different answer is counted apart when the case is at a limit: the body fits with a margin below AT_LIMIT, or it
@@ -33,9 +34,10 @@
 #define SHRUNK 0.0025  /* m, on every side */
 #define FAR 1000.0     /* m, largest shift in either direction */
 
-enum { DEFAULT_CASES = 24, COPIES = 3, DRAWINGS = 4, WIDENINGS = 3, WORST = 10 };
+enum { DEFAULT_CASES = 24, COPIES = 3, DRAWINGS = 4, WIDENINGS = 3, ROOMIER = 2, WORST = 10 };
 
 static const double widenings[WIDENINGS] = {0.01, 0.02, 0.05}; /* m, of a passage */
+static const double lesser[ROOMIER] = {0.01, 0.03};            /* m, on every side of one solid */
 
 typedef enum Check {
     COPY_ANSWER,
@@ -46,6 +48,9 @@ typedef enum Check {
     WIDENED_ANSWER,
     WIDENED_REVERSALS,
     WIDENED_TIME,
+    ROOMIER_ANSWER,
+    ROOMIER_REVERSALS,
+    ROOMIER_TIME,
     GROWN_ANSWER,
     SWEPT,
     CHECKS,
@@ -66,6 +71,9 @@ static const struct Limit {
     [WIDENED_ANSWER] = {"widened: a yes stays", "no", 1, 0, 0, true},
     [WIDENED_REVERSALS] = {"widened: reversals", "more", 1, 0, 0, false},
     [WIDENED_TIME] = {"widened: time rises", "%", 100, 0.01, 0, false},
+    [ROOMIER_ANSWER] = {"roomier: a yes stays", "no", 1, 0, 0, true},
+    [ROOMIER_REVERSALS] = {"roomier: reversals", "more", 1, 0, 0, false},
+    [ROOMIER_TIME] = {"roomier: time rises", "%", 100, 0.01, 0, false},
     [GROWN_ANSWER] = {"grown: a no stays", "yes", 1, 0, 0, true},
     [SWEPT] = {"swept at 1 mm: overlap", "mm", 1000, 0, 0, false},
 };
@@ -86,9 +94,9 @@ typedef struct Range {
 typedef struct Case {
     uint64_t seed;
     TightScene scene;
-    Answer drawn, copies[COPIES], drawings[DRAWINGS], widened[WIDENINGS], grown;
-    Range copy, drawing, widening; /* those that were planned */
-    bool asked[CHECKS];            /* True if the check has a value */
+    Answer drawn, copies[COPIES], drawings[DRAWINGS], widened[WIDENINGS], roomier[ROOMIER], grown;
+    Range copy, drawing, widening, lessening; /* those that were planned */
+    bool asked[CHECKS];                       /* True if the check has a value */
     double value[CHECKS];
     bool failed[CHECKS], at_limit;
     double badness; /* 1, order of the worst: answers, overlaps, then times beside their limits */
@@ -171,6 +179,16 @@ static void plan_widened(Case *one, const Profile *profile) {
     }
 }
 
+static void plan_roomier(Case *one, const Profile *profile) {
+    Random random = random_seed(one->seed, 3);
+    size_t solid = (size_t)(random_uniform(&random) * (double)one->scene.count);
+    for (int i = 0; i < one->lessening.count; i++) {
+        TightScene scene = one->scene;
+        tight_grow(&scene, solid, -lesser[one->lessening.first + i]);
+        one->roomier[i] = plan_scene(&scene, profile);
+    }
+}
+
 /* Checks ------------------------------------------------------------------------------------------------------- */
 
 static void note(Case *one, Check check, double value) {
@@ -199,15 +217,16 @@ static void check_equal(Case *one, const Answer *others, int count, Check answer
         note(one, reversals, most - least);
 }
 
-static void check_widened(Case *one) {
+/* Compares answers each of which must be no worse than those before it. */
+static void check_nested(Case *one, const Answer *nested, int count, Check answers, Check reversals, Check times) {
     Answer best = one->drawn;
-    for (int i = 0; i < one->widening.count; i++) {
-        const Answer *wider = &one->widened[i];
+    for (int i = 0; i < count; i++) {
+        const Answer *wider = &nested[i];
         if (best.found)
-            note(one, WIDENED_ANSWER, !wider->found);
+            note(one, answers, !wider->found);
         if (best.found && wider->found) {
-            note(one, WIDENED_TIME, fmax(0, wider->time / best.time - 1));
-            note(one, WIDENED_REVERSALS, wider->reversals > best.reversals ? wider->reversals - best.reversals : 0);
+            note(one, times, fmax(0, wider->time / best.time - 1));
+            note(one, reversals, wider->reversals > best.reversals ? wider->reversals - best.reversals : 0);
         }
         if (wider->found) {
             best.time = best.found ? fmin(best.time, wider->time) : wider->time;
@@ -238,7 +257,9 @@ static Case run_case(uint64_t seed, TightKind kind, bool brief, const Profile *p
     one.widening = some_of(WIDENINGS, !brief, turn);
     plan_copies(&one, profile, &random);
     plan_drawings(&one, profile, &random);
+    one.lessening = some_of(ROOMIER, !brief, turn);
     plan_widened(&one, profile);
+    plan_roomier(&one, profile);
     if (!one.drawn.found) {
         TightScene scene = one.scene;
         tight_grow(&scene, (size_t)(random_uniform(&random) * (double)scene.count), 0.01);
@@ -248,11 +269,13 @@ static Case run_case(uint64_t seed, TightKind kind, bool brief, const Profile *p
     }
     check_equal(&one, one.copies, one.copy.count, COPY_ANSWER, COPY_REVERSALS, COPY_TIME);
     check_equal(&one, one.drawings, one.drawing.count, DRAWING_ANSWER, CHECKS, DRAWING_TIME);
-    check_widened(&one);
+    check_nested(&one, one.widened, one.widening.count, WIDENED_ANSWER, WIDENED_REVERSALS, WIDENED_TIME);
+    check_nested(&one, one.roomier, one.lessening.count, ROOMIER_ANSWER, ROOMIER_REVERSALS, ROOMIER_TIME);
     check_swept(&one, &one.drawn, 1);
     check_swept(&one, one.copies, one.copy.count);
     check_swept(&one, one.drawings, one.drawing.count);
     check_swept(&one, one.widened, one.widening.count);
+    check_swept(&one, one.roomier, one.lessening.count);
     bool differs = false;
     for (int c = 0; c < CHECKS; c++) {
         one.failed[c] = one.asked[c] && one.value[c] > limits[c].most;
@@ -344,6 +367,8 @@ static void print_case(const Case *one) {
     print_short(one->drawings, one->drawing.count);
     printf("; widened");
     print_short(one->widened, one->widening.count);
+    printf("; roomier");
+    print_short(one->roomier, one->lessening.count);
     printf("\n");
 }
 
@@ -360,6 +385,8 @@ static void print_whole_case(const Case *one) {
         snprintf(name, sizeof name, "%.0f cm wider", 100 * widenings[one->widening.first + i]);
         print_answer(name, &one->widened[i]);
     }
+    for (int i = 0; i < one->lessening.count; i++)
+        print_answer("a solid smaller", &one->roomier[i]);
     if (one->asked[GROWN_ANSWER])
         print_answer("a solid grown", &one->grown);
 }
@@ -390,7 +417,7 @@ static bool print_table(const Case *cases, size_t count) {
 
 /* The command line ----------------------------------------------------------------------------------------------- */
 
-static const char letters[TIGHT_KINDS + 1] = "ciosuf";
+static const char letters[TIGHT_KINDS + 1] = "ciosufbwnl";
 
 typedef struct Options {
     const char *kinds;
@@ -452,9 +479,7 @@ int main(int argc, char **argv) {
     Case *cases = calloc(count + 1, sizeof *cases);
     double begun = seconds();
     for (uint64_t seed = options.first; done < count && seconds() - begun < options.seconds; seed++) {
-        TightKind kind = (TightKind)(seed % TIGHT_KINDS);
-        if (!options.single && !strchr(options.kinds, letters[kind]))
-            continue;
+        TightKind kind = (TightKind)(strchr(letters, options.kinds[seed % strlen(options.kinds)]) - letters);
         cases[done] = run_case(seed, kind, options.brief, &profile);
         if (options.single)
             print_whole_case(&cases[done]);
