@@ -33,6 +33,8 @@ static const SearchGrain middle = {.cell = 0.05, .turn = M_PI / 36, .step = 0.10
 /* With changes of direction a search has to try every state of a room or two before it finds the right one. */
 static const SearchGrain coarse_back = {
     .cell = 0.10, .turn = M_PI / 18, .step = 0.15, .weight = 1.5, .most_nodes = 30000};
+static const SearchGrain coarse_far = {
+    .cell = 0.10, .turn = M_PI / 18, .step = 0.15, .weight = 1.5, .most_nodes = 120000};
 static const SearchGrain middle_back = {
     .cell = 0.05, .turn = M_PI / 36, .step = 0.10, .weight = 1.5, .most_nodes = 150000};
 
@@ -50,6 +52,7 @@ static const Rung rungs[] = {
     {&middle, 0.018, STAGE_ONWARDS},   {&middle, 0.010, STAGE_ONWARDS},   {&coarse_back, 0.030, STAGE_BACK},
     {&coarse_back, 0.020, STAGE_BACK}, {&coarse_back, 0.040, STAGE_BACK}, {&coarse_back, 0.010, STAGE_BACK},
     {&middle_back, 0.006, STAGE_LAST}, {&middle, 0.020, STAGE_LAST},      {&middle, 0.012, STAGE_LAST},
+    {&coarse_far, 0.040, STAGE_LAST},
 };
 enum { RUNGS = sizeof rungs / sizeof *rungs };
 
@@ -91,6 +94,7 @@ typedef struct Decide {
     double latest;         /* s, the least time that the latest proposal has led to with this margin */
     bool vain[TRUE_RUNGS]; /* True if a smaller body was searched for in every state at this grain, in vain */
     bool proposed;         /* True if a search has found a way of a smaller body */
+    bool dropped_onwards;  /* True if one without a change of direction has not come free */
     double spent[RUNGS];   /* m2 rad, of states that a rung has tried until it gave up; 0: it did not */
 } Decide;
 
@@ -110,8 +114,11 @@ static double radius_within(const Rectangle *body) {
 
 static SearchAnswer propose(const Decide *decide, const Rung *rung, SearchTrack *track) {
     Rectangle body = relieved(decide->body, rung->relief - decide->margin + SEARCH_CLEARANCE);
-    return search_legs(decide->query, decide->goals, decide->goal_count, &body, radius_within(decide->body),
-                       rung->grain, rung->stage == STAGE_ONWARDS ? 0 : decide->query->most_reversals, track, NULL);
+    SearchGrain grain = *rung->grain;
+    bool onwards = rung->stage == STAGE_ONWARDS;
+    grain.least_reversals = !onwards && decide->dropped_onwards;
+    return search_legs(decide->query, decide->goals, decide->goal_count, &body, radius_within(decide->body), &grain,
+                       onwards ? 0 : decide->query->most_reversals, track, NULL);
 }
 
 /* Makes a way that keeps a margin quicker, and keeps it if it is the best: one with the whole margin goes before one
@@ -241,6 +248,14 @@ static double extent_of(const SearchGrain *grain) {
     return (double)grain->most_nodes * grain->cell * grain->cell * grain->turn;
 }
 
+/* True if a search with more nodes cannot find more, since the same one with fewer did not give up. */
+static bool is_known(const Decide *decide, const Rung *rung) {
+    bool gave_up = false;
+    for (int r = 0; r < RUNGS; r++)
+        gave_up |= decide->spent[r] > 0 && rungs[r].relief >= rung->relief && rungs[r].grain->cell == rung->grain->cell;
+    return rung->grain == &coarse_far && !gave_up;
+}
+
 /* True if a search need not be tried, since a body that is hardly larger gave up, with as many changes of direction,
  * after it had tried as much of the space as this one could; or, with the true body, since smaller ones gave up and
  * none found a way. */
@@ -292,14 +307,17 @@ static DecideAnswer decide_fresh(const RouteQuery *query, const Rectangle *body,
         if (begins && (decide.confirmed > 0 || query->most_reversals == 0))
             break;
         bool too_fine = coarsely && rungs[r].grain->cell < coarse.cell;
-        if (!too_fine && !is_vain(&decide, rungs[r].grain, rungs[r].relief, rungs[r].stage)) {
+        if (!too_fine && !is_known(&decide, &rungs[r]) &&
+            !is_vain(&decide, rungs[r].grain, rungs[r].relief, rungs[r].stage)) {
             SearchAnswer answer = propose(&decide, &rungs[r], &proposal);
             if (answer == SEARCH_GAVE_UP)
                 decide.spent[r] = extent_of(rungs[r].grain);
             decide.proposed |= answer == SEARCH_FOUND;
-            for (int t = 0; t < TRUE_RUNGS && answer == SEARCH_NONE && rungs[r].stage != STAGE_ONWARDS; t++)
+            bool all = rungs[r].stage != STAGE_ONWARDS && !decide.dropped_onwards;
+            for (int t = 0; t < TRUE_RUNGS && answer == SEARCH_NONE && all; t++)
                 decide.vain[t] |= true_grains[t].cell == rungs[r].grain->cell;
             whole = answer != SEARCH_INTERRUPTED && (answer != SEARCH_FOUND || realise(&decide, &proposal));
+            decide.dropped_onwards |= answer == SEARCH_FOUND && proposal.reversals == 0 && decide.confirmed == 0;
         }
         if (whole && r + 1 == ASK_WHETHER_IT_FITS && decide.confirmed == 0) {
             whole = fit_margin(query, body, goals, goal_count, -depth, 0, tightest) == FIT_KNOWN;

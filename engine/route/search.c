@@ -95,7 +95,7 @@ typedef struct Search {
     double stop_time; /* s, lost by stopping or by starting */
     Vec2 origin;      /* m, the start */
     double bearing;   /* rad */
-    int most_reversals;
+    int least_reversals, most_reversals;
     Node *nodes;
     size_t node_count, node_capacity;
     Open *open; /* binary heap */
@@ -263,11 +263,16 @@ static int heading_index(const Search *search, const Node *node) {
     return turns < 0 ? turns + all : turns;
 }
 
+/* True if a node has as many changes of direction as the way must have. */
+static bool is_enough(const Search *search, const Node *node) {
+    return node->count >= search->least_reversals;
+}
+
 static uint64_t key_of(const Search *search, const Node *node, int turns) {
     double cell = search->grain->cell;
     int64_t x = rounded((node->at.x - search->origin.x) / cell), y = rounded((node->at.y - search->origin.y) / cell);
-    uint64_t turn = (uint64_t)turns, side = (uint64_t)(node->last + 1);
-    return ((uint64_t)(x + (1 << 24)) << 38) ^ ((uint64_t)(y + (1 << 24)) << 12) ^ (turn << 2) ^ side ^
+    uint64_t turn = (uint64_t)turns, side = (uint64_t)(node->last + 1), enough = is_enough(search, node);
+    return ((uint64_t)(x + (1 << 24)) << 38) ^ (enough << 37) ^ ((uint64_t)(y + (1 << 23)) << 12) ^ (turn << 2) ^ side ^
            ((uint64_t)1 << 63);
 }
 
@@ -368,7 +373,8 @@ static void try_motion(Search *search, const Node *from, bool near, Trial *trial
     Node *to = &trial->to;
     const Primitive *primitive = &search->primitives[to->primitive];
     size_t exit = SIZE_MAX;
-    bool reached = near && field_goal_reached(search->goal, search->field->ground->plan, from->at, to->at, &exit);
+    bool reached = near && is_enough(search, to) &&
+                   field_goal_reached(search->goal, search->field->ground->plan, from->at, to->at, &exit);
     const Cell *known = cell_find(search->cells, search->cell_capacity, trial->key);
     if (!reached && known->key == trial->key && known->expanded <= to->count)
         return;
@@ -471,7 +477,7 @@ static SearchAnswer search_run(Search *search, SearchTrack *track) {
 }
 
 SearchAnswer search_leg(SearchTrack *track, const Field *field, const FreeSpace *space, Reads *times, const Goal *goal,
-                        const Rectangle *body, const SearchGrain *grain, int most_reversals) {
+                        const Rectangle *body, const SearchGrain *grain, int least_reversals, int most_reversals) {
     const Pose *start = &track->poses[track->count - 1];
     const Profile *profile = field->ground->profile;
     Search search = {.field = field,
@@ -483,6 +489,7 @@ SearchAnswer search_leg(SearchTrack *track, const Field *field, const FreeSpace 
                      .profile = profile,
                      .origin = start->at,
                      .bearing = start->heading,
+                     .least_reversals = least_reversals,
                      .most_reversals = most_reversals < REVERSAL_LEVELS ? most_reversals : REVERSAL_LEVELS - 1};
     search.stop_time = profile->free_speed * (1 / profile->acceleration + 1 / profile->deceleration) / 4;
     search.turns = (int)rounded(2 * M_PI / grain->turn);
@@ -500,7 +507,8 @@ SearchAnswer search_leg(SearchTrack *track, const Field *field, const FreeSpace 
     SearchAnswer answer = SEARCH_NONE;
     size_t none;
     double to_go = time_from(&search, first.at);
-    if (goal->radius > 0 && field_goal_reached(goal, field->ground->plan, first.at, first.at, &none)) {
+    if (is_enough(&search, &first) && goal->radius > 0 &&
+        field_goal_reached(goal, field->ground->plan, first.at, first.at, &none)) {
         answer = SEARCH_FOUND; /* the start is at the goal */
     } else if (isfinite(to_go)) {
         add_node(&search, &first, to_go);
@@ -524,7 +532,7 @@ SearchAnswer search_legs(const RouteQuery *query, const Goal *goals, size_t goal
         key.goal = goals[leg];
         const Field *field = fields_acquire(query->fields, &key);
         answer = search_leg(track, field, query->space, query->times ? &query->times[leg] : NULL, &key.goal, body,
-                            grain, most_reversals);
+                            grain, leg + 1 == goal_count ? grain->least_reversals : 0, most_reversals);
         if (pins)
             pins[leg] = track->count - 1;
         fields_release(query->fields, field);

@@ -20,12 +20,13 @@ typedef struct Rectangle {
 #define SEARCH_CLEARANCE 0.0015
 
 typedef struct SearchGrain {
-    double cell;       /* m */
-    double turn;       /* rad */
-    double step;       /* m, of one motion */
-    bool skids;        /* True if the body may also turn about its middle while the drive wheels skid sideways */
-    double weight;     /* 1, weight of the remaining time (weighted A*; Pohl 1970) */
-    size_t most_nodes; /* nodes to expand, at most */
+    double cell;         /* m */
+    double turn;         /* rad */
+    double step;         /* m, of one motion */
+    bool skids;          /* True if the body may also turn about its middle while the drive wheels skid sideways */
+    double weight;       /* 1, weight of the remaining time (weighted A*; Pohl 1970) */
+    size_t most_nodes;   /* nodes to expand, at most */
+    int least_reversals; /* changes of direction: ways with fewer are not found */
 } SearchGrain;
 
 /* A searched path: poses some centimetres apart, the first one the start. */
@@ -54,11 +55,11 @@ double search_farthest(const Rectangle *body);
 double search_clearance(const FreeSpace *space, const Rectangle *body, Vec2 at, double heading, double reach,
                         int *face);
 
-/* Continues `track` from its last pose to the goal of `field`, with at most `most_reversals` changes of direction in
- * total; `times` notes which times of the field are read (NULL: not noted). The track is unchanged unless SEARCH_FOUND
- * is returned. */
+/* Continues `track` from its last pose to the goal of `field`, with `least_reversals` to `most_reversals` changes of
+ * direction in total; `times` notes which times of the field are read (NULL: not noted). The track is unchanged unless
+ * SEARCH_FOUND is returned. */
 SearchAnswer search_leg(SearchTrack *track, const Field *field, const FreeSpace *space, Reads *times, const Goal *goal,
-                        const Rectangle *body, const SearchGrain *grain, int most_reversals);
+                        const Rectangle *body, const SearchGrain *grain, int least_reversals, int most_reversals);
 
 /* Searches from the query's start through all goals in order, into `track`. `radius`: m, of a disc about the axle that
  * never leaves the body. `pins` (goal_count; may be NULL) are the indices of the poses at which the legs end. */
