@@ -13,8 +13,11 @@
  * way, or none, or one with a needless change of direction, by luck. Here it only proposes: it looks for the way of a
  * body that is smaller than the true one by more than its own error (`relief`), first without a change of direction,
  * then with some. Each proposal becomes a way whose stations move until the true body is free (relax.c) and then until
- * no small change makes it quicker (hasten.c). A proposal that does not come free is dropped, which proves nothing. The
- * budget is counted in expansions, proposals and sweeps, never in time, so that the answer is always the same. */
+ * no small change makes it quicker (hasten.c). A proposal that does not come free is dropped, which proves nothing: if
+ * it had no change of direction, later proposals must have one, since the search would find the same way again. A way
+ * with changes of direction is compared with what is found with fewer, and a no is given only after a search with more
+ * states where the others had to give up. The budget is counted in expansions, proposals and sweeps, never in time, so
+ * that the answer is always the same. */
 
 #define SPACING 0.05         /* m, of the stations */
 #define ALIKE 3e-3           /* 1: ways whose times differ by less than this share are one */
@@ -112,13 +115,13 @@ static double radius_within(const Rectangle *body) {
     return fmax(fmin(least.half_width, least.half_length - fabs(least.ahead)), 0);
 }
 
-static SearchAnswer propose(const Decide *decide, const Rung *rung, SearchTrack *track) {
+static SearchAnswer propose(const Decide *decide, const Rung *rung, int least_reversals, int most_reversals,
+                            SearchTrack *track) {
     Rectangle body = relieved(decide->body, rung->relief - decide->margin + SEARCH_CLEARANCE);
     SearchGrain grain = *rung->grain;
-    bool onwards = rung->stage == STAGE_ONWARDS;
-    grain.least_reversals = !onwards && decide->dropped_onwards;
+    grain.least_reversals = least_reversals;
     return search_legs(decide->query, decide->goals, decide->goal_count, &body, radius_within(decide->body), &grain,
-                       onwards ? 0 : decide->query->most_reversals, track, NULL);
+                       most_reversals, track, NULL);
 }
 
 /* Makes a way that keeps a margin quicker, and keeps it if it is the best: one with the whole margin goes before one
@@ -219,6 +222,19 @@ static bool realise(Decide *decide, const SearchTrack *track) {
     return whole;
 }
 
+/* Looks for ways with fewer changes of direction than the best one has. Returns false if interrupted. */
+static bool try_fewer(Decide *decide, SearchTrack *proposal) {
+    bool whole = true;
+    for (int r = 0; r < RUNGS && whole; r++) {
+        int reversals = way_reversals(&decide->best);
+        if (rungs[r].stage != STAGE_BACK || reversals == 0)
+            continue;
+        SearchAnswer answer = propose(decide, &rungs[r], 0, reversals - 1, proposal);
+        whole = answer != SEARCH_INTERRUPTED && (answer != SEARCH_FOUND || realise(decide, proposal));
+    }
+    return whole;
+}
+
 /* Leads the best way along the middle where that costs no time, unless the sweep finds that this comes too near to
  * something. Returns false if interrupted. */
 static bool centre(Decide *decide) {
@@ -309,7 +325,9 @@ static DecideAnswer decide_fresh(const RouteQuery *query, const Rectangle *body,
         bool too_fine = coarsely && rungs[r].grain->cell < coarse.cell;
         if (!too_fine && !is_known(&decide, &rungs[r]) &&
             !is_vain(&decide, rungs[r].grain, rungs[r].relief, rungs[r].stage)) {
-            SearchAnswer answer = propose(&decide, &rungs[r], &proposal);
+            bool onwards = rungs[r].stage == STAGE_ONWARDS;
+            SearchAnswer answer = propose(&decide, &rungs[r], !onwards && decide.dropped_onwards,
+                                          onwards ? 0 : query->most_reversals, &proposal);
             if (answer == SEARCH_GAVE_UP)
                 decide.spent[r] = extent_of(rungs[r].grain);
             decide.proposed |= answer == SEARCH_FOUND;
@@ -335,7 +353,8 @@ static DecideAnswer decide_fresh(const RouteQuery *query, const Rectangle *body,
             result = DECIDE_SEARCHED;
         }
     }
-    whole = whole && (decide.confirmed == 0 || decide.any || centre(&decide));
+    bool better = decide.confirmed > 0 && !decide.any;
+    whole = whole && (!better || (try_fewer(&decide, &proposal) && centre(&decide)));
     if (whole && decide.confirmed > 0) {
         give_track(&decide, track);
         result = DECIDE_FOUND;

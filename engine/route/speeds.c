@@ -14,8 +14,8 @@
  *
  *     T = sum of 2 h / (v_i + v_(i+1)) + |turns on the spot| / turn rate + changes of direction * their time
  *
- * The pace takes the curvature averaged over four steps, and the greater of its change and, at PACE_OWN_MOMENT, that
- * from step to step, as on the way (track.c).
+ * The pace takes the greatest of the curvature averaged over four steps and of those of the two steps at the station,
+ * and the greater of the average's change and, at PACE_OWN_MOMENT, that from step to step, as on the way (track.c).
  *
  * What a step costs has two prices beside its time: near obstacles time counts more, half as much as in the search
  * (field_discomfort), and the change of the turn from step to step, of which the averages see little, costs
@@ -25,9 +25,10 @@
 #define ROUGHNESS 5.0 /* s/rad2 */
 /* s/rad2, while the way is centred: the price of the personal space ends at its reach, where bumps leave edges. */
 #define CENTRED_ROUGHNESS 100.0
-#define BETWEEN 0.06 /* m: with more clearance than this at both ends the motion between is not looked at */
-#define DIP 0.85     /* 1, share of the margin that is kept between the places that are looked at */
-#define LITTLE 5e-4  /* m */
+#define BETWEEN 0.06  /* m: with more clearance than this at both ends the motion between is not looked at */
+#define DIP 0.85      /* 1, share of the margin that is kept between the places that are looked at */
+#define LITTLE 5e-4   /* m */
+#define SHORTEST 5e-3 /* m: steps are not taken as shorter, as on the way (track.c) */
 
 enum {
     ROOMS = 14,
@@ -81,11 +82,19 @@ double speeds_turn(const Speeds *speeds, size_t a, size_t b) {
     return vec2_wrap_angle(speeds->heading[b] - speeds->heading[a]);
 }
 
+/* Returns the length of the steps between two stations of a piece, m. */
+static double length_between(const Way *way, size_t low, size_t high) {
+    double length = 0;
+    for (size_t s = low; s < high; s++)
+        length += vec2_distance(way->stations[s].at, way->stations[s + 1].at);
+    return real_max(length, SHORTEST);
+}
+
 /* Returns the curvature at a station, rad/m: the mean over the SPAN stations on either side of it. */
 static double mean_curvature(const Course *course, const Speeds *speeds, size_t s) {
     const WayPiece *piece = &course->way->pieces[course->way->stations[s].piece];
     size_t low = lower(piece, s), high = upper(piece, s);
-    return speeds_turn(speeds, low, high) / ((double)(high - low) * piece->step);
+    return speeds_turn(speeds, low, high) / length_between(course->way, low, high);
 }
 
 /* Returns the station `steps` before one, or after it, or the first or last one. */
@@ -127,17 +136,22 @@ static void find_limit(const Course *course, Speeds *speeds, size_t s) {
         return;
     const WayPiece *piece = &course->way->pieces[course->way->stations[s].piece];
     size_t low = lower(piece, s), high = upper(piece, s);
-    double bend = speeds->bend[s];
-    double bending = (speeds->bend[high] - speeds->bend[low]) / ((double)(high - low) * piece->step);
-    if (s > piece->first && s < piece->last) {
-        double own = (speeds_turn(speeds, s, s + 1) - speeds_turn(speeds, s - 1, s)) / (piece->step * piece->step);
-        bending = real_max(fabs(bending), fabs(own) * (PACE_MOMENT / PACE_OWN_MOMENT));
+    double bend = speeds->bend[s], sharpest = fabs(bend);
+    double bending = fabs(speeds->bend[high] - speeds->bend[low]) / length_between(course->way, low, high);
+    double before_it = s > piece->first ? length_between(course->way, s - 1, s) : 0;
+    double after_it = s < piece->last ? length_between(course->way, s, s + 1) : 0;
+    double slope_before = before_it > 0 ? speeds_turn(speeds, s - 1, s) / before_it : 0;
+    double slope_after = after_it > 0 ? speeds_turn(speeds, s, s + 1) / after_it : 0;
+    sharpest = real_max(sharpest, real_max(fabs(slope_before), fabs(slope_after)));
+    if (before_it > 0 && after_it > 0) {
+        double own = 2 * (slope_after - slope_before) / (before_it + after_it);
+        bending = real_max(bending, fabs(own) * (PACE_MOMENT / PACE_OWN_MOMENT));
     }
     double in_bend = pace_in_bend(course->agility.acceleration, bend);
     speeds->braking[s] = real_min(speeds->braking[s], in_bend);
     speeds->starting[s] = real_min(speeds->starting[s], in_bend);
     speeds->limit[s] = pace_at(profile, &course->agility, profile->free_speed, clearance,
-                               least_width(course, speeds, s), bend, bending, piece->direction);
+                               least_width(course, speeds, s), sharpest, bending, piece->direction);
 }
 
 /* Fills in the time and the cost of the step from station s to the next one. */
@@ -189,7 +203,7 @@ void speeds_run(const Course *course, const Speeds *from, Speeds *to, size_t beg
         size_t piece = way->stations[s].piece;
         double next = s == high ? s + 1 < count ? from->back[s + 1] : limit : to->back[s + 1];
         if (s < way->pieces[piece].last)
-            limit = real_min(limit, reachable(next, to->braking[s], way->pieces[piece].step));
+            limit = real_min(limit, reachable(next, to->braking[s], length_between(way, s, s + 1)));
         to->back[s] = limit;
         if (s < low && limit == from->back[s])
             break;
@@ -203,7 +217,8 @@ void speeds_run(const Course *course, const Speeds *from, Speeds *to, size_t beg
         double back = to->back[s];
         const WayPiece *piece = &way->pieces[way->stations[s].piece];
         double slower = s == *first ? s > 0 ? from->speed[s - 1] : 0 : to->speed[s - 1];
-        to->speed[s] = s > piece->first ? real_min(back, reachable(slower, to->starting[s], piece->step)) : back;
+        to->speed[s] =
+            s > piece->first ? real_min(back, reachable(slower, to->starting[s], length_between(way, s - 1, s))) : back;
         if (s > high && to->speed[s] == from->speed[s])
             break;
     }
