@@ -175,7 +175,7 @@ static void draw_bend(TightScene *scene, Random *random) {
 /* A niche above a corridor, with the chair in it as it drove in. */
 static void draw_niche(TightScene *scene, Random *random) {
     const double length = 6, depth = 1.4;
-    double c = between(random, 0.95, 1.35), d = between(random, LEAST + 0.03, 1.05);
+    double c = between(random, 0.95, 1.35), d = between(random, LEAST + 0.1, 1.05);
     double x = between(random, 3.4, 4), left = x - d / 2, right = x + d / 2, top = c + depth;
     add_wall(scene, -BEHIND, -THICK, length + THICK, 0);
     add_wall(scene, length, -THICK, length + THICK, c + THICK);

@@ -177,6 +177,8 @@ TEST(the_pace_follows_its_limits) {
     CHECK_NEAR(pace_at(&chair, &agility, 0.69, 1, HUGE_VAL, -2, 0, 1), 0.45, 1e-12);             /* 0.9 turn rate / k */
     CHECK_NEAR(pace_at(&chair, &agility, 0.69, 1, HUGE_VAL, 1.3, 0, 1), sqrt(0.6 / 1.3), 1e-12); /* sqrt(a / k) */
     CHECK_NEAR(pace_at(&chair, &agility, 0.69, pace_enough(&chair), HUGE_VAL, 0, 0, 1), 0.69, 1e-12);
+    CHECK_NEAR(pace_at(&chair, &agility, 0.69, 0.03, 0.63 + 0.06, 0, 0, 1), 0.15, 1e-12); /* (W - w) / b */
+    CHECK_NEAR(pace_at(&chair, &agility, 0.69, 0.01, 0.63 + 0.02, 0, 0, 1), 0.1, 1e-12);  /* the creep */
     chair.mass = 80;
     chair.radius_of_gyration = 0.5;
     chair.turning_moment = 40;

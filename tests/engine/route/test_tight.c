@@ -168,6 +168,35 @@ TEST(a_little_more_room_never_costs_a_change_of_direction) {
     profile_free(&profile);
 }
 
+/* One solid 1 and 3 cm smaller on every side: cases in which the answer was a no, a needless change of direction, or a
+ * longer time. */
+TEST(a_smaller_solid_never_costs_time) {
+    static const struct {
+        TightKind kind;
+        uint64_t seed;
+        size_t solid;
+    } cases[] = {{TIGHT_WIDE_DOOR, 1, 4}, {TIGHT_WIDE_DOOR, 408, 2}, {TIGHT_SLALOM, 23, 0}};
+    static const double smaller[] = {0, 0.01, 0.03}; /* m */
+    Profile profile = manual_chair();
+    static TightHouse tight;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        double best = HUGE_VAL;
+        for (size_t k = 0; k < sizeof smaller / sizeof *smaller; k++) {
+            TightScene scene = tight_draw(cases[i].kind, cases[i].seed);
+            tight_grow(&scene, cases[i].solid, -smaller[k]);
+            tight_build(&tight, &scene, &profile);
+            Route route = route_drive(&tight.query);
+            CHECK(route.answer == ROUTE_FOUND);
+            double time = planned_time(&tight.house, &profile, &route);
+            CHECK(time <= 1.01 * best);
+            best = fmin(best, time);
+            route_free(&route);
+            tight_free(&tight);
+        }
+    }
+    profile_free(&profile);
+}
+
 /* With the same room on both sides the middle is the best place. */
 TEST(a_chair_keeps_to_the_middle_of_a_straight_corridor) {
     Profile profile = manual_chair();

@@ -5,6 +5,7 @@
 
 #include "base/random.h"
 #include "space/freespace.h"
+#include "space/passage.h"
 #include "plan/plan.h"
 
 /* A room of 6 m by 5 m with a wall of zero thickness, a thick one, and turned furniture. */
@@ -254,4 +255,24 @@ TEST(an_empty_plan_has_nothing_in_the_way) {
     freespace_free(&space);
     outline_free(&outline);
     fault_clear(&fault);
+}
+
+TEST(a_passage_is_as_wide_as_rays_across_it_are_long) {
+    Fixture fixture;
+    fixture_make(&fixture, 0.05);
+    Random random = random_seed(11, 1);
+    int narrow = 0;
+    for (int i = 0; i < 2000; i++) {
+        Vec2 at = {6 * random_uniform(&random), 5 * random_uniform(&random)};
+        Vec2 along = vec2_heading(2 * M_PI * random_uniform(&random));
+        if (freespace_distance(&fixture.space, at) < 0.1)
+            continue;
+        const double half = 0.8; /* m */
+        Passage rays = passage_at(&fixture.outline, at, along);
+        double width = fmin(rays.left, half) + fmin(rays.right, half);
+        CHECK_NEAR(passage_within(&fixture.space, at, along, half), width, 1e-6);
+        narrow += width < 2 * half;
+    }
+    CHECK(narrow > 300);
+    fixture_free(&fixture);
 }
