@@ -235,6 +235,31 @@ static bool try_fewer(Decide *decide, SearchTrack *proposal) {
     return whole;
 }
 
+/* Returns the time that the best way loses by being driven backwards, s. */
+static double lost_backwards(const Decide *decide) {
+    const Way *way = &decide->best;
+    const Profile *profile = decide->query->profile;
+    double slower = 1 / fmin(profile->reversing_speed, profile->free_speed) - 1 / profile->free_speed, lost = 0;
+    for (size_t k = 0; k < way->piece_count; k++)
+        if (way->pieces[k].direction < 0)
+            lost += slower * way->pieces[k].step * (double)(way->pieces[k].last - way->pieces[k].first);
+    return lost;
+}
+
+/* Looks for ways with a change of direction where the best one has none and is driven backwards for so long that a
+ * change costs less time. Returns false if interrupted. */
+static bool try_turning(Decide *decide, SearchTrack *proposal) {
+    const RouteQuery *query = decide->query;
+    bool whole = true;
+    for (int r = 0; r < RUNGS && whole && way_reversals(&decide->best) == 0; r++) {
+        if (rungs[r].stage != STAGE_BACK || lost_backwards(decide) < query->profile->reversing_time)
+            continue;
+        SearchAnswer answer = propose(decide, &rungs[r], 1, query->most_reversals, proposal);
+        whole = answer != SEARCH_INTERRUPTED && (answer != SEARCH_FOUND || realise(decide, proposal));
+    }
+    return whole;
+}
+
 /* Leads the best way along the middle where that costs no time, unless the sweep finds that this comes too near to
  * something. Returns false if interrupted. */
 static bool centre(Decide *decide) {
@@ -354,7 +379,7 @@ static DecideAnswer decide_fresh(const RouteQuery *query, const Rectangle *body,
         }
     }
     bool better = decide.confirmed > 0 && !decide.any;
-    whole = whole && (!better || (try_fewer(&decide, &proposal) && centre(&decide)));
+    whole = whole && (!better || (try_fewer(&decide, &proposal) && try_turning(&decide, &proposal) && centre(&decide)));
     if (whole && decide.confirmed > 0) {
         give_track(&decide, track);
         result = DECIDE_FOUND;
