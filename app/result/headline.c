@@ -112,6 +112,8 @@ static const char *why(const House *house, const PersonObservation *person, size
         if (census_start(&person->blockage))
             return text_in_arena(arena, "%s starts %s", id, census_start(&person->blockage));
         return text_in_arena(arena, "%s cannot pass %s", id, *what ? what : "here");
+    case REASON_TOO_WEAK:
+        return text_in_arena(arena, "%s is too weak: %s", id, what);
     case REASON_BLOCKED:
         return *what ? text_in_arena(arena, "%s is blocked at %s after %.1f s", id, what, person->time)
                      : text_in_arena(arena, "%s is blocked after %.1f s", id, person->time);
@@ -170,7 +172,7 @@ static const char *reasons(const House *house, const Census *census, bool with_w
 /* True if all people find their way barred: nobody leaves however long it takes. */
 static bool nobody_can_leave(const Census *census) {
     for (size_t h = 0; h < census->hold_count; h++)
-        if (census->holds[h].reason != REASON_CANNOT_PASS && census->holds[h].reason != REASON_BLOCKED)
+        if (!observation_reason_has_place(census->holds[h].reason))
             return false;
     return !census->out;
 }

@@ -15,6 +15,7 @@ typedef enum Reason {
     REASON_NONE, /* out, or still moving */
     REASON_CANNOT_PASS,
     REASON_NO_EXIT,
+    REASON_TOO_WEAK,
     REASON_BLOCKED,
     REASON_TIME_LIMIT,
     REASON_DIVERGED,
@@ -22,12 +23,18 @@ typedef enum Reason {
     REASON_OTHER_DIVERGED, /* the run ended because another person diverged */
 } Reason;
 
-/* Returns "cannot pass", "no exit", "blocked", "time limit", "diverged", "interrupted", "another person diverged"; ""
- * for none. */
+/* Returns "cannot pass", "no exit", "too weak", "blocked", "time limit", "diverged", "interrupted", "another person
+ * diverged"; "" for none. */
 const char *observation_reason(Reason reason);
 
 /* Returns the reason of a person with this answer: none with a path. */
 Reason observation_reason_of(RouteAnswer answer);
+
+/* True if the reason has a place, which is the blockage: "cannot pass", "too weak" and "blocked". */
+bool observation_reason_has_place(Reason reason);
+
+/* True if it follows from the plan, before anything moves, and has a place: "cannot pass" and "too weak". */
+bool observation_reason_is_planned(Reason reason);
 
 #define OBSERVATION_SQUEEZE 0.5 /* s */
 
@@ -36,7 +43,7 @@ typedef struct PersonObservation {
     bool completed;     /* True if the person has crossed an exit */
     double time;        /* s, when the person left; otherwise when the run ended for this person */
     Reason reason;      /* why the person did not leave */
-    Blockage blockage;  /* place, when the reason is "cannot pass" or "blocked" */
+    Blockage blockage;  /* place, when the reason has one */
     size_t exit;        /* exit crossed, or aimed at; SIZE_MAX: none */
     int reversals;      /* planned reversals */
     double path_length; /* m, of the reference point */

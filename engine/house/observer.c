@@ -465,7 +465,7 @@ void observer_end(Observer *observer, Reason reason) {
         }
         person->reason = end_reason(world, i, reason);
         person->time = ended(world, i) ? world->ended[i] : clock_time(&world->clock);
-        if (person->reason == REASON_CANNOT_PASS)
+        if (observation_reason_is_planned(person->reason))
             person->blockage = route->blockage;
         else if (person->reason == REASON_BLOCKED)
             fill_blockage(world, i, &person->blockage);
