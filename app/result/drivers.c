@@ -4,7 +4,9 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "experiment/danger.h"
 #include "house/touch.h"
+#include "result/danger.h"
 #include "result/names.h"
 #include "study/montecarlo.h"
 #include "study/welch.h"
@@ -16,33 +18,23 @@ typedef struct Fleet {
     Distribution time, impact;
     double energy;  /* J, mean over all drivers */
     double back;    /* m, mean way driven backwards */
-    char where[96]; /* what most of those who touch something run into fastest; "": nobody does */
-    int part;       /* BodyPart, of the fastest impact of all */
+    char where[96]; /* the worst place (danger.h); "": nobody touches anything */
+    int part;       /* BodyPart, of the fastest impact there */
+    Share hands;    /* of those with hands at the rims, whose hand space meets something */
+    double squeeze; /* N, greatest */
 } Fleet;
 
-/* Finds the name of the place that most drivers hit. */
-static void find_place(Fleet *fleet, const House *house, const Drivers *drivers) {
-    char(*names)[96] = memory_zeroed(drivers->count, sizeof *names);
-    size_t best = 0;
-    double fastest = 0;
-    for (size_t k = 0; k < drivers->count; k++) {
-        const DriverRun *run = &drivers->runs[k * drivers->person_count + fleet->person];
-        if (!run->varies || !(run->impact > 0))
-            continue;
-        outline_place_name(&house->outline, &house->plan, run->impact_at, names[k], sizeof names[k]);
-        if (run->impact > fastest) {
-            fastest = run->impact;
-            fleet->part = run->part;
-        }
-        size_t alike = 0;
-        for (size_t other = 0; other <= k; other++)
-            alike += strcmp(names[other], names[k]) == 0;
-        if (alike > best) {
-            best = alike;
-            memcpy(fleet->where, names[k], sizeof fleet->where);
-        }
+/* Finds the worst place, and who of the drivers has a hand that meets something. */
+static void find_danger(Fleet *fleet, const House *house, const Drivers *drivers) {
+    Danger danger = danger_of_drivers(house, drivers, fleet->person);
+    fleet->hands = danger.hands;
+    if (danger.count && danger.places[0].part != PART_HAND) {
+        fleet->part = danger.places[0].part;
+        memcpy(fleet->where, danger.places[0].what, sizeof fleet->where);
     }
-    memory_free(names);
+    for (size_t p = 0; p < danger.count; p++)
+        fleet->squeeze = fmax(fleet->squeeze, danger.places[p].squeeze);
+    danger_free(&danger);
 }
 
 /* Returns the drivers of a person; count 0: the person is not of the population. */
@@ -71,7 +63,7 @@ static Fleet fleet_of(const House *house, const Drivers *drivers, size_t person)
         fleet.energy /= (double)fleet.count;
         fleet.back /= (double)fleet.count;
     }
-    find_place(&fleet, house, drivers);
+    find_danger(&fleet, house, drivers);
     memory_free(times);
     return fleet;
 }
@@ -94,9 +86,15 @@ static void add_share(ResultTable *table, const char *const *keys, const char *l
     result_add(table, (ResultRow){.key = keys[2], .kind = RESULT_NUMBER, .number = share->high});
 }
 
+static void add_no_share(ResultTable *table, const char *const *keys) {
+    for (int k = 0; k < 3; k++)
+        result_add(table, (ResultRow){.key = keys[k], .kind = RESULT_NUMBER, .omitted = true});
+}
+
 static void add_fleet(ResultTable *table, const House *house, double nominal, const Fleet *fleet) {
     static const char *const outs[] = {"out.share", "out.low", "out.high"};
     static const char *const touches[] = {"touch.share", "touch.low", "touch.high"};
+    static const char *const hands[] = {"hand.share", "hand.low", "hand.high"};
     result_add(table, (ResultRow){.key = "id", .label = "person", .text = house->people[fleet->person].id});
     result_add_number(table, "nominal", "nominal driver", nominal, "s", 2);
     result_add(table,
@@ -113,14 +111,19 @@ static void add_fleet(ResultTable *table, const House *house, double nominal, co
     add_share(table, touches, "touch something", &fleet->touch);
     result_add_number(table, "impact.speed95", "impact 95 %", fleet->impact.high, "m/s", 2);
     result_add_number(table, "impact.energy", "mean energy", fleet->energy, "J", 2);
+    result_add_number(table, "squeeze", "squeeze", fleet->squeeze, "N", 0);
+    if (fleet->hands.all)
+        add_share(table, hands, "a hand meets something", &fleet->hands);
+    else
+        add_no_share(table, hands);
     result_add_number(table, "backwards.distance", "backwards", fleet->back, "m", 2);
     bool hit = *fleet->where;
     result_add(table, (ResultRow){.key = "impact.what",
-                                  .label = "most at",
+                                  .label = "worst at",
                                   .text = hit ? text_in_arena(&table->arena, "%s", fleet->where) : NULL,
                                   .omitted = !hit});
     result_add(table, (ResultRow){.key = "impact.part",
-                                  .label = "fastest with the",
+                                  .label = "with the",
                                   .text = hit ? touch_part(fleet->part) : NULL,
                                   .omitted = !hit});
     result_end(table);
@@ -290,8 +293,8 @@ const char *result_drivers_brief(const House *house, const Drivers *drivers, siz
     add_range(&text, &fleet);
     text_format(&text, "%zu of %zu out", fleet.out.good, fleet.count);
     if (fleet.touch.good)
-        text_format(&text, "; %.0f %% touch, most at %s", 100 * fleet.touch.value,
-                    names_text(house, fleet.where, arena));
+        text_format(&text, "; %.0f %% touch, worst at %s, at most %s", 100 * fleet.touch.value,
+                    names_text(house, fleet.where, arena), result_danger_words(fleet.impact.greatest, arena));
     else
         text_add(&text, "; none touches anything");
     const char *said = text_in_arena(arena, "%s", text.text);
@@ -310,9 +313,13 @@ void result_drivers_say(Text *text, const House *house, const Observation *nomin
         add_range(text, &fleet);
         text_format(text, "%zu of %zu out; %.0f %% touch something (%.0f to %.0f)", fleet.out.good, fleet.count,
                     100 * fleet.touch.value, 100 * fleet.touch.low, 100 * fleet.touch.high);
+        Arena arena = {0};
         if (fleet.impact.count)
-            text_format(text, ", most at %s; the fastest impact anywhere has %.2f m/s", fleet.where,
-                        fleet.impact.greatest);
+            text_format(text, ", worst at %s, at most %s", fleet.where,
+                        result_danger_words(fleet.impact.greatest, &arena));
+        if (fleet.hands.good)
+            text_format(text, "; %.0f %% have a hand at the rim that would meet something", 100 * fleet.hands.value);
+        arena_clear(&arena);
         text_format(text, "\n");
     }
 }

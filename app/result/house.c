@@ -1,6 +1,7 @@
 #include "result/house.h"
 
 #include "base/text.h"
+#include "experiment/danger.h"
 #include "house/touch.h"
 #include "result/census.h"
 
@@ -162,6 +163,10 @@ static void add_impact(ResultTable *table, const PersonObservation *person) {
                                   .unit = "m/s",
                                   .decimals = 2,
                                   .unknown = !hit,
+                                  .omitted = !hit});
+    result_add(table, (ResultRow){.key = "impact.word",
+                                  .label = "which is a",
+                                  .text = hit ? danger_word(person->impact) : NULL,
                                   .omitted = !hit});
     result_add(table, (ResultRow){.key = "impact.part", .text = touch_part(person->impact_part), .omitted = !hit});
     result_add(table, (ResultRow){.key = "impact.energy",

@@ -289,6 +289,17 @@ static void observe_driver(const Work *work, size_t k, Observation *observation)
     memory_free(known.of);
 }
 
+/* Keeps the touches of a person of driver k. */
+static void keep_touches(Drivers *drivers, const Observation *observation, size_t k, size_t person) {
+    size_t run = k * drivers->person_count + person, count = 0;
+    Touch *touches = memory_zeroed(observation->touch_count, sizeof *touches);
+    for (size_t t = 0; t < observation->touch_count; t++)
+        if (observation->touches[t].person == person)
+            touches[count++] = observation->touches[t];
+    drivers->touches[run] = touches;
+    drivers->touch_counts[run] = count;
+}
+
 static void run_driver(void *context, size_t k) {
     Work *work = context;
     const House *house = &work->houses[k];
@@ -301,6 +312,7 @@ static void run_driver(void *context, size_t k) {
         work->drivers->runs[k * house->person_count + i] =
             (DriverRun){.took_part = person->took_part,
                         .varies = person->took_part && varies(work, &work->house->people[i]),
+                        .hands = house->people[i].profile->hands > 0,
                         .completed = person->completed,
                         .reason = person->reason,
                         .time = person->time,
@@ -309,12 +321,15 @@ static void run_driver(void *context, size_t k) {
                         .energy = person->energy,
                         .impact_at = person->impact_at,
                         .part = person->impact_part,
+                        .squeeze = person->squeeze,
                         .narrowest = person->narrowest,
                         .back_length = person->back_length};
     }
     for (size_t i = 0; i < house->person_count && !observation.interrupted; i++)
-        if (work->drivers->runs[k * house->person_count + i].varies)
+        if (work->drivers->runs[k * house->person_count + i].varies) {
             work->drivers->paths[k * house->person_count + i] = drivers_path(&observation.trace, i);
+            keep_touches(work->drivers, &observation, k, i);
+        }
     observation_free(&observation);
 }
 
@@ -323,6 +338,8 @@ void drivers_run(Drivers *drivers, const House *house, const Population *populat
     *drivers = (Drivers){.count = count, .person_count = house->person_count};
     drivers->runs = memory_zeroed(count * house->person_count, sizeof *drivers->runs);
     drivers->paths = memory_zeroed(count * house->person_count, sizeof *drivers->paths);
+    drivers->touches = memory_zeroed(count * house->person_count, sizeof *drivers->touches);
+    drivers->touch_counts = memory_zeroed(count * house->person_count, sizeof *drivers->touch_counts);
     Work work = {.house = house,
                  .population = population,
                  .route = route,
@@ -345,6 +362,10 @@ void drivers_run(Drivers *drivers, const House *house, const Population *populat
 void drivers_free(Drivers *drivers) {
     for (size_t r = 0; r < drivers->count * drivers->person_count; r++)
         memory_free(drivers->paths[r].at);
+    for (size_t r = 0; r < drivers->count * drivers->person_count; r++)
+        memory_free(drivers->touches[r]);
+    memory_free(drivers->touches);
+    memory_free(drivers->touch_counts);
     memory_free(drivers->paths);
     memory_free(drivers->runs);
     *drivers = (Drivers){0};

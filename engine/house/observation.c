@@ -48,6 +48,7 @@ bool observation_reason_has_place(Reason reason) {
 void observation_free(Observation *observation) {
     memory_free(observation->people);
     memory_free(observation->hazards);
+    memory_free(observation->touches);
     memory_free(observation->door_opened);
     memory_free(observation->mixed);
     trace_clear(&observation->trace);

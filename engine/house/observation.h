@@ -38,6 +38,24 @@ bool observation_reason_is_planned(Reason reason);
 
 #define OBSERVATION_SQUEEZE 0.5 /* s */
 
+/* A touch of a chair: what begins within 0.1 s is one. A hand that meets something is a touch of its own kind: an
+ * obstacle comes into the space beside a rim (body.hands) within OBSERVATION_RIMS of the axle, whether or not the arms
+ * are tucked in there; it is in no sum of the body's touches. */
+typedef struct Touch {
+    size_t person;
+    Vec2 at;        /* m, of its fastest impact */
+    int part;       /* BodyPart, of that impact */
+    int other;      /* the person it touches, or -1: an obstacle */
+    double time;    /* s, when it begins */
+    double speed;   /* m/s, along the normal, of the fastest impact; of a hand, the chair's own */
+    double mass;    /* kg, the effective mass of that impact (touch.h); of a hand, the chair's own */
+    double energy;  /* J, of all its impacts */
+    double impulse; /* N s, up to the next touch */
+    double squeeze; /* N, greatest mean of the contact force over OBSERVATION_SQUEEZE, up to the next touch */
+} Touch;
+
+#define OBSERVATION_RIMS 0.30 /* m, assumed: hands are at the rims so far before and behind the axle */
+
 typedef struct PersonObservation {
     bool took_part;     /* True if the person is in this run: a run of one route excludes the others */
     bool completed;     /* True if the person has crossed an exit */
@@ -99,6 +117,8 @@ typedef struct Observation {
     Trace trace;
     Hazard *hazards; /* (hazard_count), worst first */
     size_t hazard_count;
+    Touch *touches; /* (touch_count) of chairs: group by group as they begin */
+    size_t touch_count;
     double *door_opened; /* (doors of the plan) s, when each door was first opened; infinite: never */
     bool completed;      /* True if every person who took part is out */
     bool interrupted;    /* True if the run was interrupted: for a person who is still inside the answer is neither a
