@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
+#include "house/world.h"
 
 #define SPECIFICATION "ISO/TS 15066:2016, tables A.2 and A.3, from published approximations; itself unread"
 
