@@ -44,6 +44,8 @@ static GradeTry try_growth(Grading *grading, double growth, int reversals) {
 static double largest_growth(Grading *grading, int reversals, double most) {
     GradeTry tried = try_growth(grading, 0, reversals);
     double low = tried.found ? tried.holds : -GRADE_DEEPEST, high = tried.found ? most : 0;
+    if (grading->weak)
+        return (double)NAN;
     if (!tried.found) {
         tried = try_growth(grading, low, reversals);
         if (!tried.found)

@@ -7,7 +7,7 @@
 #include "route/pace.h"
 
 /* Assumed: strength.h. */
-#define RUN_UP 1.0      /* m, d */
+#define RUN_UP 0.5      /* m, d */
 #define TURN_RATE 0.1   /* rad/s, w */
 #define TURNED 1.0      /* rad, phi */
 #define BEND_SPEED 0.03 /* m/s, u */
@@ -95,25 +95,25 @@ void strength_test(Route *route, const Profile *profile, bool round) {
     *route = (Route){.answer = ROUTE_TOO_WEAK, .fits = true, .exit = exit, .blockage = worst};
 }
 
-/* Replaces the answer of a driver who cannot turn on the spot, if there is a way for one who can. */
-static void try_with_turns(Route *route, const RouteQuery *query) {
+/* Returns the way of somebody as strong as it takes. */
+static Route with_turns(const RouteQuery *query) {
     Profile able = *query->profile;
     RouteQuery other = *query;
     strength_suffice(&able);
     other.profile = &able;
-    Route with = route_drive(&other);
-    if (with.answer == ROUTE_CANNOT_PASS) {
-        route_free(&with);
-        return;
-    }
-    route_free(route);
-    *route = with;
+    return route_drive(&other);
 }
 
 Route strength_drive(const RouteQuery *query) {
-    Route route = route_drive(query);
-    if (route.answer == ROUTE_CANNOT_PASS && route.fits && !strength_turns(query->profile))
-        try_with_turns(&route, query);
+    RouteQuery whether = *query;
+    whether.any = whether.whether = true;
+    bool turns = strength_turns(query->profile);
+    Route route = turns ? route_drive(query) : route_drive(&whether);
+    if (!turns && route.answer != ROUTE_INTERRUPTED && route.answer != ROUTE_NO_EXIT) {
+        bool bends = route.answer == ROUTE_FOUND;
+        route_free(&route);
+        route = bends ? route_drive(query) : with_turns(query);
+    }
     strength_test(&route, query->profile, false);
     return route;
 }

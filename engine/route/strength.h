@@ -4,7 +4,7 @@
  * drive.scrub). Slopes and rolling resistance are not in the model. With m the mass, I that about the drive axle and
  * limits that are all assumed, a way takes
  *
- *     from rest     m v^2 / (2 d)                 of push: v, the creep speed (pace.h), within d = 1 m; arms that are
+ *     from rest     m v^2 / (2 d)                 of push: v, the creep speed (pace.h), within d = 0.5 m; arms that are
  *                                                 tucked in there leave PACE_TUCKED_PUSH of the push
  *     on the spot   scrub + I w^2 / (2 phi)       of turning moment: w = 0.1 rad/s within phi = 1 rad
  *     in a bend     I u^2 k / l                   of turning moment: the turn rate u k of the curvature k, averaged

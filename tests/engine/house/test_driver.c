@@ -319,13 +319,13 @@ static Blockage weak_at(json_t *plan, const char *one, const char *two) {
     return blockage;
 }
 
-/* From rest: 0.5 80 kg (0.1 m/s)^2 / 1 m = 0.4 N. On the spot: the row, and some 0.05 N m for the inertia. */
+/* From rest: 80 kg (0.1 m/s)^2 / (2 0.5 m) = 0.8 N. On the spot: the row, and some 0.05 N m for the inertia. */
 TEST(who_is_too_weak_at_any_speed_is_told_so_by_check_run_and_grade) {
     Blockage push = weak_at(closed_corridor(1.2, 0), "profile.manual-chair.push=0.001", NULL);
     CHECK(push.lacks == LACK_PUSH && strncmp(push.what, "start from rest at ", 19) == 0);
-    CHECK_NEAR(push.needs, 0.4, 0.01);
+    CHECK_NEAR(push.needs, 0.8, 0.01);
     CHECK_NEAR(push.has, 0.001, 1e-9);
-    CHECK(weak_at(closed_corridor(1.2, 0), "profile.manual-chair.push=0.5", NULL).needs == 0);
+    CHECK(weak_at(closed_corridor(1.2, 0), "profile.manual-chair.push=1", NULL).needs == 0);
     Blockage spot =
         weak_at(case_corner(0.90, 0.90, 0), "profile.manual-chair.turning_moment=2", "profile.manual-chair.scrub=26");
     CHECK(spot.lacks == LACK_MOMENT && strncmp(spot.what, "turn at ", 8) == 0);
