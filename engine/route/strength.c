@@ -13,6 +13,8 @@
 #define BEND_SPEED 0.03 /* m/s, u */
 #define BEND_WAY 0.2    /* m, l */
 
+#define STRAIGHT 0.1 /* rad/m: less curvature is none */
+
 static double inertia(const Profile *profile) {
     double gyration = profile->radius_of_gyration, ahead = profile->mass_centre;
     return profile->mass * (gyration * gyration + ahead * ahead);
@@ -67,7 +69,7 @@ static double bend_from(const Route *route, size_t p) {
         end++;
     }
     double turn = fabs(vec2_wrap_angle(route->poses[end].heading - route->poses[p].heading));
-    return way >= BEND_WAY ? turn / way : 0;
+    return way >= BEND_WAY && turn > STRAIGHT * way ? turn / way : 0;
 }
 
 void strength_test(Route *route, const Profile *profile, bool round) {

@@ -8,7 +8,8 @@
  *                                                 tucked in there leave PACE_TUCKED_PUSH of the push
  *     on the spot   scrub + I w^2 / (2 phi)       of turning moment: w = 0.1 rad/s within phi = 1 rad
  *     in a bend     I u^2 k / l                   of turning moment: the turn rate u k of the curvature k, averaged
- * over l = 0.2 m, at u = 0.03 m/s, at which any bend is planned, within l */
+ * over l = 0.2 m, at u = 0.03 m/s, at which any bend is planned, within l; wider ones
+ *                                                 than 10 m in radius are none */
 #pragma once
 
 #include <stdbool.h>
