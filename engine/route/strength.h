@@ -4,12 +4,12 @@
  * drive.scrub). Slopes and rolling resistance are not in the model. With m the mass, I that about the drive axle and
  * limits that are all assumed, a way takes
  *
- *     from rest     m v^2 / (2 d)                 of push: v, the creep speed (pace.h), within d = 0.5 m; arms that are
- *                                                 tucked in there leave PACE_TUCKED_PUSH of the push
- *     on the spot   scrub + I w^2 / (2 phi)       of turning moment: w = 0.1 rad/s within phi = 1 rad
- *     in a bend     I u^2 k / l                   of turning moment: the turn rate u k of the curvature k, averaged
- * over l = 0.2 m, at u = 0.03 m/s, at which any bend is planned, within l; wider ones
- *                                                 than 10 m in radius are none */
+ *     from rest    m v^2 / (2 d)            of push: the creep speed v (pace.h) within d = 0.5 m; where arms are tucked
+ *                                           in, PACE_TUCKED_PUSH of the push is left
+ *     on the spot  scrub + I w^2 / (2 phi)  of turning moment: w = 0.1 rad/s within phi = 1 rad
+ *     in a bend    I u^2 k / l              of turning moment: the turn rate u k, k the curvature averaged over
+ *                                           l = 0.2 m, at u = 0.03 m/s, at which any bend is planned, within l; a
+ *                                           bend of more than 10 m in radius is none */
 #pragma once
 
 #include <stdbool.h>

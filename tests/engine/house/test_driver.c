@@ -310,8 +310,8 @@ static Blockage weak_at(json_t *plan, const char *one, const char *two) {
     printf("%s %s: %s %s %s\n", one, two ? two : "", observation_reason(person->reason), person->blockage.what, said);
     CHECK(weak == (person->reason == REASON_TOO_WEAK) && weak == grade.weak && person->completed == !weak);
     CHECK(!weak || (grade.letter == GRADE_E && route->fits && !route->drivable && person->blockage.posed));
-    CHECK(!weak ||
-          (strcmp(person->blockage.what, route->blockage.what) == 0 && strcmp(grade.what, person->blockage.what) == 0));
+    CHECK(!weak || strcmp(person->blockage.what, route->blockage.what) == 0);
+    CHECK(!weak || strncmp(grade.what, person->blockage.what, 4) == 0); /* on the first way, not the quickest */
     Blockage blockage = person->blockage;
     observation_free(&observation);
     journey_free_all(&journeys);
