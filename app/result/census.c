@@ -65,6 +65,7 @@ static void count_person(Census *census, size_t party_index, const PersonObserva
     census->out += out;
     census->contacts += person->contacts;
     census->peak_force = fmax(census->peak_force, person->peak_force);
+    census->impact = fmax(census->impact, person->impact);
     if (!out)
         return;
     party->mean += person->time;
