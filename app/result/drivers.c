@@ -229,51 +229,102 @@ static void add_count(ResultTable *table, const char *key, const char *label, si
     result_add(table, (ResultRow){.key = key, .label = label, .kind = RESULT_COUNT, .number = (double)count});
 }
 
-/* Adds the differences of a person, who is `other` in the second house. */
-static void add_pair(ResultTable *table, const House *house, const Drivers drivers[2], size_t person, size_t other) {
+/* One person in two houses with the same drivers. */
+typedef struct Pair {
+    size_t all, out[2], touch[2], quicker;
+    Distribution difference; /* s, b - a, of those who get out of both */
+    double both[2];          /* s, the mean times of those */
+    size_t only[2];          /* who get out of a alone, of b alone */
+    double alone[2];         /* s, their mean times; NAN: nobody */
+} Pair;
+
+/* Compares a person, who is `other` in the second house. */
+static Pair pair_of(const Drivers drivers[2], size_t person, size_t other) {
     size_t count = drivers[0].count < drivers[1].count ? drivers[0].count : drivers[1].count;
-    size_t out[2] = {0}, touch[2] = {0}, all = 0, quicker = 0;
-    double *differences = memory_zeroed(count, sizeof *differences);
+    Pair pair = {.all = 0};
+    double *differences = memory_zeroed(count, sizeof *differences), sums[2] = {0}, alone[2] = {0};
     for (size_t k = 0; k < count; k++) {
         const DriverRun *runs[2] = {&drivers[0].runs[k * drivers[0].person_count + person],
                                     &drivers[1].runs[k * drivers[1].person_count + other]};
         differences[k] = (double)NAN;
         if (!runs[0]->varies || !runs[1]->varies)
             continue;
-        all++;
+        pair.all++;
+        bool both = runs[0]->completed && runs[1]->completed;
         for (int h = 0; h < 2; h++) {
-            out[h] += runs[h]->completed;
-            touch[h] += runs[h]->contacts > 0;
+            pair.out[h] += runs[h]->completed;
+            pair.touch[h] += runs[h]->contacts > 0;
+            pair.only[h] += runs[h]->completed && !both;
+            alone[h] += runs[h]->completed && !both ? runs[h]->time : 0;
+            sums[h] += both ? runs[h]->time : 0;
         }
-        if (runs[0]->completed && runs[1]->completed)
+        if (both)
             differences[k] = runs[1]->time - runs[0]->time;
-        quicker += differences[k] < 0;
+        pair.quicker += differences[k] < 0;
     }
-    Distribution both = montecarlo_distribution(differences, count);
+    pair.difference = montecarlo_distribution(differences, count);
+    for (int h = 0; h < 2; h++) {
+        pair.both[h] = pair.difference.count ? sums[h] / (double)pair.difference.count : (double)NAN;
+        pair.alone[h] = pair.only[h] ? alone[h] / (double)pair.only[h] : (double)NAN;
+    }
     memory_free(differences);
-    if (!all)
-        return;
-    double wide = both.count > 1 ? welch_student(0.975, (double)both.count - 1) * both.error : (double)NAN;
+    return pair;
+}
+
+/* Returns half of the 95 % interval of the mean difference, s; NAN: too few. */
+static double half_width(const Pair *pair) {
+    const Distribution *both = &pair->difference;
+    return both->count > 1 ? welch_student(0.975, (double)both->count - 1) * both->error : (double)NAN;
+}
+
+static void add_pair(ResultTable *table, const House *house, const Pair *pair, size_t person) {
+    const Distribution *both = &pair->difference;
+    double wide = half_width(pair);
     result_add(table, (ResultRow){.key = "id", .label = "person", .text = house->people[person].id});
-    add_count(table, "drivers", "drivers", all);
-    add_count(table, "out_a", "out of a", out[0]);
-    add_count(table, "out_b", "out of b", out[1]);
-    add_count(table, "touch_a", "touch in a", touch[0]);
-    add_count(table, "touch_b", "touch in b", touch[1]);
-    add_count(table, "both", "out of both", both.count);
-    result_add_number(table, "difference", "b - a", both.mean, "s", 2);
-    result_add_number(table, "low", "from", both.mean - wide, "s", 2);
-    result_add_number(table, "high", "to (95 %)", both.mean + wide, "s", 2);
-    add_count(table, "quicker", "quicker in b", quicker);
+    add_count(table, "drivers", "drivers", pair->all);
+    add_count(table, "out_a", "out of a", pair->out[0]);
+    add_count(table, "out_b", "out of b", pair->out[1]);
+    add_count(table, "touch_a", "touch in a", pair->touch[0]);
+    add_count(table, "touch_b", "touch in b", pair->touch[1]);
+    add_count(table, "both", "out of both", both->count);
+    result_add_number(table, "mean_a", "these in a", pair->both[0], "s", 2);
+    result_add_number(table, "mean_b", "these in b", pair->both[1], "s", 2);
+    result_add_number(table, "difference", "b - a", both->mean, "s", 2);
+    result_add_number(table, "low", "from", both->mean - wide, "s", 2);
+    result_add_number(table, "high", "to (95 %)", both->mean + wide, "s", 2);
+    add_count(table, "quicker", "quicker in b", pair->quicker);
+    add_count(table, "only_a.count", NULL, pair->only[0]);
+    result_add_number(table, "only_a.mean", NULL, pair->alone[0], "s", 2);
+    add_count(table, "only_b.count", NULL, pair->only[1]);
+    result_add_number(table, "only_b.mean", NULL, pair->alone[1], "s", 2);
     result_end(table);
+}
+
+void result_drivers_paired_say(Text *text, const House houses[2], const Drivers drivers[2]) {
+    for (size_t i = 0; i < drivers[0].person_count; i++) {
+        size_t other = house_find_person(&houses[1], houses[0].people[i].id);
+        Pair pair = other == SIZE_MAX ? (Pair){.all = 0} : pair_of(drivers, i, other);
+        if (!pair.all)
+            continue;
+        text_format(text, "%s  %zu of %zu get out of both", houses[0].people[i].id, pair.difference.count, pair.all);
+        if (pair.difference.count)
+            text_format(text, ", in %.1f s and %.1f s in the mean: only these are compared", pair.both[0],
+                        pair.both[1]);
+        for (int h = 0; h < 2; h++)
+            if (pair.only[h])
+                text_format(text, "; %zu get out of %s alone, in %.1f s, and change the mean of all who get out",
+                            pair.only[h], h ? "b" : "a", pair.alone[h]);
+        text_add(text, "\n");
+    }
 }
 
 ResultTable result_drivers_paired(const House houses[2], const Drivers drivers[2]) {
     ResultTable table = {0};
     for (size_t i = 0; i < drivers[0].person_count; i++) {
         size_t other = house_find_person(&houses[1], houses[0].people[i].id);
-        if (other != SIZE_MAX)
-            add_pair(&table, &houses[0], drivers, i, other);
+        Pair pair = other == SIZE_MAX ? (Pair){.all = 0} : pair_of(drivers, i, other);
+        if (pair.all)
+            add_pair(&table, &houses[0], &pair, i);
     }
     return table;
 }
