@@ -199,12 +199,10 @@ static void add_grade(ResultTable *table, const House *house, size_t i, const Gr
                                   .unknown = best,
                                   .omitted = !isfinite(grade->to_next)});
     result_add(table, (ResultRow){.key = "weak", .kind = RESULT_FLAG, .number = 1, .omitted = !grade->weak});
-    result_add(table, (ResultRow){.key = "what",
-                                  .label = "tightest at",
-                                  .text = grade->weak        ? text_in_arena(arena, "too weak: %s", grade->what)
-                                          : grade->has_place ? grade->what
-                                                             : NULL,
-                                  .omitted = !grade->has_place});
+    const char *at = grade->has_place ? grade->what : NULL;
+    result_add(table, (ResultRow){.key = "what", .text = at, .omitted = !at});
+    result_add(table, (ResultRow){.label = "tightest at",
+                                  .text = grade->weak ? text_in_arena(arena, "too weak: %s", grade->what) : at});
     result_add(table,
                (ResultRow){.key = "x", .kind = RESULT_NUMBER, .number = grade->at.x, .omitted = !grade->has_place});
     result_add(table,
