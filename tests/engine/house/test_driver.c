@@ -99,6 +99,13 @@ TEST(a_chair_comes_to_the_middle_of_a_corridor_from_any_start) {
             CHECK(drive.last < (width < 1.05 ? 0.01 : 0.02));
         }
     }
+    for (int side = -1; side <= 1; side += 2) { /* turned towards the middle */
+        json_t *plan = closed_corridor(1.05, side * 0.105);
+        json_object_set_new(json_array_get(json_object_get(plan, "people"), 0), "heading", json_real(-side * 12));
+        Driven drive = drive_plan(plan, NULL, NULL);
+        printf("corridor 1.05 m, turned by %d degrees: last %.4f m\n", -side * 12, drive.last);
+        CHECK(drive.time < HUGE_VAL && drive.narrowest > 0 && drive.last < 0.01);
+    }
     const char *const fine[] = {"run.dt=0.00025", NULL};
     Driven drive = drive_plan(closed_corridor(0.9, 0.07), NULL, NULL);
     CHECK_NEAR(drive_plan(closed_corridor(0.9, 0.07), NULL, fine).time, drive.time, 1e-3 * drive.time);
