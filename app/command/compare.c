@@ -107,6 +107,7 @@ static bool compare_drivers(const House houses[2], const Population *population,
     } else if (whole) {
         Text text = {0};
         text_format(&text, "\nthe same %d drivers of the population %s in both:\n", options->drivers, population->id);
+        result_drivers_paired_say(&text, houses, drivers);
         result_text_take(&text, "", result_drivers_paired(houses, drivers));
         output_text(&text);
         memory_free(text.text);

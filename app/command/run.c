@@ -16,6 +16,7 @@
 #include "experiment/drivers.h"
 #include "exchange/jupedsim.h"
 #include "result/check.h"
+#include "result/danger.h"
 #include "result/drivers.h"
 #include "result/json.h"
 #include "result/text.h"
@@ -33,6 +34,7 @@ static json_t *answer_of(const House *house, const Observation *observation, Rep
                                       (json_int_t)drivers->count, "people",
                                       result_json_take_list(result_drivers_table(house, observation, drivers)),
                                       "routes", result_json_take_list(result_drivers_routes(house, drivers))));
+    json_object_set_new(answer, "places", result_json_take_list(result_danger_places(house, observation, drivers)));
     if (fleets.grades) {
         json_object_set_new(answer, "grades", result_json_take_list(result_check_grades(house, fleets.grades)));
         json_object_set_new(answer, "grade_places",
@@ -126,6 +128,8 @@ static void print_drivers(const House *house, const Observation *observation, co
     result_drivers_say(&text, house, observation, drivers);
     result_text_take(&text, "", result_drivers_table(house, observation, drivers));
     result_text_take(&text, "", result_drivers_routes(house, drivers));
+    result_text_take(&text, "what they touch, worst first (`clearance help danger`)\n",
+                     result_danger_places(house, observation, drivers));
     output_text(&text);
     memory_free(text.text);
 }

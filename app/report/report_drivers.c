@@ -6,6 +6,7 @@
 #include "report/report_pictures.h"
 #include "result/names.h"
 #include "result/check.h"
+#include "result/danger.h"
 #include "result/drivers.h"
 #include "result/page.h"
 #include "visual/house/drivers_band.h"
@@ -90,9 +91,42 @@ static void add_plan(Document *document, const char *name, const Reported *run, 
         document,
         "%s with the paths of %zu drivers: the dark band holds half of them, the dashed outline 9 of 10. Discs: places "
         "where drivers touch something, by area the share of them, by shade the fastest impact, by letter the part of "
-        "the chair (F front, S side, T tail).",
+        "the chair (F front, S side, T tail); hands are in the list alone (H).",
         name, drivers->count);
     report_pictures_add(document, &scene, caption, caption);
+}
+
+/* Adds where and how hard the run, or its drivers, touch something, beside limits with their sources. */
+static void add_danger(Document *document, const Reported *run, const Drivers *drivers) {
+    const House *house = run->house;
+    ResultTable places = result_danger_places(house, run->observation, drivers);
+    if (!places.record_count) {
+        result_clear(&places);
+        return;
+    }
+    size_t first = house_find_person(house, result_find(&places, 0, "id")->text);
+    double mass = house->people[first].profile->mass;
+    document_add_heading(document, 2, "How hard the touches are");
+    document_add_paragraph(
+        document,
+        document_text(
+            document,
+            "Worst first: by the energy that a run is expected to have there, then by the share of drivers, "
+            "then by the speed that 95 %% of them stay below. Below %.1f m/s a touch, from there a knock, from "
+            "%.1f m/s a blow (assumed). The energy is that of the effective mass: what a chair that cannot "
+            "slip sideways opposes at that point. Squeeze is the greatest mean force over %.1f s. Hands stand "
+            "last: something comes between a rim and what it passes, at the speed of the chair. Where the "
+            "plan leaves less room than the hands take, the law has the arms tucked in, and who does that is "
+            "not caught.",
+            DANGER_KNOCK, DANGER_BLOW, OBSERVATION_SQUEEZE));
+    result_page_take_named(document, NULL, house, places);
+    document_add_heading(document, 3, "What a clamped part of the body bears");
+    result_page_take(document, NULL, result_danger_limits(mass));
+    document_add_paragraph(document,
+                           document_text(document,
+                                         "The speeds are those at which a chair of %.0f kg reaches the limits, F / "
+                                         "sqrt(m k). %s",
+                                         mass, danger_caveat));
 }
 
 void report_drivers_add(Document *document, const char *name, const Reported *run, const ReportedDrivers *of) {
@@ -110,6 +144,7 @@ void report_drivers_add(Document *document, const char *name, const Reported *ru
         add_plan(document, name, run, of);
         add_plots(document, run, of->drivers);
     }
+    add_danger(document, run, of->drivers);
     if (!of->grades)
         return;
     ResultTable grades = result_check_grades(house, of->grades);

@@ -45,15 +45,16 @@ static const char *format_hold(Document *document, const House *house, const Hol
         what = document_text(document, "%s%s", the, names_thing(house, blockage->what, blockage->at, &document->arena));
     if (hold->reason == REASON_BLOCKED)
         return document_text(document, "%s: on the route, but stuck at %s without further progress.", who, what);
+    if (hold->reason == REASON_TOO_WEAK)
+        return document_text(document,
+                             "%s: too weak at any speed. The %s takes more than there is: %s. This follows from the "
+                             "plan, before anything moves.",
+                             who, blockage->what, widths);
     return document_text(
         document,
         *widths ? "%s cannot pass %s: %s. This follows from the plan, before anything moves: no route leads through."
                 : "%s cannot pass %s. This follows from the plan, before anything moves: no route leads through.",
         who, what, widths);
-}
-
-static bool has_place(const Hold *hold) {
-    return hold->reason == REASON_CANNOT_PASS || hold->reason == REASON_BLOCKED;
 }
 
 void report_places_add_stops(Document *document, const House *house, const Observation *observation) {
@@ -64,14 +65,14 @@ void report_places_add_stops(Document *document, const House *house, const Obser
                              observation->interrupted ? "Who is still inside at the interruption"
                                                       : "Who is not out, and why");
     for (size_t h = 0; h < census.hold_count; h++)
-        if (!has_place(&census.holds[h])) {
+        if (!observation_reason_has_place(census.holds[h].reason)) {
             const Hold *hold = &census.holds[h];
             document_add_paragraph(document, document_text(document, "%zu of %zu: %s.", hold->people, census.people,
                                                            observation_reason(hold->reason)));
         }
     for (size_t h = 0; h < census.hold_count && shown < PICTURES_MOST; h++) {
         const Hold *hold = &census.holds[h];
-        if (!has_place(hold))
+        if (!observation_reason_has_place(hold->reason))
             continue;
         Vec2 at = hold->blockage.at;
         add_detail(document, house, observation, shown++, at, format_hold(document, house, hold),

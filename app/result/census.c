@@ -65,6 +65,7 @@ static void count_person(Census *census, size_t party_index, const PersonObserva
     census->out += out;
     census->contacts += person->contacts;
     census->peak_force = fmax(census->peak_force, person->peak_force);
+    census->impact = fmax(census->impact, person->impact);
     if (!out)
         return;
     party->mean += person->time;
@@ -78,10 +79,6 @@ static void finish_means(Party *party) {
     party->last = party->out ? party->last : NAN;
 }
 
-static bool has_place(Reason reason) {
-    return reason == REASON_CANNOT_PASS || reason == REASON_BLOCKED;
-}
-
 static int severity(const char *what) {
     return strncmp(what, "door ", 5) == 0 ? 2 : strncmp(what, "person ", 7) != 0;
 }
@@ -90,9 +87,9 @@ static int severity(const char *what) {
 static bool holds_agree(const Hold *a, const Hold *b) {
     if (a->reason != b->reason)
         return false;
-    if (!has_place(a->reason))
+    if (!observation_reason_has_place(a->reason))
         return true;
-    if (a->reason == REASON_CANNOT_PASS &&
+    if (observation_reason_is_planned(a->reason) &&
         (strcmp(a->blockage.what, b->blockage.what) != 0 || fabs(a->blockage.needs - b->blockage.needs) > ALIKE))
         return false;
     return a->box.low.x < b->box.high.x + TOGETHER && b->box.low.x < a->box.high.x + TOGETHER &&
@@ -128,7 +125,7 @@ static void add_hold(Census *census, Hold hold) {
 
 static void hold_person(Census *census, size_t i, const PersonObservation *person) {
     Hold hold = {.reason = person->reason, .first = i, .people = 1};
-    if (has_place(person->reason)) {
+    if (observation_reason_has_place(person->reason)) {
         hold.box = (Box){person->blockage.at, person->blockage.at};
         hold.blockage = person->blockage;
     }
@@ -211,6 +208,8 @@ static void format_hold(const House *house, const Hold *hold, bool with_widths, 
     else if (hold->reason == REASON_CANNOT_PASS)
         snprintf(text, size, *widths ? "%s cannot pass %s (%s)" : "%s cannot pass %s", who, *what ? what : "here",
                  widths);
+    else if (hold->reason == REASON_TOO_WEAK)
+        snprintf(text, size, *widths ? "%s too weak, %s (%s)" : "%s too weak, %s", who, what, widths);
     else if (hold->reason == REASON_BLOCKED && severity(what))
         snprintf(text, size, "%s blocked at %s", who, what);
     else if (hold->reason == REASON_BLOCKED)

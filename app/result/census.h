@@ -39,6 +39,7 @@ typedef struct Census {
     double last;        /* s, when the last person left; 0: nobody did */
     int contacts;
     double peak_force; /* N */
+    double impact;     /* m/s, of the fastest impact of a chair; 0: none */
     Party *parties;    /* (party_count) in the order of their first members */
     Hold *holds;       /* (hold_count) most people first */
     size_t *left;      /* (exit_count) people who left by each exit */

@@ -102,7 +102,7 @@ static void add_person(ResultTable *table, const House *house, size_t i, const R
                                   .omitted = route->answer != ROUTE_INTERRUPTED});
     add_passing(table, route, walks);
     add_path(table, route, walks);
-    add_blockage(table, route->answer == ROUTE_CANNOT_PASS ? &route->blockage : NULL);
+    add_blockage(table, observation_reason_is_planned(observation_reason_of(route->answer)) ? &route->blockage : NULL);
     result_end(table);
 }
 
@@ -155,7 +155,7 @@ static void add_party(ResultTable *table, const House *house, const Observation 
     result_add(
         table,
         (ResultRow){.label = "result", .text = first ? observation_reason(first->reason) : NULL, .role = ROLE_ERROR});
-    add_blockage(table, first && first->reason == REASON_CANNOT_PASS ? &first->blockage : NULL);
+    add_blockage(table, first && observation_reason_is_planned(first->reason) ? &first->blockage : NULL);
     result_end(table);
 }
 
@@ -198,10 +198,11 @@ static void add_grade(ResultTable *table, const House *house, size_t i, const Gr
                                   .decimals = 1,
                                   .unknown = best,
                                   .omitted = !isfinite(grade->to_next)});
-    result_add(table, (ResultRow){.key = "what",
-                                  .label = "tightest at",
-                                  .text = grade->has_place ? grade->what : NULL,
-                                  .omitted = !grade->has_place});
+    result_add(table, (ResultRow){.key = "weak", .kind = RESULT_FLAG, .number = 1, .omitted = !grade->weak});
+    const char *at = grade->has_place ? grade->what : NULL;
+    result_add(table, (ResultRow){.key = "what", .text = at, .omitted = !at});
+    result_add(table, (ResultRow){.label = "tightest at",
+                                  .text = grade->weak ? text_in_arena(arena, "too weak: %s", grade->what) : at});
     result_add(table,
                (ResultRow){.key = "x", .kind = RESULT_NUMBER, .number = grade->at.x, .omitted = !grade->has_place});
     result_add(table,

@@ -4,7 +4,9 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "experiment/danger.h"
 #include "house/touch.h"
+#include "result/danger.h"
 #include "result/names.h"
 #include "study/montecarlo.h"
 #include "study/welch.h"
@@ -16,33 +18,23 @@ typedef struct Fleet {
     Distribution time, impact;
     double energy;  /* J, mean over all drivers */
     double back;    /* m, mean way driven backwards */
-    char where[96]; /* what most of those who touch something run into fastest; "": nobody does */
-    int part;       /* BodyPart, of the fastest impact of all */
+    char where[96]; /* the worst place (danger.h); "": nobody touches anything */
+    int part;       /* BodyPart, of the fastest impact there */
+    Share hands;    /* of those with hands at the rims, whose hand space meets something */
+    double squeeze; /* N, greatest */
 } Fleet;
 
-/* Finds the name of the place that most drivers hit. */
-static void find_place(Fleet *fleet, const House *house, const Drivers *drivers) {
-    char(*names)[96] = memory_zeroed(drivers->count, sizeof *names);
-    size_t best = 0;
-    double fastest = 0;
-    for (size_t k = 0; k < drivers->count; k++) {
-        const DriverRun *run = &drivers->runs[k * drivers->person_count + fleet->person];
-        if (!run->varies || !(run->impact > 0))
-            continue;
-        outline_place_name(&house->outline, &house->plan, run->impact_at, names[k], sizeof names[k]);
-        if (run->impact > fastest) {
-            fastest = run->impact;
-            fleet->part = run->part;
-        }
-        size_t alike = 0;
-        for (size_t other = 0; other <= k; other++)
-            alike += strcmp(names[other], names[k]) == 0;
-        if (alike > best) {
-            best = alike;
-            memcpy(fleet->where, names[k], sizeof fleet->where);
-        }
+/* Finds the worst place, and who of the drivers has a hand that meets something. */
+static void find_danger(Fleet *fleet, const House *house, const Drivers *drivers) {
+    Danger danger = danger_of_drivers(house, drivers, fleet->person);
+    fleet->hands = danger.hands;
+    if (danger.count && danger.places[0].part != PART_HAND) {
+        fleet->part = danger.places[0].part;
+        memcpy(fleet->where, danger.places[0].what, sizeof fleet->where);
     }
-    memory_free(names);
+    for (size_t p = 0; p < danger.count; p++)
+        fleet->squeeze = fmax(fleet->squeeze, danger.places[p].squeeze);
+    danger_free(&danger);
 }
 
 /* Returns the drivers of a person; count 0: the person is not of the population. */
@@ -71,7 +63,7 @@ static Fleet fleet_of(const House *house, const Drivers *drivers, size_t person)
         fleet.energy /= (double)fleet.count;
         fleet.back /= (double)fleet.count;
     }
-    find_place(&fleet, house, drivers);
+    find_danger(&fleet, house, drivers);
     memory_free(times);
     return fleet;
 }
@@ -94,9 +86,15 @@ static void add_share(ResultTable *table, const char *const *keys, const char *l
     result_add(table, (ResultRow){.key = keys[2], .kind = RESULT_NUMBER, .number = share->high});
 }
 
+static void add_no_share(ResultTable *table, const char *const *keys) {
+    for (int k = 0; k < 3; k++)
+        result_add(table, (ResultRow){.key = keys[k], .kind = RESULT_NUMBER, .omitted = true});
+}
+
 static void add_fleet(ResultTable *table, const House *house, double nominal, const Fleet *fleet) {
     static const char *const outs[] = {"out.share", "out.low", "out.high"};
     static const char *const touches[] = {"touch.share", "touch.low", "touch.high"};
+    static const char *const hands[] = {"hand.share", "hand.low", "hand.high"};
     result_add(table, (ResultRow){.key = "id", .label = "person", .text = house->people[fleet->person].id});
     result_add_number(table, "nominal", "nominal driver", nominal, "s", 2);
     result_add(table,
@@ -113,14 +111,19 @@ static void add_fleet(ResultTable *table, const House *house, double nominal, co
     add_share(table, touches, "touch something", &fleet->touch);
     result_add_number(table, "impact.speed95", "impact 95 %", fleet->impact.high, "m/s", 2);
     result_add_number(table, "impact.energy", "mean energy", fleet->energy, "J", 2);
+    result_add_number(table, "squeeze", "squeeze", fleet->squeeze, "N", 0);
+    if (fleet->hands.all)
+        add_share(table, hands, "a hand meets something", &fleet->hands);
+    else
+        add_no_share(table, hands);
     result_add_number(table, "backwards.distance", "backwards", fleet->back, "m", 2);
     bool hit = *fleet->where;
     result_add(table, (ResultRow){.key = "impact.what",
-                                  .label = "most at",
+                                  .label = "worst at",
                                   .text = hit ? text_in_arena(&table->arena, "%s", fleet->where) : NULL,
                                   .omitted = !hit});
     result_add(table, (ResultRow){.key = "impact.part",
-                                  .label = "fastest with the",
+                                  .label = "with the",
                                   .text = hit ? touch_part(fleet->part) : NULL,
                                   .omitted = !hit});
     result_end(table);
@@ -226,51 +229,102 @@ static void add_count(ResultTable *table, const char *key, const char *label, si
     result_add(table, (ResultRow){.key = key, .label = label, .kind = RESULT_COUNT, .number = (double)count});
 }
 
-/* Adds the differences of a person, who is `other` in the second house. */
-static void add_pair(ResultTable *table, const House *house, const Drivers drivers[2], size_t person, size_t other) {
+/* One person in two houses with the same drivers. */
+typedef struct Pair {
+    size_t all, out[2], touch[2], quicker;
+    Distribution difference; /* s, b - a, of those who get out of both */
+    double both[2];          /* s, the mean times of those */
+    size_t only[2];          /* who get out of a alone, of b alone */
+    double alone[2];         /* s, their mean times; NAN: nobody */
+} Pair;
+
+/* Compares a person, who is `other` in the second house. */
+static Pair pair_of(const Drivers drivers[2], size_t person, size_t other) {
     size_t count = drivers[0].count < drivers[1].count ? drivers[0].count : drivers[1].count;
-    size_t out[2] = {0}, touch[2] = {0}, all = 0, quicker = 0;
-    double *differences = memory_zeroed(count, sizeof *differences);
+    Pair pair = {.all = 0};
+    double *differences = memory_zeroed(count, sizeof *differences), sums[2] = {0}, alone[2] = {0};
     for (size_t k = 0; k < count; k++) {
         const DriverRun *runs[2] = {&drivers[0].runs[k * drivers[0].person_count + person],
                                     &drivers[1].runs[k * drivers[1].person_count + other]};
         differences[k] = (double)NAN;
         if (!runs[0]->varies || !runs[1]->varies)
             continue;
-        all++;
+        pair.all++;
+        bool both = runs[0]->completed && runs[1]->completed;
         for (int h = 0; h < 2; h++) {
-            out[h] += runs[h]->completed;
-            touch[h] += runs[h]->contacts > 0;
+            pair.out[h] += runs[h]->completed;
+            pair.touch[h] += runs[h]->contacts > 0;
+            pair.only[h] += runs[h]->completed && !both;
+            alone[h] += runs[h]->completed && !both ? runs[h]->time : 0;
+            sums[h] += both ? runs[h]->time : 0;
         }
-        if (runs[0]->completed && runs[1]->completed)
+        if (both)
             differences[k] = runs[1]->time - runs[0]->time;
-        quicker += differences[k] < 0;
+        pair.quicker += differences[k] < 0;
     }
-    Distribution both = montecarlo_distribution(differences, count);
+    pair.difference = montecarlo_distribution(differences, count);
+    for (int h = 0; h < 2; h++) {
+        pair.both[h] = pair.difference.count ? sums[h] / (double)pair.difference.count : (double)NAN;
+        pair.alone[h] = pair.only[h] ? alone[h] / (double)pair.only[h] : (double)NAN;
+    }
     memory_free(differences);
-    if (!all)
-        return;
-    double wide = both.count > 1 ? welch_student(0.975, (double)both.count - 1) * both.error : (double)NAN;
+    return pair;
+}
+
+/* Returns half of the 95 % interval of the mean difference, s; NAN: too few. */
+static double half_width(const Pair *pair) {
+    const Distribution *both = &pair->difference;
+    return both->count > 1 ? welch_student(0.975, (double)both->count - 1) * both->error : (double)NAN;
+}
+
+static void add_pair(ResultTable *table, const House *house, const Pair *pair, size_t person) {
+    const Distribution *both = &pair->difference;
+    double wide = half_width(pair);
     result_add(table, (ResultRow){.key = "id", .label = "person", .text = house->people[person].id});
-    add_count(table, "drivers", "drivers", all);
-    add_count(table, "out_a", "out of a", out[0]);
-    add_count(table, "out_b", "out of b", out[1]);
-    add_count(table, "touch_a", "touch in a", touch[0]);
-    add_count(table, "touch_b", "touch in b", touch[1]);
-    add_count(table, "both", "out of both", both.count);
-    result_add_number(table, "difference", "b - a", both.mean, "s", 2);
-    result_add_number(table, "low", "from", both.mean - wide, "s", 2);
-    result_add_number(table, "high", "to (95 %)", both.mean + wide, "s", 2);
-    add_count(table, "quicker", "quicker in b", quicker);
+    add_count(table, "drivers", "drivers", pair->all);
+    add_count(table, "out_a", "out of a", pair->out[0]);
+    add_count(table, "out_b", "out of b", pair->out[1]);
+    add_count(table, "touch_a", "touch in a", pair->touch[0]);
+    add_count(table, "touch_b", "touch in b", pair->touch[1]);
+    add_count(table, "both", "out of both", both->count);
+    result_add_number(table, "mean_a", "these in a", pair->both[0], "s", 2);
+    result_add_number(table, "mean_b", "these in b", pair->both[1], "s", 2);
+    result_add_number(table, "difference", "b - a", both->mean, "s", 2);
+    result_add_number(table, "low", "from", both->mean - wide, "s", 2);
+    result_add_number(table, "high", "to (95 %)", both->mean + wide, "s", 2);
+    add_count(table, "quicker", "quicker in b", pair->quicker);
+    add_count(table, "only_a.count", NULL, pair->only[0]);
+    result_add_number(table, "only_a.mean", NULL, pair->alone[0], "s", 2);
+    add_count(table, "only_b.count", NULL, pair->only[1]);
+    result_add_number(table, "only_b.mean", NULL, pair->alone[1], "s", 2);
     result_end(table);
+}
+
+void result_drivers_paired_say(Text *text, const House houses[2], const Drivers drivers[2]) {
+    for (size_t i = 0; i < drivers[0].person_count; i++) {
+        size_t other = house_find_person(&houses[1], houses[0].people[i].id);
+        Pair pair = other == SIZE_MAX ? (Pair){.all = 0} : pair_of(drivers, i, other);
+        if (!pair.all)
+            continue;
+        text_format(text, "%s  %zu of %zu get out of both", houses[0].people[i].id, pair.difference.count, pair.all);
+        if (pair.difference.count)
+            text_format(text, ", in %.1f s and %.1f s in the mean: only these are compared", pair.both[0],
+                        pair.both[1]);
+        for (int h = 0; h < 2; h++)
+            if (pair.only[h])
+                text_format(text, "; %zu get out of %s alone, in %.1f s, and change the mean of all who get out",
+                            pair.only[h], h ? "b" : "a", pair.alone[h]);
+        text_add(text, "\n");
+    }
 }
 
 ResultTable result_drivers_paired(const House houses[2], const Drivers drivers[2]) {
     ResultTable table = {0};
     for (size_t i = 0; i < drivers[0].person_count; i++) {
         size_t other = house_find_person(&houses[1], houses[0].people[i].id);
-        if (other != SIZE_MAX)
-            add_pair(&table, &houses[0], drivers, i, other);
+        Pair pair = other == SIZE_MAX ? (Pair){.all = 0} : pair_of(drivers, i, other);
+        if (pair.all)
+            add_pair(&table, &houses[0], &pair, i);
     }
     return table;
 }
@@ -290,8 +344,8 @@ const char *result_drivers_brief(const House *house, const Drivers *drivers, siz
     add_range(&text, &fleet);
     text_format(&text, "%zu of %zu out", fleet.out.good, fleet.count);
     if (fleet.touch.good)
-        text_format(&text, "; %.0f %% touch, most at %s", 100 * fleet.touch.value,
-                    names_text(house, fleet.where, arena));
+        text_format(&text, "; %.0f %% touch, worst at %s, at most %s", 100 * fleet.touch.value,
+                    names_text(house, fleet.where, arena), result_danger_words(fleet.impact.greatest, arena));
     else
         text_add(&text, "; none touches anything");
     const char *said = text_in_arena(arena, "%s", text.text);
@@ -310,9 +364,13 @@ void result_drivers_say(Text *text, const House *house, const Observation *nomin
         add_range(text, &fleet);
         text_format(text, "%zu of %zu out; %.0f %% touch something (%.0f to %.0f)", fleet.out.good, fleet.count,
                     100 * fleet.touch.value, 100 * fleet.touch.low, 100 * fleet.touch.high);
+        Arena arena = {0};
         if (fleet.impact.count)
-            text_format(text, ", most at %s; the fastest impact anywhere has %.2f m/s", fleet.where,
-                        fleet.impact.greatest);
+            text_format(text, ", worst at %s, at most %s", fleet.where,
+                        result_danger_words(fleet.impact.greatest, &arena));
+        if (fleet.hands.good)
+            text_format(text, "; %.0f %% have a hand at the rim that would meet something", 100 * fleet.hands.value);
+        arena_clear(&arena);
         text_format(text, "\n");
     }
 }

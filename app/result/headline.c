@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "result/danger.h"
 
 static const double CLOSE = 0.1; /* m: smaller clearances are printed to the millimetre */
 
@@ -37,15 +38,19 @@ const char *headline_clearance(double clearance, Arena *arena) {
 
 /* All out --------------------------------------------------------------------------------------------------------- */
 
-/* Returns "no contact", "1 contact, up to 20 N" or "12 contacts, up to 340 N". */
+/* Returns "no contact", "1 contact, a knock at 0.21 m/s" or, of people on foot alone, "12 contacts, up to 340 N".
+ */
 static const char *contacts(const Census *census, Arena *arena) {
     if (!census->contacts)
         return "no contact";
+    if (census->impact > 0)
+        return text_in_arena(arena, census->contacts == 1 ? "%d contact, %s" : "%d contacts, at most %s",
+                             census->contacts, result_danger_words(census->impact, arena));
     return text_in_arena(arena, census->contacts == 1 ? "%d contact, up to %.0f N" : "%d contacts, up to %.0f N",
                          census->contacts, census->peak_force);
 }
 
-/* Returns "narrowest 0.06 m at door d2, 3 contacts, up to 20 N". */
+/* Returns "narrowest 0.06 m at door d2, 3 contacts, at most a knock at 0.21 m/s". */
 static const char *findings(const House *house, const Observation *observation, const Census *census, Arena *arena) {
     size_t narrowest = census_narrowest(house, observation);
     const char *touched = contacts(census, arena);
@@ -62,7 +67,7 @@ static const char *findings(const House *house, const Observation *observation, 
                          touched);
 }
 
-/* Returns "mean 96.1 s on foot, 162.0 s in chairs, 12 contacts, up to 340 N". */
+/* Returns "mean 96.1 s on foot, 162.0 s in chairs, 12 contacts, at most a knock at 0.21 m/s". */
 static const char *mean_times(const Census *census, Arena *arena) {
     double sums[2] = {0};
     size_t counts[2] = {0};
@@ -112,6 +117,8 @@ static const char *why(const House *house, const PersonObservation *person, size
         if (census_start(&person->blockage))
             return text_in_arena(arena, "%s starts %s", id, census_start(&person->blockage));
         return text_in_arena(arena, "%s cannot pass %s", id, *what ? what : "here");
+    case REASON_TOO_WEAK:
+        return text_in_arena(arena, "%s is too weak: %s", id, what);
     case REASON_BLOCKED:
         return *what ? text_in_arena(arena, "%s is blocked at %s after %.1f s", id, what, person->time)
                      : text_in_arena(arena, "%s is blocked after %.1f s", id, person->time);
@@ -170,7 +177,7 @@ static const char *reasons(const House *house, const Census *census, bool with_w
 /* True if all people find their way barred: nobody leaves however long it takes. */
 static bool nobody_can_leave(const Census *census) {
     for (size_t h = 0; h < census->hold_count; h++)
-        if (census->holds[h].reason != REASON_CANNOT_PASS && census->holds[h].reason != REASON_BLOCKED)
+        if (!observation_reason_has_place(census->holds[h].reason))
             return false;
     return !census->out;
 }

@@ -1,6 +1,7 @@
 #include "result/house.h"
 
 #include "base/text.h"
+#include "experiment/danger.h"
 #include "house/touch.h"
 #include "result/census.h"
 
@@ -20,7 +21,8 @@ void result_house_add_blockage(ResultTable *table, const Blockage *blockage) {
     static const Blockage nowhere = {.what = ""};
     bool omitted = !blockage;
     blockage = blockage ? blockage : &nowhere;
-    bool widths = !omitted && (blockage->has > 0 || blockage->needs > 0);
+    bool known = !omitted && (blockage->has > 0 || blockage->needs > 0), weak = blockage->lacks != LACK_WIDTH;
+    const char *unit = route_lack_unit(blockage->lacks);
     result_add(table, (ResultRow){.key = "blocked_at.x",
                                   .kind = RESULT_NUMBER,
                                   .number = in_micrometres(blockage->at.x),
@@ -41,7 +43,8 @@ void result_house_add_blockage(ResultTable *table, const Blockage *blockage) {
                                   .number = in_micrometres(blockage->has),
                                   .unit = "m",
                                   .decimals = 3,
-                                  .omitted = !widths});
+                                  .unknown = weak,
+                                  .omitted = !known});
     result_add(table, (ResultRow){.key = "blocked_at.needs",
                                   .label = "width needed",
                                   .head = "needs",
@@ -49,7 +52,17 @@ void result_house_add_blockage(ResultTable *table, const Blockage *blockage) {
                                   .number = in_micrometres(blockage->needs),
                                   .unit = "m",
                                   .decimals = 3,
-                                  .omitted = !widths});
+                                  .unknown = weak,
+                                  .omitted = !known});
+    result_add(table, (ResultRow){.key = "blocked_at.unit", .text = unit, .omitted = !weak});
+    result_add(table, (ResultRow){.label = "strength there",
+                                  .head = "strength",
+                                  .text = text_in_arena(&table->arena, "%.2g %s", blockage->has, unit),
+                                  .omitted = !weak});
+    result_add(table, (ResultRow){.label = "strength needed",
+                                  .head = "needed",
+                                  .text = text_in_arena(&table->arena, "%.2g %s", blockage->needs, unit),
+                                  .omitted = !weak});
     result_add(table, (ResultRow){.key = "blocked_at.skid",
                                   .label = "skids with which the chair could pass",
                                   .head = "skids",
@@ -61,7 +74,7 @@ void result_house_add_blockage(ResultTable *table, const Blockage *blockage) {
     result_add(table, (ResultRow){.key = "blocked_at.estimated",
                                   .kind = RESULT_FLAG,
                                   .number = blockage->estimated,
-                                  .omitted = !widths});
+                                  .omitted = !known || weak});
 }
 
 /* "door d1" or "person p2"; NULL: nothing came into the personal space. */
@@ -94,7 +107,7 @@ static const char *outcome(const Inhabitant *inhabitant, const PersonObservation
 }
 
 static void add_outcome(ResultTable *table, const Inhabitant *inhabitant, const PersonObservation *person) {
-    bool stopped = !person->completed && (person->reason == REASON_CANNOT_PASS || person->reason == REASON_BLOCKED);
+    bool stopped = !person->completed && observation_reason_has_place(person->reason);
     const char *reason = outcome(inhabitant, person);
     result_add(table, (ResultRow){.key = "completed",
                                   .label = "result",
@@ -150,6 +163,10 @@ static void add_impact(ResultTable *table, const PersonObservation *person) {
                                   .unit = "m/s",
                                   .decimals = 2,
                                   .unknown = !hit,
+                                  .omitted = !hit});
+    result_add(table, (ResultRow){.key = "impact.word",
+                                  .label = "which is a",
+                                  .text = hit ? danger_word(person->impact) : NULL,
                                   .omitted = !hit});
     result_add(table, (ResultRow){.key = "impact.part", .text = touch_part(person->impact_part), .omitted = !hit});
     result_add(table, (ResultRow){.key = "impact.energy",

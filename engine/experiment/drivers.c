@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "house/journey.h"
 #include "house/run.h"
+#include "route/strength.h"
 
 /* m: a known way is driven by a body that keeps this clearance on it, or is at most as large as the one it was planned
  * for. */
@@ -157,6 +158,8 @@ static void plan_body(void *context, size_t i) {
     profile->width = plan->width;
     profile->length = plan->length;
     profile->axle = fmin(profile->axle, plan->length);
+    if (varies(work, &work->house->people[plan->person]))
+        strength_suffice(profile); /* each driver's own strength is tested on the way (journey_follow) */
     plan->journeys = journey_plan_briefly(&house, part, 1, work->stop);
     memory_free(part);
     free_alike(&house);
@@ -289,6 +292,17 @@ static void observe_driver(const Work *work, size_t k, Observation *observation)
     memory_free(known.of);
 }
 
+/* Keeps the touches of a person of driver k. */
+static void keep_touches(Drivers *drivers, const Observation *observation, size_t k, size_t person) {
+    size_t run = k * drivers->person_count + person, count = 0;
+    Touch *touches = memory_zeroed(observation->touch_count, sizeof *touches);
+    for (size_t t = 0; t < observation->touch_count; t++)
+        if (observation->touches[t].person == person)
+            touches[count++] = observation->touches[t];
+    drivers->touches[run] = touches;
+    drivers->touch_counts[run] = count;
+}
+
 static void run_driver(void *context, size_t k) {
     Work *work = context;
     const House *house = &work->houses[k];
@@ -301,6 +315,7 @@ static void run_driver(void *context, size_t k) {
         work->drivers->runs[k * house->person_count + i] =
             (DriverRun){.took_part = person->took_part,
                         .varies = person->took_part && varies(work, &work->house->people[i]),
+                        .hands = house->people[i].profile->hands > 0,
                         .completed = person->completed,
                         .reason = person->reason,
                         .time = person->time,
@@ -309,12 +324,15 @@ static void run_driver(void *context, size_t k) {
                         .energy = person->energy,
                         .impact_at = person->impact_at,
                         .part = person->impact_part,
+                        .squeeze = person->squeeze,
                         .narrowest = person->narrowest,
                         .back_length = person->back_length};
     }
     for (size_t i = 0; i < house->person_count && !observation.interrupted; i++)
-        if (work->drivers->runs[k * house->person_count + i].varies)
+        if (work->drivers->runs[k * house->person_count + i].varies) {
             work->drivers->paths[k * house->person_count + i] = drivers_path(&observation.trace, i);
+            keep_touches(work->drivers, &observation, k, i);
+        }
     observation_free(&observation);
 }
 
@@ -323,6 +341,8 @@ void drivers_run(Drivers *drivers, const House *house, const Population *populat
     *drivers = (Drivers){.count = count, .person_count = house->person_count};
     drivers->runs = memory_zeroed(count * house->person_count, sizeof *drivers->runs);
     drivers->paths = memory_zeroed(count * house->person_count, sizeof *drivers->paths);
+    drivers->touches = memory_zeroed(count * house->person_count, sizeof *drivers->touches);
+    drivers->touch_counts = memory_zeroed(count * house->person_count, sizeof *drivers->touch_counts);
     Work work = {.house = house,
                  .population = population,
                  .route = route,
@@ -345,6 +365,10 @@ void drivers_run(Drivers *drivers, const House *house, const Population *populat
 void drivers_free(Drivers *drivers) {
     for (size_t r = 0; r < drivers->count * drivers->person_count; r++)
         memory_free(drivers->paths[r].at);
+    for (size_t r = 0; r < drivers->count * drivers->person_count; r++)
+        memory_free(drivers->touches[r]);
+    memory_free(drivers->touches);
+    memory_free(drivers->touch_counts);
     memory_free(drivers->paths);
     memory_free(drivers->runs);
     *drivers = (Drivers){0};

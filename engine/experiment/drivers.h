@@ -22,6 +22,7 @@
 typedef struct DriverRun {
     bool took_part;
     bool varies; /* True if this person is of the population and took part */
+    bool hands;  /* True if the driver pushes rims with hands (body.hands) */
     bool completed;
     Reason reason; /* why not */
     double time;   /* s */
@@ -29,6 +30,7 @@ typedef struct DriverRun {
     double impact, energy; /* m/s of the fastest impact, J of all */
     Vec2 impact_at;        /* m */
     int part;              /* BodyPart */
+    double squeeze;        /* N, greatest mean of the contact force over OBSERVATION_SQUEEZE */
     double narrowest;      /* m */
     double back_length;    /* m, driven backwards */
 } DriverRun;
@@ -45,7 +47,9 @@ typedef struct Drivers {
     size_t count, person_count;
     DriverRun *runs;   /* (count x person_count) */
     DriverPath *paths; /* (count x person_count) */
-    size_t plans;      /* number of ways that were planned, of all people */
+    Touch **touches;   /* (count x person_count) of each run (touch_counts) */
+    size_t *touch_counts;
+    size_t plans; /* number of ways that were planned, of all people */
     bool interrupted;
 } Drivers;
 

@@ -247,13 +247,14 @@ static double sharpness(const Profile *profile, double change) {
 
 /* Returns the moment towards the turn rate `target`, rad/s, which itself changes at `rate`, rad/s2, against the moment
  * `load` about the axle of contacts with the body or its personal space: a driver feels the load and holds against it,
- * up to the strength of the arms. */
-static double turning_moment(const Profile *profile, double target, double rate, double turn, double load) {
+ * up to the strength of the arms: `most` N m. */
+static double turning_moment(const Profile *profile, double most, double target, double rate, double turn,
+                             double load) {
     double square = profile->radius_of_gyration * profile->radius_of_gyration +
                     profile->mass_centre * profile->mass_centre; /* about the axle */
     double response = calmness(profile) * profile->turn_response;
     double wanted = profile->mass * square * ((target - turn) / response + rate) - load;
-    return real_clamp(wanted, -profile->turning_moment, profile->turning_moment);
+    return real_clamp(wanted, -most, most);
 }
 
 /* Returns the effort that cancels the force of the personal space beyond what the driver yields to, since the driver
@@ -278,8 +279,9 @@ static double load_of(const World *world, size_t i, Vec2 force, double moment) {
 }
 
 /* Returns a driver's effort towards a speed along the axis, m/s, that itself changes at `hurry`, m/s2, and a turn rate,
- * rad/s, that changes at `change`, rad/s2, and by `bend`, rad/m, with the speed. */
-static Effort exert(const World *world, size_t i, double speed, double hurry, double turn, double change, double bend) {
+ * rad/s, that changes at `change`, rad/s2, and by `bend`, rad/m, with the speed, with `strength` N m. */
+static Effort exert(const World *world, size_t i, double speed, double hurry, double turn, double change, double bend,
+                    double strength) {
     const Profile *profile = world->house->people[i].profile;
     Vec2 axis = world->axis[i];
     Effort effort = overcome(world, i);
@@ -295,7 +297,7 @@ static Effort exert(const World *world, size_t i, double speed, double hurry, do
     double push = driving_force(profile, most, faster, speed, hurry, vec2_dot(world->velocity[i], axis), others, 1);
     effort.force = vec2_along(effort.force, push, axis);
     change += bend * (push + others) / profile->mass;
-    effort.moment += turning_moment(profile, turn, change, world->turn[i], load);
+    effort.moment += turning_moment(profile, strength, turn, change, world->turn[i], load);
     return effort;
 }
 
@@ -480,14 +482,15 @@ static Effort turn_on_the_spot(const World *world, size_t i, Drive *drive, const
         drive->stalled = 0;
     }
     double inertia = profile->mass * profile->radius_of_gyration * profile->radius_of_gyration;
-    double brake = SPOT_BRAKE * profile->turning_moment / inertia; /* rad/s2 */
+    double strength = real_max(profile->turning_moment - profile->scrub, 0); /* N m */
+    double brake = SPOT_BRAKE * strength / inertia;                          /* rad/s2 */
     int door = -1;
     bool barred = way_to_door(world, i, &door) < 2 * PLACE_ARRIVED; /* barred until the door is open */
     double slower = sqrt(2 * brake * fabs(left)), rate = real_min(profile->turn_rate, slower);
     double change = rate < slower || barred || !(slower > 0) ? 0 : -brake * real_clamp(world->turn[i] / slower, -1, 1);
     double back = vec2_dot(vec2_sub(place->here->at, world_reference(world, i)), axis);
     double speed = real_clamp(back / profile->speed_response / 4, -2 * PLACE_SLOWEST, 2 * PLACE_SLOWEST);
-    return exert(world, i, speed, 0, copysign(barred ? 0 : rate, left), change, 0);
+    return exert(world, i, speed, 0, copysign(barred ? 0 : rate, left), change, 0, strength);
 }
 
 static Effort drive_driver(const World *world, size_t i, Drive *drive, const Place *place) {
@@ -532,8 +535,8 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
     turn = real_clamp(turn, -profile->turn_rate, profile->turn_rate);
     bool as_wanted = sense > 0 && target > 0 && target == wanted.speed;
     double hurry = as_wanted ? wanted.hurry * real_clamp(direction * speed / target, 0, 1) : 0;
-    return exert(world, i, sense * direction * target, direction * hurry, turn, pace * pace * bending,
-                 direction * bend);
+    return exert(world, i, sense * direction * target, direction * hurry, turn, pace * pace * bending, direction * bend,
+                 profile->turning_moment);
 }
 
 /* Drives as in the paper: along the leg, or along the tangent about the corner with F4 towards it. */

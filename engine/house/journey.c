@@ -9,6 +9,7 @@
 #include "house/shake.h"
 #include "route/narrowest.h"
 #include "route/search.h"
+#include "route/strength.h"
 
 /* m: radius of a route's point for walkers, so that a crowd can pass it side by side. Assumed. */
 static const double VIA_RADIUS = 1.5;
@@ -180,6 +181,7 @@ static void follow(const Planning *planning, const Whereabouts *place, Journey *
     route->poses = poses;
     if (route->count > 0)
         route->narrowest = narrowest_on(&house->space, &body, poses, route->count, &route->narrowest_at);
+    strength_test(route, person->profile, false);
     if (route->answer == ROUTE_FOUND)
         track_build_driver(&journey->track, house, person, route);
 }
@@ -189,7 +191,7 @@ static void plan_ride(const Planning *planning, const Whereabouts *place, Journe
     const Inhabitant *person = &house->people[place->person];
     RouteQuery query = ask(planning, place);
     bool miura = person->profile->driving == DRIVING_MIURA;
-    journey->route = miura ? route_round(&query) : route_drive(&query);
+    journey->route = miura ? strength_round(&query) : strength_drive(&query);
     if (journey->route.answer != ROUTE_FOUND)
         return;
     if (miura)
@@ -205,6 +207,7 @@ static void note_answer(Planning *planning, RouteAnswer answer) {
         break;
     case ROUTE_CANNOT_PASS:
     case ROUTE_NO_EXIT:
+    case ROUTE_TOO_WEAK:
         planning->failed = true;
         break;
     case ROUTE_INTERRUPTED:
@@ -234,7 +237,8 @@ static void plan_journey(void *context, size_t k) {
         follow(planning, place, journey);
     else
         plan_ride(planning, place, journey);
-    bool keeps = planning->keep && former.track.count && journey->route.answer == ROUTE_CANNOT_PASS;
+    RouteAnswer answer = journey->route.answer;
+    bool keeps = planning->keep && former.track.count && (answer == ROUTE_CANNOT_PASS || answer == ROUTE_TOO_WEAK);
     release(keeps ? journey : &former);
     if (keeps) {
         *journey = former;

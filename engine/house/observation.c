@@ -15,8 +15,9 @@ const TraceColumn observation_columns[TRACE_COLUMNS] = {
 };
 
 const char *observation_reason(Reason reason) {
-    static const char *const texts[] = {"",           "cannot pass", "no exit",     "blocked",
-                                        "time limit", "diverged",    "interrupted", "another person diverged"};
+    static const char *const texts[] = {"",         "cannot pass", "no exit",
+                                        "too weak", "blocked",     "time limit",
+                                        "diverged", "interrupted", "another person diverged"};
     return texts[reason];
 }
 
@@ -28,15 +29,26 @@ Reason observation_reason_of(RouteAnswer answer) {
         return REASON_CANNOT_PASS;
     case ROUTE_NO_EXIT:
         return REASON_NO_EXIT;
+    case ROUTE_TOO_WEAK:
+        return REASON_TOO_WEAK;
     case ROUTE_INTERRUPTED:
         return REASON_INTERRUPTED;
     }
     return REASON_INTERRUPTED;
 }
 
+bool observation_reason_is_planned(Reason reason) {
+    return reason == REASON_CANNOT_PASS || reason == REASON_TOO_WEAK;
+}
+
+bool observation_reason_has_place(Reason reason) {
+    return observation_reason_is_planned(reason) || reason == REASON_BLOCKED;
+}
+
 void observation_free(Observation *observation) {
     memory_free(observation->people);
     memory_free(observation->hazards);
+    memory_free(observation->touches);
     memory_free(observation->door_opened);
     memory_free(observation->mixed);
     trace_clear(&observation->trace);

@@ -15,6 +15,7 @@ typedef enum Reason {
     REASON_NONE, /* out, or still moving */
     REASON_CANNOT_PASS,
     REASON_NO_EXIT,
+    REASON_TOO_WEAK,
     REASON_BLOCKED,
     REASON_TIME_LIMIT,
     REASON_DIVERGED,
@@ -22,21 +23,45 @@ typedef enum Reason {
     REASON_OTHER_DIVERGED, /* the run ended because another person diverged */
 } Reason;
 
-/* Returns "cannot pass", "no exit", "blocked", "time limit", "diverged", "interrupted", "another person diverged"; ""
- * for none. */
+/* Returns "cannot pass", "no exit", "too weak", "blocked", "time limit", "diverged", "interrupted", "another person
+ * diverged"; "" for none. */
 const char *observation_reason(Reason reason);
 
 /* Returns the reason of a person with this answer: none with a path. */
 Reason observation_reason_of(RouteAnswer answer);
 
+/* True if the reason has a place, which is the blockage: "cannot pass", "too weak" and "blocked". */
+bool observation_reason_has_place(Reason reason);
+
+/* True if it follows from the plan, before anything moves, and has a place: "cannot pass" and "too weak". */
+bool observation_reason_is_planned(Reason reason);
+
 #define OBSERVATION_SQUEEZE 0.5 /* s */
+
+/* A touch of a chair: what begins within 0.1 s is one. A hand that meets something is a touch of its own kind: an
+ * obstacle comes into the space beside a rim (body.hands) within OBSERVATION_RIMS of the axle, whether or not the arms
+ * are tucked in there; it is in no sum of the body's touches. */
+typedef struct Touch {
+    size_t person;
+    Vec2 at;        /* m, of its fastest impact */
+    int part;       /* BodyPart, of that impact */
+    int other;      /* the person it touches, or -1: an obstacle */
+    double time;    /* s, when it begins */
+    double speed;   /* m/s, along the normal, of the fastest impact; of a hand, the chair's own */
+    double mass;    /* kg, the effective mass of that impact (touch.h); of a hand, the chair's own */
+    double energy;  /* J, of all its impacts */
+    double impulse; /* N s, up to the next touch */
+    double squeeze; /* N, greatest mean of the contact force over OBSERVATION_SQUEEZE, up to the next touch */
+} Touch;
+
+#define OBSERVATION_RIMS 0.30 /* m, assumed: hands are at the rims so far before and behind the axle */
 
 typedef struct PersonObservation {
     bool took_part;     /* True if the person is in this run: a run of one route excludes the others */
     bool completed;     /* True if the person has crossed an exit */
     double time;        /* s, when the person left; otherwise when the run ended for this person */
     Reason reason;      /* why the person did not leave */
-    Blockage blockage;  /* place, when the reason is "cannot pass" or "blocked" */
+    Blockage blockage;  /* place, when the reason has one */
     size_t exit;        /* exit crossed, or aimed at; SIZE_MAX: none */
     int reversals;      /* planned reversals */
     double path_length; /* m, of the reference point */
@@ -92,6 +117,8 @@ typedef struct Observation {
     Trace trace;
     Hazard *hazards; /* (hazard_count), worst first */
     size_t hazard_count;
+    Touch *touches; /* (touch_count) of chairs: group by group as they begin */
+    size_t touch_count;
     double *door_opened; /* (doors of the plan) s, when each door was first opened; infinite: never */
     bool completed;      /* True if every person who took part is out */
     bool interrupted;    /* True if the run was interrupted: for a person who is still inside the answer is neither a

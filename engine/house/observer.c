@@ -144,6 +144,7 @@ void observer_clear(Observer *observer) {
     memory_free(observer->door_opened);
     memory_free(observer->floor.stretch);
     memory_free(observer->stretches);
+    memory_free(observer->touches);
     trace_clear(&observer->trace);
     *observer = (Observer){0};
 }
@@ -197,6 +198,13 @@ static void watch_clearance(PersonObservation *person, Stretch *stretch, const W
     }
 }
 
+static Touch *add_touch(Observer *observer, Touch touch) {
+    observer->touches = memory_reserve(observer->touches, &observer->touch_capacity, observer->touch_count + 1,
+                                       sizeof *observer->touches);
+    observer->touches[observer->touch_count] = touch;
+    return &observer->touches[observer->touch_count++];
+}
+
 static void watch_contact(PersonObservation *person, Stretch *stretch, Watched *watched, const Sense *sense,
                           double elapsed) {
     if (sense->body_force > 0) {
@@ -214,8 +222,19 @@ static void watch_contact(PersonObservation *person, Stretch *stretch, Watched *
 }
 
 /* Notes an impact, and how hard the chair is squeezed. */
-static void watch_touch(PersonObservation *person, Stretch *stretch, Watched *watched, const Sense *sense,
-                        double elapsed) {
+static void watch_touch(Observer *observer, size_t i, Stretch *stretch, double elapsed, bool begins) {
+    PersonObservation *person = &observer->people[i];
+    Watched *watched = &observer->watched[i];
+    const Sense *sense = &observer->world->sense[i];
+    if (begins) {
+        add_touch(observer, (Touch){.person = i,
+                                    .at = sense->contact_at,
+                                    .part = sense->part,
+                                    .other = sense->other,
+                                    .time = clock_time(&observer->world->clock)});
+        watched->touch = observer->touch_count;
+    }
+    Touch *touch = watched->touch ? &observer->touches[watched->touch - 1] : NULL;
     Squeeze *squeeze = &watched->squeeze;
     squeeze->elapsed += elapsed;
     if (squeeze->elapsed >= OBSERVATION_SQUEEZE / SQUEEZE_PARTS) {
@@ -228,9 +247,19 @@ static void watch_touch(PersonObservation *person, Stretch *stretch, Watched *wa
         for (int p = 0; p < SQUEEZE_PARTS; p++)
             sum += squeeze->parts[p];
         person->squeeze = real_max(person->squeeze, sum / OBSERVATION_SQUEEZE);
+        touch->squeeze = real_max(touch->squeeze, sum / OBSERVATION_SQUEEZE);
+        touch->impulse += sense->body_force * elapsed;
     }
     if (!(sense->impact > 0))
         return;
+    if (touch && sense->impact > touch->speed) {
+        touch->at = sense->contact_at;
+        touch->part = sense->part;
+        touch->speed = sense->impact;
+        touch->mass = sense->mass;
+    }
+    if (touch)
+        touch->energy += sense->energy;
     person->energy += sense->energy;
     stretch->energy += sense->energy;
     stretch->impact = real_max(stretch->impact, sense->impact);
@@ -239,6 +268,42 @@ static void watch_touch(PersonObservation *person, Stretch *stretch, Watched *wa
         person->impact_energy = sense->energy;
         person->impact_part = sense->part;
         person->impact_at = sense->contact_at;
+    }
+}
+
+/* Returns the nearest point of a face to a place. */
+static Vec2 nearest_on(const Face *face, Vec2 at) {
+    Vec2 along = vec2_sub(face->b, face->a);
+    double square = vec2_dot(along, along);
+    double part = square > 0 ? vec2_dot(vec2_sub(at, face->a), along) / square : 0;
+    return vec2_along(face->a, real_clamp(part, 0, 1), along);
+}
+
+/* Notes where an obstacle comes between the rims and what they pass, from one row of the trace to the next. */
+static void watch_hands(Observer *observer, size_t i, double time) {
+    const World *world = observer->world;
+    const House *house = world->house;
+    const Profile *profile = house->people[i].profile;
+    Watched *watched = &observer->watched[i];
+    Vec2 axis = world->axis[i], axle = world_reference(world, i);
+    bool near = profile->driving == DRIVING_DRIVER && world->sense[i].clearance < profile->hands;
+    for (int side = 0; side < 2; side++) {
+        int face = -1;
+        double out = (side ? -1 : 1) * (profile->width + profile->hands) / 2;
+        Vec2 middle = vec2_along(axle, out, vec2_left(axis));
+        bool meets = near && freespace_clearance(&house->space, middle, axis, OBSERVATION_RIMS, profile->hands / 2, 0,
+                                                 &face) < 0;
+        if (meets && !watched->hands[side] && face >= 0)
+            add_touch(observer,
+                      (Touch){.person = i,
+                              .at = nearest_on(&house->outline.faces[face], middle),
+                              .part = PART_HAND,
+                              .other = -1,
+                              .time = time,
+                              .speed = vec2_length(world->velocity[i]),
+                              .mass = profile->mass,
+                              .energy = profile->mass * vec2_dot(world->velocity[i], world->velocity[i]) / 2});
+        watched->hands[side] = meets;
     }
 }
 
@@ -276,10 +341,14 @@ static void watch_person(Observer *observer, size_t i) {
     double moved = vec2_distance(watched->at, at), change = world->drive[i].offset - watched->offset;
     Stretch *stretch = stretch_of(observer, i, at);
     person->path_length += moved;
+    bool rows = world->clock.step % observer->sample_steps == 0 || world->phase[i] == PHASE_OUT;
+    bool begins = sense->body_force > 0 && watched->untouched >= NEW_CONTACT;
     watch_clearance(person, stretch, world, i, at);
     watch_contact(person, stretch, watched, sense, elapsed);
     if (world_rides(world, i)) {
-        watch_touch(person, stretch, watched, sense, elapsed);
+        watch_touch(observer, i, stretch, elapsed, begins);
+        if (rows)
+            watch_hands(observer, i, time);
         watch_backing(person, watched, world, i, moved, elapsed);
     }
     watch_extremes(&watched->extremes, sense);
@@ -291,7 +360,7 @@ static void watch_person(Observer *observer, size_t i) {
         person->lost_time += lost;
         stretch->lost_time += lost;
     }
-    if (world->clock.step % observer->sample_steps == 0 || world->phase[i] == PHASE_OUT)
+    if (rows)
         add_row(observer, i, watched->leapt ? (double)NAN : elapsed > 0 ? change / elapsed : 0);
     watched->at = at;
     watched->time = time;
@@ -360,6 +429,24 @@ static int other_after(const Change *change, int other) {
     return person == SIZE_MAX ? -1 : (int)person;
 }
 
+/* Keeps the touches of people who are still there, each of whom finds the last one of the body again. */
+static void rename_touches(Observer *observer, const Change *change, Watched *watched, size_t people) {
+    size_t kept = 0;
+    for (size_t i = 0; i < people; i++)
+        watched[i].touch = 0;
+    for (size_t t = 0; t < observer->touch_count; t++) {
+        Touch touch = observer->touches[t];
+        touch.person = change->person_after[touch.person];
+        if (touch.person == SIZE_MAX)
+            continue;
+        touch.other = other_after(change, touch.other);
+        observer->touches[kept++] = touch;
+        if (touch.part != PART_HAND)
+            watched[touch.person].touch = kept;
+    }
+    observer->touch_count = kept;
+}
+
 static PersonObservation renamed_person(const Change *change, PersonObservation person) {
     person.narrowest_other = other_after(change, person.narrowest_other);
     person.exit = person.exit == SIZE_MAX ? SIZE_MAX : change->exit_after[person.exit];
@@ -381,6 +468,7 @@ void observer_rename(Observer *observer, const Change *change, PersonObservation
         door_opened[d] = change->door_before[d] == SIZE_MAX ? HUGE_VAL : observer->door_opened[change->door_before[d]];
     for (size_t s = 0; s < observer->stretch_count; s++)
         observer->stretches[s].other = other_after(change, observer->stretches[s].other);
+    rename_touches(observer, change, watched, count);
     rename_rows(&observer->trace, change);
     memory_free(observer->watched);
     memory_free(observer->door_opened);
@@ -465,7 +553,7 @@ void observer_end(Observer *observer, Reason reason) {
         }
         person->reason = end_reason(world, i, reason);
         person->time = ended(world, i) ? world->ended[i] : clock_time(&world->clock);
-        if (person->reason == REASON_CANNOT_PASS)
+        if (observation_reason_is_planned(person->reason))
             person->blockage = route->blockage;
         else if (person->reason == REASON_BLOCKED)
             fill_blockage(world, i, &person->blockage);

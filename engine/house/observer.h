@@ -28,12 +28,14 @@ typedef struct Watched {
     Vec2 at;          /* m, the reference point one step ago */
     double offset;    /* m, from the track, one step ago */
     double untouched; /* s, since the last contact of the body */
+    size_t touch;     /* index of the last touch of the body, plus 1; 0: none yet */
     double ended;     /* m, path length at which the present stretch ends */
     size_t stretch;   /* index of the present stretch, plus 1; 0: none yet */
     double time;      /* s */
     Extremes extremes;
     Squeeze squeeze;
-    bool backs; /* True while the chair drives backwards */
+    bool hands[2]; /* True while something is in the space of the left and the right hand */
+    bool backs;    /* True while the chair drives backwards */
     bool leapt; /* True if the offset has changed faster than the person moved since the last row: it belongs to another
                    part of the path */
     bool done;
@@ -60,6 +62,8 @@ typedef struct Observer {
     Floor floor;
     Stretch *stretches; /* (stretch_count) */
     size_t stretch_count, stretch_capacity;
+    Touch *touches; /* (touch_count) in the order in which they begin */
+    size_t touch_count, touch_capacity;
 } Observer;
 
 /* Returns the number of steps between two rows of the trace: run.sample, or more if the rows of very many people until

@@ -367,7 +367,8 @@ static void run_groups(Group *groups, size_t count, int jobs) {
 /* The whole -------------------------------------------------------------------------------------------------------- */
 
 /* Adds a group to the observation: rows, stretches, sums. */
-static void merge_group(Observation *observation, Group *group, Stretch **stretches, size_t *count, size_t *capacity) {
+static void merge_group(Observation *observation, Group *group, Stretch **stretches, size_t *count, size_t *capacity,
+                        size_t *touch_capacity) {
     Observer *observer = &group->observer;
     for (size_t r = 0; r < observer->trace.rows; r++)
         trace_add(&observation->trace, trace_row(&observer->trace, r));
@@ -375,6 +376,12 @@ static void merge_group(Observation *observation, Group *group, Stretch **stretc
     if (observer->stretch_count)
         memcpy(*stretches + *count, observer->stretches, observer->stretch_count * sizeof **stretches);
     *count += observer->stretch_count;
+    for (size_t t = 0; t < observer->touch_count; t++) {
+        Touch touch = observer->touches[t];
+        observation->touches = memory_reserve(observation->touches, touch_capacity, observation->touch_count + 1,
+                                              sizeof *observation->touches);
+        observation->touches[observation->touch_count++] = touch;
+    }
     observation->steps = group->steps > observation->steps ? group->steps : observation->steps;
     observation->wall_crossings += group->wall_crossings;
     observation->interrupted |= group->interrupted;
@@ -466,9 +473,9 @@ void run_house(Observation *observation, const House *house, const RunOptions *o
     observation->mixed = memory_zeroed(changes, sizeof *observation->mixed);
     observation->mixed_count = changes;
     Stretch *stretches = NULL;
-    size_t stretch_count = 0, capacity = 0;
+    size_t stretch_count = 0, capacity = 0, touch_capacity = 0;
     for (size_t g = 0; g < group_count; g++) {
-        merge_group(observation, &groups[g], &stretches, &stretch_count, &capacity);
+        merge_group(observation, &groups[g], &stretches, &stretch_count, &capacity, &touch_capacity);
         clear_group(&groups[g]);
     }
     observation->hazard_count = hazard_rank(observation->hazards, stretches, stretch_count, last);

@@ -27,11 +27,12 @@ void touch_begin(Sense *sense, const Profile *profile, Vec2 axis, Vec2 arm, Vec2
     if (-rate <= sense->impact)
         return;
     sense->impact = -rate;
-    sense->energy = touch_mass(profile, axis, arm, normal) * rate * rate / 2;
+    sense->mass = touch_mass(profile, axis, arm, normal);
+    sense->energy = sense->mass * rate * rate / 2;
     sense->part = part_at(profile, axis, arm);
 }
 
 const char *touch_part(int part) {
-    static const char *const names[] = {"front", "side", "tail"};
+    static const char *const names[] = {"front", "side", "tail", "hand"};
     return names[part];
 }

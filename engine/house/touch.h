@@ -18,5 +18,5 @@ double touch_mass(const Profile *profile, Vec2 axis, Vec2 arm, Vec2 normal);
 /* Adds to a sense a contact that begins: `rate` (m/s) is the speed along the normal, negative when approaching. */
 void touch_begin(Sense *sense, const Profile *profile, Vec2 axis, Vec2 arm, Vec2 normal, double rate);
 
-/* Returns "front", "side" or "tail". */
+/* Returns "front", "side", "tail" or "hand". */
 const char *touch_part(int part);

@@ -25,8 +25,8 @@ typedef enum Phase {
     PHASE_OUT,   /* has crossed an exit and is removed */
 } Phase;
 
-/* Parts of a chair that touch. */
-typedef enum BodyPart { PART_FRONT, PART_SIDE, PART_TAIL } BodyPart;
+/* Parts of a chair that touch: its front is that of the footrest. A hand stands beside the rim: observation.h. */
+typedef enum BodyPart { PART_FRONT, PART_SIDE, PART_TAIL, PART_HAND } BodyPart;
 
 /* What surrounds and touches a person in this step. */
 typedef struct Sense {
@@ -39,6 +39,7 @@ typedef struct Sense {
     Vec2 contact_at;    /* m, point of the hardest contact */
     double impact; /* m/s, greatest speed along the normal of a chair's contact that begins in this step; 0: none */
     double energy; /* J, of that impact (touch.h) */
+    double mass;   /* kg, its effective mass */
     int part;      /* BodyPart, of that impact */
     int other;     /* the nearest person, or -1: an obstacle or nothing */
 } Sense;

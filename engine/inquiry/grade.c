@@ -16,6 +16,7 @@ typedef struct Grading {
     size_t person;
     const Stop *stop;
     double blocked_from; /* m, least growth so far that cannot pass */
+    bool weak;           /* True if the body itself passes, but the driver is too weak */
     Grade *grade;
 } Grading;
 
@@ -32,6 +33,10 @@ static GradeTry try_growth(Grading *grading, double growth, int reversals) {
     GradeTry tried = grade_try_growth(grading->house, grading->person, growth, reversals, grading->stop);
     if (tried.blocked)
         note_blockage(grading, growth, &tried.blockage);
+    if (tried.weak && growth == 0) {
+        note_blockage(grading, 0, &tried.blockage);
+        grading->weak = true;
+    }
     return tried;
 }
 
@@ -39,6 +44,8 @@ static GradeTry try_growth(Grading *grading, double growth, int reversals) {
 static double largest_growth(Grading *grading, int reversals, double most) {
     GradeTry tried = try_growth(grading, 0, reversals);
     double low = tried.found ? tried.holds : -GRADE_DEEPEST, high = tried.found ? most : 0;
+    if (grading->weak)
+        return (double)NAN;
     if (!tried.found) {
         tried = try_growth(grading, low, reversals);
         if (!tried.found)
@@ -60,11 +67,17 @@ static double largest_growth(Grading *grading, int reversals, double most) {
 
 Grade grade_person(const House *house, size_t person, const Stop *stop) {
     Grade grade = {.letter = GRADE_D};
-    Grading grading = {house, person, stop, HUGE_VAL, &grade};
+    Grading grading = {house, person, stop, HUGE_VAL, false, &grade};
     const Profile *profile = house->people[person].profile;
     int any = house->plan.run.reversals, few = any < A_FEW ? any : A_FEW;
     double easy = fmax(profile->free_speed * profile->steering_time / 2, GRADE_HANDS);
     double least = largest_growth(&grading, any, easy);
+    if (grading.weak) { /* room is not what is missing */
+        grade.letter = GRADE_E;
+        grade.weak = true;
+        grade.tightness = grade.to_next = (double)NAN;
+        return grade;
+    }
     grade.tightness = least;
     grade.wider = least >= easy;
     double straight = any > 0 ? largest_growth(&grading, 0, easy) : least;

@@ -9,7 +9,7 @@
  *     B  with care         c*_0 >= 0.05 m: room for the hands at the rims
  *     C  arms in           c*_2 >= 0.015 m: a tenth of the passages of a door touch with less
  *     D  touching likely   there is a way
- *     E  helper only       the body fits through, but cannot be driven
+ *     E  helper only       the body fits through, but cannot be driven, or the driver is too weak (strength.h)
  *     F  impossible        the body does not fit
  *
  * Places: for each better grade in turn the house is tried with the body of that grade's limit. What blocks it is a
@@ -53,6 +53,7 @@ typedef struct Grade {
     char what[96];    /* "door d2" */
     GradePlace places[GRADE_PLACES_MOST]; /* (place_count) tightest grade first */
     size_t place_count;
+    bool weak;        /* True if it is strength that is missing, at that place, not room */
     bool interrupted; /* True: nothing else is known */
 } Grade;
 

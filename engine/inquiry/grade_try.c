@@ -26,6 +26,7 @@ GradeTry grade_try_growth(const House *house, size_t person, double growth, int 
                       .fits = route->fits,
                       .holds = growth + fmax(route->narrowest, 0) * CORNER,
                       .blocked = route->answer == ROUTE_CANNOT_PASS && *route->blockage.what,
+                      .weak = route->answer == ROUTE_TOO_WEAK,
                       .blockage = route->blockage};
     journey_free_all(&journeys);
     memory_free(part);

@@ -9,7 +9,8 @@ typedef struct GradeTry {
     bool found, fits;
     double holds;      /* m, growth that this way has room for, at least */
     bool blocked;      /* True if it is known what blocks it: */
-    Blockage blockage; /* the texts are its own */
+    bool weak;         /* True if there is a way, but not for the driver's strength, */
+    Blockage blockage; /* which this tells; the texts are its own */
 } GradeTry;
 
 /* Plans a person's way with the body grown by `growth` m and at most `reversals` changes of direction; the axle stays

@@ -276,7 +276,7 @@ static Vec2 note_stuck(Search *search, const Observation *observation) {
     for (size_t i = 0; i < observation->person_count; i++) {
         const PersonObservation *person = &observation->people[i];
         bool out = !person->took_part || person->completed;
-        search->stuck[i] = !out && person->reason == REASON_CANNOT_PASS;
+        search->stuck[i] = !out && observation_reason_is_planned(person->reason);
         search->by_plan &= out || search->stuck[i];
     }
     return observation->people[first_stuck(observation)].blockage.at;

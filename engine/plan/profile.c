@@ -30,6 +30,8 @@ enum { CHAIRS = 1, WALKERS = 2, ALL = CHAIRS | WALKERS, OPTIONAL = 4 };
     ROW(CHAIRS, "drive.turn_rate", turn_rate, "rad/s", 0.01, 10, "fastest turn")                                       \
     ROW(ALL, "drive.push", push, "N", 0, 5000, "largest push of the driver; 0: no driver")                             \
     ROW(CHAIRS, "drive.turning_moment", turning_moment, "N m", 0, 1000, "largest turning moment of the driver")        \
+    MAY(CHAIRS, "drive.scrub", scrub, "N m", 0, 1000, 0, "assumed: not given, so none",                                \
+        "moment that a turn on the spot takes")                                                                        \
     ROW(ALL, "drive.speed_response", speed_response, "s", 0.01, 10, "time to take up a speed")                         \
     ROW(CHAIRS, "drive.turn_response", turn_response, "s", 0.01, 10, "time to take up a turn")                         \
     ROW(CHAIRS, "drive.lateral_gain", lateral_gain, "1/m2", 0, 1000, "steering per distance off the path")             \

@@ -50,6 +50,7 @@ typedef struct Profile {
     double turn_rate;            /* rad/s, largest */
     double push;                 /* N, largest push of the driver */
     double turning_moment;       /* N m, largest turning moment of the driver */
+    double scrub;                /* N m, what a turn on the spot takes of it against the scrub of the tyres */
     double speed_response;       /* s */
     double turn_response;        /* s */
     double lateral_gain;         /* 1/m2 */

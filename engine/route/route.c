@@ -560,7 +560,17 @@ Route route_round(const RouteQuery *query) {
     return answer_with(query, true);
 }
 
+const char *route_lack_unit(Lack lacks) {
+    static const char *const units[] = {"m", "N", "N m"};
+    return units[lacks];
+}
+
 void route_widths(const Blockage *blockage, char *text, size_t size) {
+    const char *unit = route_lack_unit(blockage->lacks);
+    if (blockage->lacks != LACK_WIDTH) {
+        snprintf(text, size, "needs %.2g %s, has %.2g %s", blockage->needs, unit, blockage->has, unit);
+        return;
+    }
     const double centimetres = 100, slack = 1e-6; /* 1/m; cm, so that whole centimetres are preserved */
     double needs = ceil(blockage->needs * centimetres - slack) / centimetres;
     double has = floor(blockage->has * centimetres + slack) / centimetres;

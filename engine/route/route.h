@@ -37,12 +37,17 @@ typedef struct Pose {
 
 #define ROUTE_EASED 0.03 /* m, clearance at the start of a route in the middle of a run */
 
+/* What is missing at a place. */
+typedef enum Lack { LACK_WIDTH, LACK_PUSH, LACK_MOMENT } Lack;
+
 /* Place and cause of a missing path. */
 typedef struct Blockage {
     Vec2 at;         /* m */
-    char what[96];   /* "door d2", "wardrobe (f3)", "start", "exit e1"; furniture before a wall */
-    double has;      /* m, existing width; 0 if the cause is not a width */
-    double needs;    /* m: tried for a chair at a door, or else estimated; of a disc, its own width */
+    char what[96];   /* "door d2", "wardrobe (f3)", "start", "exit e1"; furniture before a wall; of a driver who is too
+                        weak "start from rest", "turn" or "bend", with its place, "turn at (4.20, 1.05)" */
+    double has;      /* m, existing width; 0 if the cause is not a width; or N or N m: strength.h */
+    double needs;    /* m: tried for a chair at a door, or else estimated; of a disc, its own width; or N or N m */
+    Lack lacks;      /* what `has` and `needs` are */
     bool estimated;  /* True if `needs` is an estimate */
     double skid;     /* m, with which the chair gets out if its drive wheels skid sideways, in all; 0: none is known */
     char beside[96]; /* the other side of a place that furniture narrows, where `what` does not name it */
@@ -55,12 +60,13 @@ typedef enum RouteAnswer {
     ROUTE_FOUND,
     ROUTE_CANNOT_PASS, /* the blockage gives the place */
     ROUTE_NO_EXIT,     /* no exit exists or is usable */
+    ROUTE_TOO_WEAK, /* there is a way, but not for the driver's strength: the blockage gives the place (strength.h) */
     ROUTE_INTERRUPTED, /* neither yes nor no: the route holds nothing else */
 } RouteAnswer;
 
 typedef struct Route {
     RouteAnswer answer;
-    bool fits;     /* True if the body fits; known only with ROUTE_FOUND and ROUTE_CANNOT_PASS */
+    bool fits;     /* True if the body fits; known only with ROUTE_FOUND, ROUTE_CANNOT_PASS and ROUTE_TOO_WEAK */
     bool drivable; /* == ROUTE_FOUND */
     int reversals;
     size_t exit; /* exit taken or aimed at */
@@ -106,8 +112,12 @@ typedef struct RouteQuery {
 
 enum { ROUTE_WIDTHS = 160 /* characters that route_widths needs at most */ };
 
+/* Returns "m", "N" or "N m". */
+const char *route_lack_unit(Lack lacks);
+
 /* Writes "needs at least 0.80 m, has 0.75 m", or "needs about 0.80 m, has 0.75 m beside wardrobe (f3)" of an estimate,
- * the required width rounded up and the existing one down to a centimetre; "" if the cause is not a width. */
+ * the required width rounded up and the existing one down to a centimetre, or "needs 26 N m, has 2 N m" of a driver who
+ * is too weak; "" if the cause is neither. */
 void route_widths(const Blockage *blockage, char *text, size_t size);
 
 /* Writes "could pass with skids of 0.15 m in all", rounded up to a centimetre; "" if the chair cannot. */

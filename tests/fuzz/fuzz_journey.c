@@ -5,7 +5,7 @@
 
 static void check_route(const Inhabitant *person, const Route *route) {
     fuzz_expect(route->answer <= ROUTE_INTERRUPTED, "an answer is one of the list");
-    if (route->answer == ROUTE_CANNOT_PASS) {
+    if (route->answer == ROUTE_CANNOT_PASS || route->answer == ROUTE_TOO_WEAK) {
         const Blockage *blockage = &route->blockage;
         fuzz_expect(fuzz_house_is_finite(blockage->at), "a blockage is somewhere");
         fuzz_expect(*blockage->what, "a blockage has a name");

@@ -26,7 +26,7 @@
 
 bool blockage_scene_has(const PersonObservation *observed) {
     return observed->took_part && !observed->completed && *observed->blockage.what &&
-           (observed->reason == REASON_CANNOT_PASS || observed->reason == REASON_BLOCKED);
+           observation_reason_has_place(observed->reason);
 }
 
 const char *blockage_scene_widths(Scene *scene, const Blockage *blockage) {

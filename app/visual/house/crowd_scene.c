@@ -228,8 +228,10 @@ void crowd_scene_ways(Scene *scene, const House *house, const Observation *obser
 /* Labels ------------------------------------------------------------------------------------------------------------*/
 
 static void add_hold_label(Scene *scene, const Hold *hold) {
-    bool blocked = hold->reason == REASON_BLOCKED;
-    const char *text = scene_text(scene, blocked ? "%zu blocked here" : "%zu cannot pass here", hold->people);
+    const char *format = hold->reason == REASON_BLOCKED    ? "%zu blocked here"
+                         : hold->reason == REASON_TOO_WEAK ? "%zu too weak here"
+                                                           : "%zu cannot pass here";
+    const char *text = scene_text(scene, format, hold->people);
     Vec2 middle = vec2_scale(vec2_add(hold->box.low, hold->box.high), 0.5);
     Primitive *tag = scene_add_label(scene, ROLE_TEXT, TEXT_SIZE, middle, text);
     tag->fill = ROLE_ERROR;
@@ -241,7 +243,7 @@ void crowd_scene_labels(Scene *scene, const House *house, const Observation *obs
     size_t shown = 0;
     for (size_t h = 0; h < census->hold_count && shown < CROWD_SCENE_HOLDS; h++) {
         const Hold *hold = &census->holds[h];
-        if (hold->reason != REASON_BLOCKED && hold->reason != REASON_CANNOT_PASS)
+        if (!observation_reason_has_place(hold->reason))
             continue;
         add_hold_label(scene, hold);
         shown++;
