@@ -76,6 +76,26 @@ def check_rules(place):
     check("of the population whm" in page and "Drivers through" in page, "the report tells the drivers")
 
 
+def check_rest(place):
+    """What stays of an open sliding leaf narrows the opening, for the rules and for the chair."""
+    plan = {"format": "clearance-house", "version": 1,
+            "walls": [{"id": "w1", "points": [[0, 0], [6, 0], [6, 3], [0, 3], [0, 0]]}, {"id": "w2", "points": [[3, 0], [3, 3]]}],
+            "doors": [{"id": "d1", "wall": "w2", "at": 1.5, "width": 0.8, "kind": "sliding"},
+                      {"id": "d2", "wall": "w1", "segment": 1, "at": 1.5, "width": 1}],
+            "exits": [{"id": "e1", "from": [7, 0.8], "to": [7, 2.2]}],
+            "people": [{"id": "p1", "profile": "manual-chair", "at": [1, 1.5]}]}
+    path = pathlib.Path(place, "rest.json")
+    for state in ("open", "closed"):
+        for rest, code in ((0, 0), (0.06, 1)):
+            plan["doors"][0].update(state=state, rest=rest)
+            path.write_text(json.dumps(plan))
+            findings = ask("rules", str(path), "--rules", "jp-senior-housing-1414", code=code)["findings"]
+            has = [found["has"] for found in findings if found["place"] == "door d1" and found["rule"] == "door"]
+            check(len(has) == 1 and abs(has[0] - (0.8 - rest)) < 1e-6, f"a rest of {rest} m narrows a door that is {state}", has)
+            nearest = ask("run", str(path))["people"][0]["narrowest"]["clearance"]
+            check(nearest <= (0.8 - rest - 0.63) / 2 + 1e-6, "the chair sees the rest", nearest)
+
+
 def check_loci(place):
     """The locus of a chair with other numbers tells them: speeds along the way tell the acceleration, too."""
     truth = {"free_speed": 0.8, "acceleration": 0.3}
@@ -110,7 +130,7 @@ def check_loci(place):
 
 
 with tempfile.TemporaryDirectory() as folder:
-    for test in (check_asked, check_measured, check_rules, check_loci):
+    for test in (check_asked, check_measured, check_rules, check_rest, check_loci):
         where = pathlib.Path(folder, test.__name__)
         where.mkdir()
         test(str(where))
