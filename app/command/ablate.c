@@ -98,10 +98,10 @@ int command_ablate(const Options *options) {
                                         .setting_count = options->setting_count,
                                         .seed = options->seed,
                                         .driving = -1};
-    size_t count = options->drivers ? (size_t)options->drivers : DRIVERS_USUAL;
     House house = {0};
-    bool good = house_file_population(&population, options, &fault) &&
-                house_read(&house, options->files[0], &house_options, &fault) && output_directory(options->out);
+    bool good = house_read(&house, options->files[0], &house_options, &fault) &&
+                house_file_population(&population, options, &house.plan, &fault) && output_directory(options->out);
+    size_t asked = house_file_drivers(options, &house.plan), count = asked ? asked : DRIVERS_USUAL;
     house_free(&house); /* each variant is read by itself */
     if (!good || !ablation_run(&ablation, options->files[0], &house_options, &population, count, options->jobs,
                                &progress_stop, &fault)) {

@@ -196,7 +196,7 @@ static void share(const Options *options, const House *house, const Population *
 /* Reads the house and, for --drivers, the population. Returns false after an error. */
 static bool read_files(House *house, Population *population, const Options *options, Fault *fault) {
     bool read = house_file_read(house, options, 0, fault);
-    if (!options->drivers || house_file_population(population, options, fault))
+    if (!read || !options->drivers || house_file_population(population, options, &house->plan, fault))
         return read;
     house_free(house);
     return false;

@@ -93,12 +93,11 @@ static bool write_results(const House houses[2], const Observation observations[
 }
 
 /* Runs the same drivers through both houses and adds or prints their differences. Returns false if interrupted. */
-static bool compare_drivers(const House houses[2], const Population *population, const Options *options,
+static bool compare_drivers(const House houses[2], const Population *population, size_t count, const Options *options,
                             json_t *answer) {
     Drivers drivers[2];
     for (int h = 0; h < 2; h++)
-        drivers_run(&drivers[h], &houses[h], population, (size_t)options->drivers, SIZE_MAX, options->jobs,
-                    &progress_stop);
+        drivers_run(&drivers[h], &houses[h], population, count, SIZE_MAX, options->jobs, &progress_stop);
     bool whole = !drivers[0].interrupted && !drivers[1].interrupted;
     if (whole && answer) {
         json_object_set_new(answer, "drivers",
@@ -106,7 +105,7 @@ static bool compare_drivers(const House houses[2], const Population *population,
                                       result_json_take_list(result_drivers_paired(houses, drivers))));
     } else if (whole) {
         Text text = {0};
-        text_format(&text, "\nthe same %d drivers of the population %s in both:\n", options->drivers, population->id);
+        text_format(&text, "\nthe same %zu drivers of the population %s in both:\n", count, population->id);
         result_drivers_paired_say(&text, houses, drivers);
         result_text_take(&text, "", result_drivers_paired(houses, drivers));
         output_text(&text);
@@ -126,7 +125,9 @@ int command_compare(const Options *options) {
     bool first = house_file_read(&houses[0], options, 0, &fault);
     bool second = house_file_read(&houses[1], options, 1, &fault);
     Population population = {0};
-    if (!first || !second || (options->drivers && !house_file_population(&population, options, &fault)) ||
+    const Plan *asks = &houses[houses[0].plan.drivers.count ? 0 : 1].plan; /* the first house that asks for drivers */
+    size_t count = house_file_drivers(options, asks);
+    if (!first || !second || (count && !house_file_population(&population, options, asks, &fault)) ||
         !output_directory(options->out)) {
         population_free(&population);
         house_free(&houses[0]);
@@ -143,7 +144,7 @@ int command_compare(const Options *options) {
     json_t *answer = options->json ? make_answer(houses, observations, interrupted) : NULL;
     if (!answer)
         print_comparison(houses, observations);
-    if (options->drivers && !interrupted && !compare_drivers(houses, &population, options, answer)) {
+    if (count && !interrupted && !compare_drivers(houses, &population, count, options, answer)) {
         fprintf(stderr, "clearance: interrupted before all drivers had run; they are not compared\n");
         interrupted = true;
         if (answer)

@@ -7,21 +7,21 @@
 #include <unistd.h>
 
 #include "base/text.h"
-#include "beam/beam.h"
 #include "crank/crank.h"
 #include "command/answer.h"
 #include "command/command.h"
+#include "command/fit_job.h"
 #include "command/house_file.h"
 #include "command/output.h"
 #include "command/progress.h"
+#include "command/report_files.h"
 #include "platform/terminal.h"
-#include "exchange/measured.h"
-#include "exchange/timed.h"
 #include "experiment/beam_experiment.h"
 #include "experiment/beam_frequencies.h"
 #include "experiment/house_experiment.h"
 #include "laboratory/shipped.h"
 #include "plot/plot_write.h"
+#include "report/fit_report.h"
 #include "result/fit.h"
 #include "result/json.h"
 #include "result/source_line.h"
@@ -29,123 +29,13 @@
 #include "visual/study/fit_plots.h"
 
 #define SPREAD 0.5           /* 1, of the logarithm of what is not given with --prior: assumed */
-#define TIME_DEVIATION 0.5   /* s, of a measured time without one: assumed */
 #define PEAK_DEVIATION 0.05  /* 1, of the logarithm of a peak: assumed */
 #define TONE_DEVIATION 0.005 /* 1, of the logarithm of a natural frequency: assumed */
 
-/* What is fitted, and all that it stands on. */
-typedef struct Job {
-    const Options *options;
-    bool is_beam;
-    HouseOptions house_options;
-    Beam beam;
-    Timed timed;
-    Measured measured;
-    Experiment *experiments; /* (experiment_count) of a house one for each measured route; of a beam motion and tones */
-    size_t experiment_count;
-    FitUnknown unknowns[FIT_UNKNOWNS_MOST];
-    Fit fit;
-    size_t row_capacity;
-    Arena arena;
-} Job;
-
-static void add_row(Job *job, FitRow row) {
+void fit_job_add_row(FitJob *job, FitRow row) {
     Fit *fit = &job->fit;
     fit->rows = memory_reserve(fit->rows, &job->row_capacity, fit->row_count + 1, sizeof *fit->rows);
     fit->rows[fit->row_count++] = row;
-}
-
-/* Houses ------------------------------------------------------------------------------------------------------------
- */
-
-static double deviation_of(const TimedRun *run, const PlanRoute *route) {
-    return !isnan(run->deviation)          ? run->deviation
-           : route->observed.deviation > 0 ? route->observed.deviation
-                                           : TIME_DEVIATION;
-}
-
-/* Takes the means that the house file holds: their standard error is the deviation of one run by sqrt(runs). */
-static void take_means(Job *job, const Plan *plan) {
-    for (size_t r = 0; r < plan->route_count; r++) {
-        const Observed *observed = &plan->routes[r].observed;
-        double error =
-            observed->deviation > 0 && observed->runs > 1 ? observed->deviation / sqrt(observed->runs) : TIME_DEVIATION;
-        Timed *timed = &job->timed;
-        if (!(observed->mean > 0))
-            continue;
-        timed->runs = memory_reserve(timed->runs, &timed->capacity, timed->count + 1, sizeof *timed->runs);
-        timed->runs[timed->count++] =
-            (TimedRun){.route = plan->routes[r].id, .time = observed->mean, .deviation = error};
-    }
-}
-
-/* Opens the experiment of a route, once; NULL after an error. */
-static const Experiment *open_route(Job *job, const char *id, Fault *fault) {
-    for (size_t e = 0; e < job->experiment_count; e++)
-        if (strcmp(job->experiments[e].kind, id) == 0)
-            return &job->experiments[e];
-    Experiment *experiment = &job->experiments[job->experiment_count];
-    if (!house_experiment_open(experiment, job->options->files[0], &job->house_options, id, fault))
-        return NULL;
-    experiment->kind = id;
-    job->experiment_count++;
-    return experiment;
-}
-
-static bool open_house(Job *job, Fault *fault) {
-    const Options *options = job->options;
-    House house = {0};
-    if (options->measured && !text_read_interrupted()) {
-        fault_add(fault, "clearance: --measured is for beams, %s is a house; its times come with --observed",
-                  options->files[0]);
-        return false;
-    }
-    if (!house_file_read(&house, options, 0, fault))
-        return false;
-    job->house_options = (HouseOptions){.profiles = shipped_places()->profiles,
-                                        .settings = options->settings,
-                                        .setting_count = options->setting_count,
-                                        .seed = options->seed,
-                                        .driving = options->driving};
-    bool good = !options->observed || timed_read(&job->timed, options->observed, fault);
-    if (good && !options->observed)
-        take_means(job, &house.plan);
-    if (good && !job->timed.count)
-        fault_add(fault, "clearance: no route of %s has observed times, so that --observed FILE is needed",
-                  options->files[0]);
-    job->experiments = memory_zeroed(house.plan.route_count + 1, sizeof *job->experiments);
-    for (size_t i = 0; i < job->timed.count && good; i++) {
-        TimedRun *run = &job->timed.runs[i];
-        size_t route = plan_find_route(&house.plan, run->route);
-        if (route == SIZE_MAX) {
-            fault_add(fault, "%s:%d:1: the house has no route \"%s\"", options->observed, run->line, run->route);
-            continue;
-        }
-        const char *id = arena_text(&job->arena, run->route);
-        const Experiment *experiment = open_route(job, id, fault);
-        if (experiment)
-            add_row(job, (FitRow){.experiment = experiment,
-                                  .observable = HOUSE_TIME,
-                                  .way = HOUSE_WAY,
-                                  .observed = run->time,
-                                  .deviation = deviation_of(run, &house.plan.routes[route]),
-                                  .group = (size_t)(experiment - job->experiments),
-                                  .label = text_in_arena(&job->arena, "route %s", id)});
-    }
-    house_free(&house);
-    return good && !fault->total;
-}
-
-/* Returns the free speed and the steering time of the first chair, which is what times alone can tell. */
-static const char *house_names(Job *job) {
-    const House *house = house_experiment_house(&job->experiments[0]);
-    for (size_t i = 0; i < house->person_count; i++) {
-        const Profile *profile = house->people[i].profile;
-        if (profile->driving != DRIVING_WALKER)
-            return text_in_arena(&job->arena, "profile.%s.free_speed,profile.%s.steering_time", profile->name,
-                                 profile->name);
-    }
-    return NULL;
 }
 
 /* Beams -------------------------------------------------------------------------------------------------------------
@@ -154,7 +44,7 @@ static const char *house_names(Job *job) {
 enum { MOTION, TONES, BEAM_EXPERIMENTS };
 
 /* Lists what the columns of a file may be: numbers of the beam, and what its experiments observe. */
-static size_t list_kinds(const Job *job, MeasuredKind kinds[MEASURED_KINDS]) {
+static size_t list_kinds(const FitJob *job, MeasuredKind kinds[MEASURED_KINDS]) {
     size_t count = 0;
     for (size_t r = 0; r < beam_table()->count && count < MEASURED_KINDS; r++) {
         const Parameter *row = &beam_table()->rows[r];
@@ -176,7 +66,7 @@ typedef struct Given {
     size_t count;
 } Given;
 
-static Given list_given(Job *job) {
+static Given list_given(FitJob *job) {
     Given given = {.names = arena_allocate(&job->arena, job->measured.column_count * sizeof *given.names),
                    .values = arena_allocate(&job->arena, job->measured.column_count * sizeof *given.values)};
     for (size_t c = 0; c < job->measured.column_count; c++)
@@ -187,7 +77,7 @@ static Given list_given(Job *job) {
     return given;
 }
 
-static void add_observed(Job *job, const Given *given, size_t e, size_t observable, const double *values) {
+static void add_observed(FitJob *job, const Given *given, size_t e, size_t observable, const double *values) {
     const Experiment *experiment = &job->experiments[e];
     for (size_t i = 0; i < job->measured.count; i++) {
         double *at = arena_allocate(&job->arena, (given->count + 1) * sizeof *at);
@@ -199,23 +89,23 @@ static void add_observed(Job *job, const Given *given, size_t e, size_t observab
             at[g] = known ? given->values[g][i] : experiment->nominal(experiment->given, given->names[g]);
             label = g ? label : text_in_arena(&job->arena, "%s %g", given->names[g], at[g]);
         }
-        add_row(job, (FitRow){.experiment = experiment,
-                              .observable = observable,
-                              .way = SIZE_MAX,
-                              .names = given->names,
-                              .at = at,
-                              .name_count = given->count,
-                              .observed = values[i],
-                              .deviation = e == TONES ? TONE_DEVIATION : PEAK_DEVIATION,
-                              .relative = true,
-                              .group = e == TONES ? job->fit.row_count : i,
-                              .label = label});
+        fit_job_add_row(job, (FitRow){.experiment = experiment,
+                                      .observable = observable,
+                                      .way = SIZE_MAX,
+                                      .names = given->names,
+                                      .at = at,
+                                      .name_count = given->count,
+                                      .observed = values[i],
+                                      .deviation = e == TONES ? TONE_DEVIATION : PEAK_DEVIATION,
+                                      .relative = true,
+                                      .group = e == TONES ? job->fit.row_count : i,
+                                      .label = label});
         job->fit.robust |= e == MOTION;
         job->fit.jumps |= e == MOTION;
     }
 }
 
-static bool open_beam(Job *job, Fault *fault) {
+static bool open_beam(FitJob *job, Fault *fault) {
     const Options *options = job->options;
     MeasuredKind kinds[MEASURED_KINDS];
     const char *foreign = options->observed ? "--observed" : options->driving >= 0 ? "--driving" : NULL;
@@ -250,14 +140,14 @@ static bool open_beam(Job *job, Fault *fault) {
 /* What is fitted ----------------------------------------------------------------------------------------------------
  */
 
-static bool is_given(const Job *job, const char *name) {
+static bool is_given(const FitJob *job, const char *name) {
     for (size_t i = 0; i < (job->fit.row_count ? job->fit.rows[0].name_count : 0); i++)
         if (strcmp(job->fit.rows[0].names[i], name) == 0)
             return true;
     return false;
 }
 
-static void add_unknown(Job *job, const char *given_name, Fault *fault) {
+static void add_unknown(FitJob *job, const char *given_name, Fault *fault) {
     const Experiment *experiment = &job->experiments[0];
     const Parameter *row = experiment->parameter(experiment->given, given_name);
     Fit *fit = &job->fit;
@@ -280,7 +170,7 @@ static void add_unknown(Job *job, const char *given_name, Fault *fault) {
         job->unknowns[fit->unknown_count++] = (FitUnknown){.name = name, .prior = prior, .spread = SPREAD};
 }
 
-static void set_prior(Job *job, const char *word, Fault *fault) {
+static void set_prior(FitJob *job, const char *word, Fault *fault) {
     const char *equal = strchr(word, '=');
     char *end = NULL;
     double value = equal ? strtod(equal + 1, &end) : 0;
@@ -305,7 +195,7 @@ static void set_prior(Job *job, const char *word, Fault *fault) {
     fault_add(fault, "clearance: --prior: %.*s is not fitted", (int)(equal - word), word);
 }
 
-static void each_word(Job *job, const char *list, void (*take)(Job *job, const char *word, Fault *fault),
+static void each_word(FitJob *job, const char *list, void (*take)(FitJob *job, const char *word, Fault *fault),
                       Fault *fault) {
     char *copy = list ? text_copy(list) : NULL, *rest = copy, *word;
     while (copy && (word = strsep(&rest, ",")))
@@ -313,8 +203,8 @@ static void each_word(Job *job, const char *list, void (*take)(Job *job, const c
     memory_free(copy);
 }
 
-static bool choose(Job *job, Fault *fault) {
-    const char *names = job->options->fit ? job->options->fit : house_names(job);
+static bool choose(FitJob *job, Fault *fault) {
+    const char *names = job->options->fit ? job->options->fit : fit_house_names(job);
     if (!names)
         fault_add(fault, "clearance: nobody in this house has a chair, so that --fit must name what to fit");
     each_word(job, names, add_unknown, fault);
@@ -343,7 +233,7 @@ static json_t *correlations(const Fit *fit) {
     return rows;
 }
 
-static json_t *answer_of(const Job *job) {
+static json_t *answer_of(const FitJob *job) {
     Arena arena = {0};
     size_t count;
     if (job->fit.interrupted) { /* no number is known */
@@ -367,7 +257,7 @@ static json_t *answer_of(const Job *job) {
     return answer;
 }
 
-static void print_answer(const Job *job) {
+static void print_answer(const FitJob *job) {
     Arena arena = {0};
     Text text = {0};
     size_t count;
@@ -389,7 +279,7 @@ static void print_answer(const Job *job) {
 }
 
 /* Sets one value of a profile's or a beam's file, with where it comes from; false: it is not of this file. */
-static bool set_value(const Job *job, json_t *root, const char *profile, const FitUnknown *unknown) {
+static bool set_value(const FitJob *job, json_t *root, const char *profile, const FitUnknown *unknown) {
     const Experiment *experiment = &job->experiments[0];
     const Parameter *row = experiment->parameter(experiment->given, unknown->name);
     const char *dot = strchr(row->name, '.'), *source = job->is_beam ? job->options->measured : job->options->observed;
@@ -413,7 +303,7 @@ static bool set_value(const Job *job, json_t *root, const char *profile, const F
 }
 
 /* Writes a copy of a file with the told values as OUT/NAME-fitted.json, unless none of them is in it. */
-static bool write_copy(const Job *job, const char *from, const char *name, bool profile) {
+static bool write_copy(const FitJob *job, const char *from, const char *name, bool profile) {
     json_t *root = json_load_file(from, 0, NULL);
     char path[OUTPUT_PATH];
     bool changed = false;
@@ -434,13 +324,13 @@ static bool write_copy(const Job *job, const char *from, const char *name, bool 
 }
 
 /* Returns the file of a profile: in the folder of the house first. */
-static const char *profile_file(Job *job, const char *name) {
+static const char *profile_file(FitJob *job, const char *name) {
     const char *house = job->options->files[0], *slash = strrchr(house, '/');
     const char *near = text_in_arena(&job->arena, "%.*s%s.json", slash ? (int)(slash - house + 1) : 0, house, name);
     return access(near, R_OK) == 0 ? near : profile_find(shipped_places()->profiles, name, &job->arena);
 }
 
-static bool write_files(Job *job, const json_t *answer) {
+static bool write_files(FitJob *job, const json_t *answer) {
     const Options *options = job->options;
     char path[PLOT_WRITE_PATH];
     Arena arena = {0};
@@ -458,6 +348,14 @@ static bool write_files(Job *job, const json_t *answer) {
         output_failed(path, error);
         return false;
     }
+    char *command = report_files_command(options);
+    const Making making = report_files_making(options, command);
+    Document document = fit_report_make(&job->fit, &job->experiments[0], options->files[0], &making);
+    bool told = report_files_write(&document, "fit", options);
+    document_clear(&document);
+    memory_free(command);
+    if (!told)
+        return false;
     if (job->is_beam)
         return write_copy(job, options->files[0], *job->beam.name ? job->beam.name : "beam", false);
     const House *house = house_experiment_house(&job->experiments[0]);
@@ -472,16 +370,14 @@ static void show_progress(void *context, size_t runs) {
     terminal_progress("%zu simulations ", runs);
 }
 
-static void close_job(Job *job) {
-    for (size_t e = 0; e < job->experiment_count; e++)
-        if (!job->is_beam)
-            house_experiment_close(&job->experiments[e]);
-        else if (e == MOTION)
-            beam_experiment_close(&job->experiments[e]);
+static void close_job(FitJob *job) {
+    if (!job->is_beam)
+        fit_house_close(job);
+    else if (job->experiment_count)
+        beam_experiment_close(&job->experiments[MOTION]);
     beam_free(&job->beam);
     memory_free(job->experiments);
     memory_free(job->fit.rows);
-    timed_free(&job->timed);
     measured_free(&job->measured);
     arena_clear(&job->arena);
 }
@@ -494,7 +390,7 @@ static bool learned(const Fit *fit) {
 }
 
 int command_fit(const Options *options) {
-    Job job = {.options = options, .is_beam = beam_is_file(options->files[0])};
+    FitJob job = {.options = options, .is_beam = beam_is_file(options->files[0])};
     Fault fault = {0};
     if (crank_is_file(options->files[0])) {
         fprintf(stderr, "clearance: fit is for houses and beams, %s is a crank\n", options->files[0]);
@@ -505,7 +401,7 @@ int command_fit(const Options *options) {
                     .jobs = options->jobs,
                     .stop = &progress_stop,
                     .progress = shown ? show_progress : NULL};
-    bool good = (job.is_beam ? open_beam(&job, &fault) : open_house(&job, &fault)) && choose(&job, &fault) &&
+    bool good = (job.is_beam ? open_beam(&job, &fault) : fit_house_open(&job, &fault)) && choose(&job, &fault) &&
                 output_directory(options->out) && fit_run(&job.fit, &fault);
     if (shown)
         terminal_clear_progress();

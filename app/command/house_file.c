@@ -1,18 +1,15 @@
 #include "command/house_file.h"
 
-#include <dirent.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "base/stopwatch.h"
-#include "base/text.h"
 #include "command/output.h"
 #include "command/progress.h"
 #include "platform/terminal.h"
 #include "house/run.h"
 #include "laboratory/shipped.h"
+#include "laboratory/shipped_population.h"
 
 bool house_file_read(House *house, const Options *options, size_t index, Fault *fault) {
     HouseOptions house_options = {.profiles = shipped_places()->profiles,
@@ -61,36 +58,13 @@ void house_file_run(Observation *observation, const House *house, const Options 
         terminal_clear_progress();
 }
 
-static int is_population(const struct dirent *entry) {
-    const char *dot = strrchr(entry->d_name, '.');
-    return dot && strcmp(dot, ".json") == 0;
+size_t house_file_drivers(const Options *options, const Plan *plan) {
+    return (size_t)(options->drivers ? options->drivers : plan->drivers.count);
 }
 
-/* Says that no population has this name, and which ones there are. */
-static void report_unknown(const char *name, Fault *fault) {
-    struct dirent **entries = NULL;
-    Text known = {0};
-    int count = scandir(shipped_places()->populations, &entries, is_population, alphasort);
-    for (int i = 0; i < count; i++) {
-        text_format(&known, "%s%.*s", i ? ", " : "", (int)(strlen(entries[i]->d_name) - strlen(".json")),
-                    entries[i]->d_name);
-        free(entries[i]); /* of scandir */
-    }
-    free(entries);
-    fault_add(fault, "clearance: unknown population \"%s\"; known are %s, or name a file of your own", name,
-              known.text ? known.text : "none");
-    memory_free(known.text);
-}
-
-bool house_file_population(Population *population, const Options *options, Fault *fault) {
-    const char *name = options->population ? options->population : "manual-jp";
-    char path[OUTPUT_PATH];
-    size_t length = strlen(name);
-    bool file = strchr(name, '/') || (length > 5 && strcmp(name + length - 5, ".json") == 0);
-    snprintf(path, sizeof path, file ? "%s%s" : "%s/%s.json", file ? "" : shipped_places()->populations, name);
-    if (!file && access(path, R_OK) != 0) {
-        report_unknown(name, fault);
-        return false;
-    }
-    return population_read(population, path, fault);
+bool house_file_population(Population *population, const Options *options, const Plan *plan, Fault *fault) {
+    PlanDrivers drivers = plan->drivers;
+    if (options->population)
+        drivers = (PlanDrivers){.population = options->population, .place = "clearance: "};
+    return shipped_population_read(population, &drivers, options->population ? NULL : plan->path, fault);
 }

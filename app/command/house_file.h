@@ -15,6 +15,9 @@ int house_file_report(Fault *fault);
 /* Runs the house as the options say, with progress. */
 void house_file_run(Observation *observation, const House *house, const Options *options, size_t route);
 
-/* Reads the population of --population: an id of the shipped ones, or a file; "manual-jp" if none is named. Returns
- * false after an error. */
-bool house_file_population(Population *population, const Options *options, Fault *fault);
+/* Returns how many drivers of a population to run: those of --drivers or, without it, those that the house asks for. */
+size_t house_file_drivers(const Options *options, const Plan *plan);
+
+/* Reads the population of --population or, without it, that of the house: an id of the shipped ones, or a file, which
+ * the house names relative to its own folder; "manual-jp" if none is named. Returns false after an error. */
+bool house_file_population(Population *population, const Options *options, const Plan *plan, Fault *fault);

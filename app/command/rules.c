@@ -1,3 +1,4 @@
+#include <stdint.h>
 #include <stdio.h>
 
 #include "base/text.h"
@@ -11,6 +12,7 @@
 #include "report/rules_report.h"
 #include "result/json.h"
 #include "result/rules.h"
+#include "result/rules_drivers.h"
 #include "result/text.h"
 #include "visual/house/rules_scene.h"
 
@@ -78,18 +80,45 @@ static bool write_files(const House *house, const RuleSets *sets, const Inspecti
     return good;
 }
 
+/* Drives the drivers of a population, tries their bodies and grades the ways. */
+static void try_drivers(Inspection *inspection, const House *house, const Population *population,
+                        const Options *options) {
+    size_t count = (size_t)options->drivers;
+    Drivers drivers;
+    Shares *shares = memory_zeroed(house->person_count + 1, sizeof *shares);
+    Grade *grades = memory_zeroed(house->person_count + 1, sizeof *grades);
+    drivers_run(&drivers, house, population, count, SIZE_MAX, options->jobs, &progress_stop);
+    shares_find(shares, house, population, count, SIZE_MAX, options->jobs, &progress_stop);
+    bool whole = grade_all(grades, house, options->jobs, &progress_stop) && !drivers.interrupted;
+    for (size_t i = 0; i < house->person_count; i++)
+        whole &= !shares[i].interrupted;
+    if (whole)
+        result_rules_take(inspection, house, population->id, &drivers, shares, grades);
+    else
+        fprintf(stderr, "clearance: interrupted before all drivers had run; nothing is told of them\n");
+    drivers_free(&drivers);
+    memory_free(shares);
+    memory_free(grades);
+}
+
 int command_rules(const Options *options) {
     House house = {0};
     RuleSets sets = {0};
     Fault fault = {0};
+    Population population = {0};
     bool good = rule_set_read_all(&sets, shipped_places()->rules, options->rules, &fault) &&
-                house_file_read(&house, options, 0, &fault) && output_directory(options->out);
+                house_file_read(&house, options, 0, &fault) &&
+                (!options->drivers || house_file_population(&population, options, &house.plan, &fault)) &&
+                output_directory(options->out);
     if (!good) {
+        population_free(&population);
         house_free(&house);
         rule_set_free_all(&sets);
         return house_file_report(&fault);
     }
     Inspection inspection = inspection_make(&house, &sets, options->jobs, &progress_stop);
+    if (options->drivers && !inspection.interrupted)
+        try_drivers(&inspection, &house, &population, options);
     json_t *answer = answer_of(&house, &sets, &inspection);
     int code = inspection.counts[RULE_FAILS] || inspection.interrupted ? EXIT_ANSWER_NO : EXIT_ANSWERED;
     if (options->json)
@@ -100,6 +129,7 @@ int command_rules(const Options *options) {
         code = EXIT_WRONG_INPUT;
     json_decref(answer);
     inspection_free(&inspection);
+    population_free(&population);
     house_free(&house);
     rule_set_free_all(&sets);
     return code;

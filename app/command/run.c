@@ -30,10 +30,11 @@ static json_t *answer_of(const House *house, const Observation *observation, Rep
     const Drivers *drivers = fleets.drivers;
     if (drivers->count)
         json_object_set_new(answer, "drivers",
-                            json_pack("{s:s, s:I, s:o, s:o}", "population", fleets.population->id, "count",
+                            json_pack("{s:s, s:I, s:o, s:o, s:o}", "population", fleets.population->id, "count",
                                       (json_int_t)drivers->count, "people",
                                       result_json_take_list(result_drivers_table(house, observation, drivers)),
-                                      "routes", result_json_take_list(result_drivers_routes(house, drivers))));
+                                      "routes", result_json_take_list(result_drivers_routes(house, drivers)),
+                                      "measured", result_json_take_list(result_drivers_measured(house, drivers))));
     json_object_set_new(answer, "places", result_json_take_list(result_danger_places(house, observation, drivers)));
     if (fleets.grades) {
         json_object_set_new(answer, "grades", result_json_take_list(result_check_grades(house, fleets.grades)));
@@ -130,6 +131,7 @@ static void print_drivers(const House *house, const Observation *observation, co
     result_text_take(&text, "", result_drivers_routes(house, drivers));
     result_text_take(&text, "what they touch, worst first (`clearance help danger`)\n",
                      result_danger_places(house, observation, drivers));
+    result_text_take(&text, "single measured runs\n", result_drivers_measured(house, drivers));
     output_text(&text);
     memory_free(text.text);
 }
@@ -174,8 +176,10 @@ int command_run(const Options *options) {
     }
     ObservedLoci observed = {0};
     Population population = {0};
+    size_t count = house_file_drivers(options, &house.plan);
     if (!report_files_read_observed(&observed, &house, options, &fault) ||
-        (options->drivers && !house_file_population(&population, options, &fault)) || !output_directory(options->out)) {
+        (count && !house_file_population(&population, options, &house.plan, &fault)) ||
+        !output_directory(options->out)) {
         population_free(&population);
         observed_free(&observed);
         house_free(&house);
@@ -185,8 +189,8 @@ int command_run(const Options *options) {
     Drivers drivers = {0};
     ReportedDrivers fleets = {&drivers, &population, NULL};
     house_file_run(&observation, &house, options, route);
-    if (options->drivers && !observation.interrupted)
-        drivers_run(&drivers, &house, &population, (size_t)options->drivers, route, options->jobs, &progress_stop);
+    if (count && !observation.interrupted)
+        drivers_run(&drivers, &house, &population, count, route, options->jobs, &progress_stop);
     report_divergence(&house, &observation);
     bool told = observation.interrupted || drivers.interrupted;
     Grade *grades = NULL;

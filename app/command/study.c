@@ -70,16 +70,17 @@ static uint64_t given_digest(const StudyJob *job) {
 /* Fills the study. A single run is the nominal one (seed 0) unless a seed is given. */
 static void make_study(StudyJob *job) {
     const StudyRequest *request = &job->options->study;
+    size_t drivers = job->options->types ? 0 : study_laboratory_drivers(job->options, &job->experiment);
     Study *study = &job->study;
     *study = (Study){.experiment = &job->experiment,
                      .axis_count = request->axis_count,
                      .spread_count = request->spread_count,
                      .pass_count = request->pass_count ? request->pass_count : 1, /* reset */
                      .shard = request->shard,
-                     .runs = request->shakes         ? request->shakes
-                             : job->options->drivers ? (size_t)job->options->drivers
-                             : request->runs         ? request->runs
-                                                     : 1};
+                     .runs = request->shakes ? request->shakes
+                             : drivers       ? drivers
+                             : request->runs ? request->runs
+                                             : 1};
     memcpy(study->axes, request->axes, sizeof study->axes);
     memcpy(study->spreads, request->spreads, sizeof study->spreads);
     memcpy(study->passes, request->passes, sizeof study->passes);

@@ -1,5 +1,7 @@
 #include "command/study_laboratory.h"
 
+#include <string.h>
+
 #include "beam/beam_cycle.h"
 #include "command/house_file.h"
 #include "crank/crank_cycle.h"
@@ -55,14 +57,18 @@ static bool open_house(Experiment *experiment, const Options *options, Fault *fa
                                   .seed = options->seed,
                                   .driving = options->driving,
                                   .shake = options->study.shakes > 0};
-    Population population = {0};
-    if (options->drivers && !house_file_population(&population, options, fault))
+    if (!house_experiment_open(experiment, options->files[0], &house_options, options->route, fault))
         return false;
-    bool open = house_experiment_open(experiment, options->files[0], &house_options, options->route, fault);
-    if (open && options->drivers)
+    const Plan *plan = &house_experiment_house(experiment)->plan;
+    bool driven = options->drivers || (plan->drivers.count && !options->study.runs && !options->study.shakes);
+    Population population = {0};
+    bool good = !driven || house_file_population(&population, options, plan, fault);
+    if (good && driven)
         house_experiment_drive(experiment, &population);
+    else if (!good)
+        house_experiment_close(experiment);
     population_free(&population);
-    return open;
+    return good;
 }
 
 static void type_beam(Experiment *experiment) {
@@ -136,6 +142,11 @@ static const StudyLaboratory laboratories[] = {
     {crank_is_file, open_crank, crank_experiment_close, add_crank_numbers, crank_source, type_crank},
     {NULL, open_house, house_experiment_close, NULL, house_source, NULL},
 };
+
+size_t study_laboratory_drivers(const Options *options, const Experiment *experiment) {
+    bool driven = experiment->chance && strcmp(experiment->chance, "drivers") == 0;
+    return driven ? house_file_drivers(options, &house_experiment_house(experiment)->plan) : 0;
+}
 
 const StudyLaboratory *study_laboratory_open(Experiment *experiment, const Options *options, Fault *fault) {
     const StudyLaboratory *laboratory = laboratories;

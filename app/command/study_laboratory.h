@@ -15,6 +15,9 @@ typedef struct StudyLaboratory {
     void (*type_thoroughly)(Experiment *experiment); /* makes later trials thorough enough for a type; NULL: all are */
 } StudyLaboratory;
 
+/* Returns how many drivers drive each point, by the command line or, where it says nothing of runs, by the house. */
+size_t study_laboratory_drivers(const Options *options, const Experiment *experiment);
+
 /* Opens the experiment of the command line's file. NULL: `fault` says where and what is wrong. Its `close`
  * releases it. */
 const StudyLaboratory *study_laboratory_open(Experiment *experiment, const Options *options, Fault *fault);

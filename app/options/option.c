@@ -112,9 +112,9 @@ const Option option_rows[] = {
      "measured points to draw over the plots of a beam or a study: CSV with columns such as time [s] and force [N], or "
      "drive.frequency [Hz] and peak_max [N]",
      GROUP_INPUT, FOR_RUN | FOR_STUDY, ".csv", NULL},
-    {"--observed", OPTION_FILE, FIELD(observed), NO_RANGE, "FILE",
+    {"--observed", OPTION_FILE, FIELD(observed), NO_RANGE, "FILE[,FILE ...]",
      "houses only: measured times, CSV with the columns route and time [s], and deviation [s] if known (default: those "
-     "in the house file)",
+     "in the house file); or measured loci, with the columns time, x, y and person",
      GROUP_INPUT, FOR_FIT, ".csv", NULL},
     {"--measured", OPTION_FILE, FIELD(measured), NO_RANGE, "FILE",
      "beams only: CSV with columns such as drive.frequency [Hz] and peak_max [N], or frequency_1 [Hz]", GROUP_INPUT,
@@ -158,20 +158,26 @@ const Option option_rows[] = {
      GROUP_SIMULATION, FOR_HOUSES | FOR_CASES | FOR_OPEN, NULL, NULL},
 
     {"--drivers", OPTION_WHOLE, FIELD(drivers), 1, DRIVERS_MOST, "N",
-     "run the house with N drivers of a population, too: their times, how many get out, and how many touch something",
+     "run the house with N drivers of a population, too: their times, how many get out, and how many touch something "
+     "(default: as many as the house asks for)",
      GROUP_SIMULATION, FOR_RUN | FOR_COMPARE, NULL, NULL},
     {"--drivers", OPTION_WHOLE, FIELD(drivers), 1, DRIVERS_MOST, "N",
      "of N drivers of a population, how many fit, how many can drive out, how many only with a skid; slow where it is "
      "tight",
      GROUP_SIMULATION, FOR_CHECK, NULL, NULL},
     {"--drivers", OPTION_WHOLE, FIELD(drivers), 1, DRIVERS_MOST, "N",
-     "number of drivers of the population (default 100)", GROUP_SIMULATION, FOR_ABLATE, NULL, NULL},
+     "number of drivers of the population (default: as many as the house asks for, or 100)", GROUP_SIMULATION,
+     FOR_ABLATE, NULL, NULL},
+    {"--drivers", OPTION_WHOLE, FIELD(drivers), 1, DRIVERS_MOST, "N",
+     "also try N drivers of a population where the rules are kept: how many get through, get out and touch something, "
+     "and the grade of each place; slow where it is tight",
+     GROUP_SIMULATION, FOR_RULES, NULL, NULL},
     {"--drivers", OPTION_WHOLE, FIELD(drivers), 1, DRIVERS_MOST, "N",
      "houses only: drive each point with the same N drivers of a population, instead of --runs", GROUP_SIMULATION,
      FOR_STUDY, NULL, NULL},
     {"--population", OPTION_TEXT, FIELD(population), NO_RANGE, "ID|FILE",
-     "population of the drivers: one of assets/populations, or a file (default: manual-jp)", GROUP_SIMULATION,
-     FOR_RUN | FOR_COMPARE | FOR_CHECK | FOR_ABLATE | FOR_STUDY, NULL, NULL},
+     "population of the drivers: one of assets/populations, or a file (default: that of the house, or manual-jp)",
+     GROUP_SIMULATION, FOR_RUN | FOR_COMPARE | FOR_CHECK | FOR_ABLATE | FOR_STUDY | FOR_RULES, NULL, NULL},
 
     {"--vary", OPTION_NAME, NO_FIELD, NO_RANGE, "NAME=FROM:TO:STEPS",
      "vary a parameter from FROM to TO in STEPS values, both ends included, for instance door.d1.width=0.7:1:31 (at "

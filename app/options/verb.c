@@ -58,6 +58,7 @@ const Verb verb_rows[VERBS] = {
          "Hold rules of accessibility against a house: widths, doors, space to turn, and whether the chairs "
          "get through where the rules are kept.",
          "clearance rules houses/corner-0.78-0.78.json\n"
+         "clearance rules houses/corner-0.90-0.90.json --drivers 100 --population whm\n"
          "clearance rules houses/flat-0.910-module.json --rules ada-2010,jp-senior-housing-1414 --out out\n"},
     [VERB_CASES] = {"cases", 1, SIZE_MAX, "DIR|FILE ...", ".json", "",
                     "Run public verification tests: which pass, and why the others do not.",

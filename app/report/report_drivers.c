@@ -141,6 +141,14 @@ void report_drivers_add(Document *document, const char *name, const Reported *ru
         if (routes.record_count)
             document_add_heading(document, 3, "Measured and simulated times");
         result_page_take(document, NULL, routes);
+        ResultTable measured = result_drivers_measured(house, of->drivers);
+        if (measured.record_count)
+            document_add_heading(document, 3, "Single measured runs");
+        result_page_take(
+            document,
+            "Deviation of one person and between people: of the measured times, by one-way random effects; "
+            "the simulated drivers are each another person.",
+            measured);
         add_plan(document, name, run, of);
         add_plots(document, run, of->drivers);
     }

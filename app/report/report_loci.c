@@ -22,7 +22,7 @@ static const char *const way_names[] = {[DRIVING_DRIVER] = "driver", [DRIVING_MI
 
 /* The observed people ---------------------------------------------------------------------------------------------- */
 
-static size_t find_person(const House *house, const char *name) {
+size_t report_loci_person(const House *house, const char *name) {
     if (!*name)
         return house->person_count == 1 ? 0 : SIZE_MAX;
     for (size_t i = 0; i < house->person_count; i++)
@@ -38,7 +38,7 @@ bool report_loci_check(const House *house, const ObservedLoci *observed, Fault *
     size_t before = fault->total;
     for (size_t i = 0; i < observed->count; i++) {
         const ObservedLocus *locus = &observed->loci[i];
-        if (find_person(house, locus->person) < house->person_count)
+        if (report_loci_person(house, locus->person) < house->person_count)
             continue;
         if (*locus->person)
             fault_add(fault, "%s:%d:1: there is no person or route \"%s\" in the house", observed->path, locus->line,
@@ -127,10 +127,10 @@ static Scene paths_scene(const Reported *run) {
 static Scene observed_scene(const House *house, const ObservedLoci *observed) {
     Scene scene = empty_scene(house);
     for (size_t i = 0; i < observed->count; i++)
-        add_locus(&scene, house, find_person(house, observed->loci[i].person), &observed->loci[i].locus);
+        add_locus(&scene, house, report_loci_person(house, observed->loci[i].person), &observed->loci[i].locus);
     plan_scene_tags(&scene, house, NULL);
     for (size_t i = 0; i < observed->count; i++)
-        add_name(&scene, house, find_person(house, observed->loci[i].person), observed->loci[i].locus.points[0]);
+        add_name(&scene, house, report_loci_person(house, observed->loci[i].person), observed->loci[i].locus.points[0]);
     return scene;
 }
 
@@ -205,7 +205,7 @@ static void add_ways(Document *document, const HouseReport *report) {
 
 /* Adds an observed locus and the simulated one of the same name. */
 static void add_agreement(Document *document, const Reported *run, int driving, const ObservedLocus *observed) {
-    size_t person = find_person(run->house, observed->person);
+    size_t person = report_loci_person(run->house, observed->person);
     const PersonObservation *simulated = &run->observation->people[person];
     Locus locus = locus_of(run->house, run->observation, person);
     LocusDistance apart = locus_distance(&observed->locus, &locus);

@@ -4,6 +4,10 @@
 #include "base/fault.h"
 #include "report/house_report.h"
 
+/* Returns the person whom a column `person` names, by the id of the person or of the route; "" is the only person of a
+ * house. SIZE_MAX: there is none. */
+size_t report_loci_person(const House *house, const char *name);
+
 /* True if every observed person has a namesake in the house, a person or the route of one; otherwise `faults` lists
  * those without. Without names the house must have one person. */
 bool report_loci_check(const House *house, const ObservedLoci *observed, Fault *fault);

@@ -48,6 +48,16 @@ Document rules_report_make(const House *house, const RuleSets *sets, const Inspe
                                       "some fail. The chair that is stopped stands at its start.",
                                       house_report_name(house)),
                         document_text(&document, "Plan of %s. %s.", house_report_name(house), sentence));
+    if (inspection->population)
+        document_add_paragraph(
+            &document,
+            document_text(&document,
+                          "Tried with %zu drivers of the population %s. Drivers through: whose chair can be driven "
+                          "through the place, by its body alone. Out: who get out of the house, with errors of "
+                          "steering. Touch there: whose fastest impact is there. A place stops chairs if one of the "
+                          "plan's own is stopped there, or at least %.0f %% of the drivers (assumed). Grade: of the "
+                          "tightest way there, and what is missing on each side to the next better one.",
+                          inspection->driver_count, inspection->population, 100 * INSPECTION_REFUSED));
     document_add_heading(&document, 2, "Where chairs are stopped");
     ResultTable stops = result_rules_stops(inspection);
     if (!stops.record_count)

@@ -1,5 +1,6 @@
 #include "result/drivers.h"
 
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -7,8 +8,10 @@
 #include "experiment/danger.h"
 #include "house/touch.h"
 #include "result/danger.h"
+#include "plan/observed_times.h"
 #include "result/names.h"
 #include "study/montecarlo.h"
+#include "study/random_effects.h"
 #include "study/welch.h"
 
 /* The drivers of one person. */
@@ -175,9 +178,9 @@ static const char *words_of_verdict(Arena *arena, const Welch *welch, const Welc
 }
 
 static void add_comparison(ResultTable *table, const PlanRoute *route, const Distribution *times) {
-    const Observed *observed = &route->observed;
-    bool measured = observed->mean > 0;
-    WelchSample a = {observed->mean, observed->deviation, measured ? (size_t)observed->runs : 0};
+    ObservedTimes observed = observed_times(&route->observed);
+    bool measured = observed.runs > 0;
+    WelchSample a = {observed.mean, observed.deviation, (size_t)observed.runs};
     WelchSample c = {times->mean, times->deviation, times->count};
     Welch welch = welch_compare(&a, &c, 0.1);
     const char *verdict = words_of_verdict(&table->arena, &welch, &a);
@@ -218,6 +221,94 @@ ResultTable result_drivers_routes(const House *house, const Drivers *drivers) {
         Distribution distribution = montecarlo_distribution(times, drivers->count);
         if (distribution.count)
             add_comparison(&table, &house->plan.routes[r], &distribution);
+    }
+    memory_free(times);
+    return table;
+}
+
+/* Adds what the single runs of a route tell beside the simulated times. */
+static void add_measured(ResultTable *table, const Observed *observed, const char *id, const double *times,
+                         size_t count, Share touch) {
+    size_t runs = observed->times.count, inside = 0, slower = 0, out = 0;
+    Distribution simulated = montecarlo_distribution(times, count);
+    for (size_t i = 0; i < runs; i++)
+        inside += observed->times.at[i] >= simulated.low && observed->times.at[i] <= simulated.high;
+    double one = observed_times(observed).runs == 1 ? observed_times(observed).mean : (double)NAN;
+    for (size_t k = 0; k < count; k++) {
+        out += isfinite(times[k]);
+        slower += times[k] > one;
+    }
+    RandomEffects effects = {.within = NAN, .between = NAN};
+    if (observed->drivers.count) {
+        size_t *person = memory_zeroed(runs, sizeof *person);
+        for (size_t i = 0; i < runs; i++)
+            person[i] = observed_times_person(observed, i);
+        effects = random_effects(observed->times.at, person, runs);
+        memory_free(person);
+    }
+    bool people = effects.groups > 0, counted = observed->touches >= 0, alone = isfinite(one);
+    Share hit = montecarlo_share(counted ? (size_t)observed->touches : 0, (size_t)observed_times(observed).runs);
+    Arena *arena = &table->arena;
+    result_add(table, (ResultRow){.key = "id", .label = "route", .text = id});
+    result_add(table, (ResultRow){.key = "people",
+                                  .label = "people who drove",
+                                  .kind = RESULT_COUNT,
+                                  .number = people ? (double)effects.groups : (double)NAN,
+                                  .omitted = !people});
+    result_add_number(table, "within", "deviation of one person", effects.within, "s", 2);
+    result_add_number(table, "between", "between people", effects.between, "s", 2);
+    result_add(table, (ResultRow){.key = "inside",
+                                  .kind = RESULT_COUNT,
+                                  .number = runs ? (double)inside : (double)NAN,
+                                  .omitted = !runs});
+    result_add(table, (ResultRow){.label = "inside the simulated 90 %",
+                                  .text = runs ? text_in_arena(arena, "%zu of %zu", inside, runs) : NULL});
+    result_add(table, (ResultRow){.key = "rank",
+                                  .label = "rank",
+                                  .text = alone ? text_in_arena(arena, "quicker than %zu of %zu", slower, out) : NULL,
+                                  .omitted = !alone});
+    result_add(table, (ResultRow){.key = "touches",
+                                  .kind = RESULT_COUNT,
+                                  .number = counted ? (double)observed->touches : (double)NAN,
+                                  .omitted = !counted});
+    result_add(table, (ResultRow){.label = "touched", .text = counted ? result_drivers_share(arena, &hit) : NULL});
+    result_add(table, (ResultRow){.label = "touched, simulated",
+                                  .text = counted ? result_drivers_share(arena, &touch) : NULL});
+    result_end(table);
+}
+
+/* Returns the share of drivers with whom somebody on the route touches something. */
+static Share route_touch(const House *house, const Drivers *drivers, const PlanRoute *route) {
+    size_t touch = 0, all = 0;
+    for (size_t k = 0; k < drivers->count; k++) {
+        bool varies = false, touches = false;
+        for (size_t i = 0; i < drivers->person_count; i++) {
+            const DriverRun *run = &drivers->runs[k * drivers->person_count + i];
+            if (house->people[i].route != route)
+                continue;
+            varies |= run->varies;
+            touches |= run->varies && run->contacts > 0;
+        }
+        all += varies;
+        touch += touches;
+    }
+    return montecarlo_share(touch, all);
+}
+
+ResultTable result_drivers_measured(const House *house, const Drivers *drivers) {
+    ResultTable table = {0};
+    double *times = memory_zeroed(drivers->count, sizeof *times);
+    for (size_t r = 0; r < house->plan.route_count; r++) {
+        const PlanRoute *route = &house->plan.routes[r];
+        const Observed *observed = &route->observed;
+        size_t out = 0;
+        for (size_t k = 0; k < drivers->count; k++) {
+            times[k] = route_time(house, drivers, k, route);
+            out += isfinite(times[k]);
+        }
+        bool single = observed->times.count || observed->touches >= 0 || observed_times(observed).runs == 1;
+        if (out && single)
+            add_measured(&table, observed, route->id, times, drivers->count, route_touch(house, drivers, route));
     }
     memory_free(times);
     return table;

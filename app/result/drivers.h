@@ -18,6 +18,11 @@ ResultTable result_drivers_table(const House *house, const Observation *nominal,
  * all of the route get out. */
 ResultTable result_drivers_routes(const House *house, const Drivers *drivers);
 
+/* Returns, for each route with single measured runs or counted touches, how far one person's times scatter and how far
+ * people differ, how many runs lie inside the simulated 90 % band, or the rank of a single one among the simulated
+ * times, and how often something was touched. */
+ResultTable result_drivers_measured(const House *house, const Drivers *drivers);
+
 /* Two houses with the same drivers, person by person: how many get out and touch something in each, and of those who
  * get out of both the mean difference of their times, b - a, with its 95 % interval, and how many are quicker in b. */
 ResultTable result_drivers_paired(const House houses[2], const Drivers drivers[2]);

@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "experiment/danger.h"
 #include "house/touch.h"
+#include "plan/observed_times.h"
 #include "result/census.h"
 
 static const char *exit_id(const House *house, size_t exit) {
@@ -358,21 +359,21 @@ ResultTable result_house_parties(const House *house, const Census *census, bool 
  */
 
 static void add_route(ResultTable *table, const House *house, const Observation *observation, const PlanRoute *route) {
-    const Observed *observed = &route->observed;
+    ObservedTimes observed = observed_times(&route->observed);
     double time = census_route_time(house, observation, route);
-    bool measured = observed->mean > 0, simulated = time >= 0;
+    bool measured = observed.runs > 0, simulated = time >= 0;
     result_add(table, (ResultRow){.key = "id", .label = "route", .text = route->id});
     result_add(table, (ResultRow){.key = "mean",
                                   .label = "measured mean (a)",
                                   .head = "mean (a)",
                                   .kind = RESULT_NUMBER,
-                                  .number = measured ? observed->mean : NAN,
+                                  .number = measured ? observed.mean : NAN,
                                   .unit = "s",
                                   .decimals = 2});
     result_add(table, (ResultRow){.key = "deviation",
                                   .label = "deviation (b)",
                                   .kind = RESULT_NUMBER,
-                                  .number = measured ? observed->deviation : NAN,
+                                  .number = measured ? observed.deviation : NAN,
                                   .unit = "s",
                                   .decimals = 2});
     result_add(table, (ResultRow){.key = "simulation",
@@ -386,7 +387,7 @@ static void add_route(ResultTable *table, const House *house, const Observation 
                                   .label = "error ((c) - (a)) / (a)",
                                   .head = "((c)-(a))/(a)",
                                   .kind = RESULT_NUMBER,
-                                  .number = measured && simulated ? (time - observed->mean) / observed->mean : NAN,
+                                  .number = measured && simulated ? (time - observed.mean) / observed.mean : NAN,
                                   .unit = "%",
                                   .factor = 100,
                                   .decimals = 1,
@@ -394,7 +395,7 @@ static void add_route(ResultTable *table, const House *house, const Observation 
     result_add(table, (ResultRow){.key = "runs",
                                   .label = "measured runs",
                                   .kind = RESULT_COUNT,
-                                  .number = measured ? observed->runs : NAN});
+                                  .number = measured ? observed.runs : NAN});
     result_end(table);
 }
 

@@ -1,8 +1,10 @@
 #include "result/rules.h"
 
+#include <math.h>
 #include <stdint.h>
 
 #include "base/text.h"
+#include "inquiry/grade.h"
 
 const char *result_rules_verdict(const Finding *finding, Arena *arena) {
     double lacks = finding->requires - finding->has;
@@ -48,18 +50,28 @@ static const Finding *worst_failure(const Inspection *inspection) {
     return worst;
 }
 
+/* Returns "31 of 100 drivers of whm get through", or NULL if no drivers were tried. */
+static const char *drivers_words(const Inspection *inspection, const RulePlace *place, Arena *arena) {
+    if (!inspection->population || !place || !place->drivers)
+        return NULL;
+    return text_in_arena(arena, "%zu of %zu drivers of %s get through", place->drivers - place->refused, place->drivers,
+                         inspection->population);
+}
+
 static const char *legal_impassable(const Inspection *inspection, const Finding *finding, Arena *arena) {
     const RulePlace *place = &inspection->places[finding->place];
+    const char *drivers = drivers_words(inspection, place, arena);
     const char *helped =
         place->carried == place->stopped ? "only a helper could lift and shift it through" : "it does not even fit";
     const char *grey = finding->rule->status == STATUS_READ
                            ? ""
                            : text_in_arena(arena, ", %s", rule_set_status_name(finding->rule->status));
-    return text_in_arena(arena,
-                         "Legal and impassable: %s has %.3f m of %.3f m (%s, %s%s), and the chair of %s does not get "
-                         "through: %s",
-                         place->name, finding->has, finding->requires, finding->set->id, finding->rule->clause, grey,
-                         place->who, helped);
+    const char *has = text_in_arena(arena, "Legal and impassable: %s has %.3f m of %.3f m (%s, %s%s), and", place->name,
+                                    finding->has, finding->requires, finding->set->id, finding->rule->clause, grey);
+    if (!place->stopped)
+        return text_in_arena(arena, "%s only %s", has, drivers);
+    return text_in_arena(arena, "%s the chair of %s does not get through: %s%s%s", has, place->who, helped,
+                         drivers ? "; " : "", drivers ? drivers : "");
 }
 
 const char *result_rules_sentence(const Inspection *inspection, Arena *arena) {
@@ -95,8 +107,12 @@ const char *result_rules_detail(const Inspection *inspection, Arena *arena) {
     const Finding *legal = inspection_legal_impassable(inspection);
     if (!legal)
         return result_rules_counts(inspection, arena);
+    const RulePlace *place = &inspection->places[legal->place];
+    if (!place->stopped)
+        return text_in_arena(arena, "%.3f m is enough for %s; only %s", legal->has, legal->set->id,
+                             drivers_words(inspection, place, arena));
     return text_in_arena(arena, "%.3f m is enough for %s; the chair of %s does not get through", legal->has,
-                         legal->set->id, inspection->places[legal->place].who);
+                         legal->set->id, place->who);
 }
 
 const char *result_rules_group(FindingGroup group) {
@@ -121,6 +137,39 @@ static void add_dimension(ResultTable *table, const char *key, const char *label
                                   .unit = "m",
                                   .decimals = 3,
                                   .omitted = isnan(number)});
+}
+
+static void add_driver_count(ResultTable *table, const char *key, size_t count) {
+    result_add(table, (ResultRow){.key = key, .kind = RESULT_COUNT, .number = (double)count});
+}
+
+/* Adds what drivers do at a place, and how tight it is; nothing where no driver comes. */
+static void add_drivers(ResultTable *table, const RulePlace *place) {
+    bool driven = place && place->drivers, graded = place && place->grade >= 0;
+    Arena *arena = &table->arena;
+    size_t through = driven ? place->drivers - place->refused : 0;
+    add_driver_count(table, "drivers.count", driven ? place->drivers : 0);
+    add_driver_count(table, "drivers.through", through);
+    add_driver_count(table, "drivers.out", driven ? place->out : 0);
+    add_driver_count(table, "drivers.touching", driven ? place->touching : 0);
+    result_add(table, (ResultRow){.label = "drivers through",
+                                  .text = driven ? text_in_arena(arena, "%zu of %zu", through, place->drivers) : NULL});
+    result_add(table, (ResultRow){.label = "out", .text = driven ? text_in_arena(arena, "%zu", place->out) : NULL});
+    result_add(table, (ResultRow){.label = "touch there",
+                                  .text = driven ? text_in_arena(arena, "%zu", place->touching) : NULL});
+    result_add(table, (ResultRow){.key = "grade",
+                                  .label = "grade",
+                                  .text = graded ? grade_letter(place->grade) : NULL,
+                                  .omitted = !graded});
+    bool lacks = graded && place->grade > GRADE_A && isfinite(place->to_next);
+    result_add(table, (ResultRow){.key = "to_next",
+                                  .label = "missing to the next",
+                                  .kind = RESULT_NUMBER,
+                                  .number = lacks ? place->to_next : (double)NAN,
+                                  .unit = "cm",
+                                  .factor = 100,
+                                  .decimals = 1,
+                                  .omitted = !lacks});
 }
 
 /* Every word but `read` says that the source itself was not read; it is printed in the quiet role. */
@@ -153,6 +202,8 @@ static void add_finding(ResultTable *table, const Inspection *inspection, const 
     result_add(table,
                (ResultRow){.key = "stopped", .kind = RESULT_COUNT, .number = place ? (double)place->stopped : 0});
     result_add(table, (ResultRow){.label = "chairs through", .text = chairs_words(place, arena)});
+    if (inspection->population)
+        add_drivers(table, place);
     for (int k = 0; k < 4; k++) {
         static const char *const keys[] = {"from.x", "from.y", "to.x", "to.y"};
         const double ends[] = {finding->from.x, finding->from.y, finding->to.x, finding->to.y};

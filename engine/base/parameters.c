@@ -40,6 +40,9 @@ void parameters_reset(const ParameterTable *table, void *object) {
         case PARAMETER_IDS:
             *(Ids *)place = (Ids){0};
             break;
+        case PARAMETER_NUMBERS:
+            *(NumberList *)place = (NumberList){0};
+            break;
         case PARAMETER_POINT:
             *(Vec2 *)place = (Vec2){0, 0};
             break;
@@ -145,6 +148,28 @@ static bool read_ids(const Parameter *row, const JsonNode *node, Ids *value, Are
     return good;
 }
 
+static bool read_numbers(const Parameter *row, const JsonNode *node, NumberList *value, Arena *arena, Fault *fault) {
+    const char *unit = parameters_unit(row);
+    if (!json_is_array(node->value)) {
+        json_fault(node, fault, "%s must be a list of numbers%s%s", row->name, *unit ? " in " : "", unit);
+        return false;
+    }
+    size_t count = json_array_size(node->value);
+    NumberList read = {arena_allocate(arena, count * sizeof(double)), count};
+    bool good = true;
+    for (size_t i = 0; i < count; i++) {
+        JsonNode element = json_element(node, i);
+        char name[80];
+        snprintf(name, sizeof name, "%.40s %zu", row->name, i + 1);
+        Parameter one = *row;
+        one.name = name;
+        good &= read_number(&one, &element, &read.at[i], fault);
+    }
+    if (good)
+        *value = read;
+    return good;
+}
+
 static bool read_choice(const Parameter *row, const JsonNode *node, int *value, Fault *fault) {
     const char *word = json_string_value(node->value);
     int place = word ? choice_place(row->choices, word) : -1;
@@ -191,6 +216,8 @@ bool parameters_read_value(const Parameter *row, void *object, const JsonNode *n
         return read_text(row, node, place, arena, fault);
     case PARAMETER_IDS:
         return read_ids(row, node, place, arena, fault);
+    case PARAMETER_NUMBERS:
+        return read_numbers(row, node, place, arena, fault);
     case PARAMETER_POINT:
         return read_point(node, row->name, place, fault);
     case PARAMETER_POINTS:
@@ -245,6 +272,8 @@ static bool at_fallback(const Parameter *row, const void *object) {
         return !**(const char *const *)place;
     case PARAMETER_IDS:
         return !((const Ids *)place)->count;
+    case PARAMETER_NUMBERS:
+        return !((const NumberList *)place)->count;
     case PARAMETER_POINT:
         return false;
     case PARAMETER_POINTS:
@@ -277,6 +306,13 @@ static json_t *write_value(const Parameter *row, const void *object) {
         json_t *written = json_array();
         for (size_t i = 0; i < ids->count; i++)
             json_array_append_new(written, json_string(ids->at[i]));
+        return written;
+    }
+    case PARAMETER_NUMBERS: {
+        const NumberList *numbers = place;
+        json_t *written = json_array();
+        for (size_t i = 0; i < numbers->count; i++)
+            json_array_append_new(written, json_number(numbers->at[i]));
         return written;
     }
     case PARAMETER_POINT:

@@ -12,16 +12,17 @@
 #include "base/vec2.h"
 
 typedef enum ParameterKind {
-    PARAMETER_NUMBER, /* double, in the row's unit, low to high */
-    PARAMETER_WHOLE,  /* int, low to high */
-    PARAMETER_FLAG,   /* bool */
-    PARAMETER_CHOICE, /* int: the index of the word in `choices` */
-    PARAMETER_TEXT,   /* const char * */
-    PARAMETER_ID,     /* const char *, of letters, digits, - and _ */
-    PARAMETER_IDS,    /* Ids */
-    PARAMETER_POINT,  /* Vec2, m */
-    PARAMETER_POINTS, /* Points, m, at least `low` of them */
-    PARAMETER_TABLE,  /* a struct with its own table; omitted from a file when all its fields have their fallbacks */
+    PARAMETER_NUMBER,  /* double, in the row's unit, low to high */
+    PARAMETER_WHOLE,   /* int, low to high */
+    PARAMETER_FLAG,    /* bool */
+    PARAMETER_CHOICE,  /* int: the index of the word in `choices` */
+    PARAMETER_TEXT,    /* const char * */
+    PARAMETER_ID,      /* const char *, of letters, digits, - and _ */
+    PARAMETER_IDS,     /* Ids */
+    PARAMETER_NUMBERS, /* NumberList, each low to high */
+    PARAMETER_POINT,   /* Vec2, m */
+    PARAMETER_POINTS,  /* Points, m, at least `low` of them */
+    PARAMETER_TABLE,   /* a struct with its own table; omitted from a file when all its fields have their fallbacks */
 } ParameterKind;
 
 typedef struct Points {
@@ -33,6 +34,11 @@ typedef struct Ids {
     const char **at; /* (count) */
     size_t count;
 } Ids;
+
+typedef struct NumberList {
+    double *at; /* (count) in the row's unit */
+    size_t count;
+} NumberList;
 
 typedef struct Parameter {
     const char *name;

@@ -46,6 +46,12 @@ json_t *parameters_schema_value(const Parameter *row) {
         type = json_string("array");
         json_object_set_new(schema, "items", json_pack("{s:s, s:s}", "type", "string", "pattern", "^[A-Za-z0-9_-]+$"));
         break;
+    case PARAMETER_NUMBERS:
+        type = json_string("array");
+        json_object_set_new(schema, "items",
+                            json_pack("{s:s, s:o, s:o}", "type", "number", "minimum", json_number(row->low), "maximum",
+                                      json_number(row->high)));
+        break;
     case PARAMETER_POINT:
     case PARAMETER_POINTS: {
         json_t *one = json_pack(point, "type", "array", "minItems", 2, "maxItems", 2, "items", "type", "number",

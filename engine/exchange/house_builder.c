@@ -164,6 +164,7 @@ size_t house_builder_door(HouseBuilder *builder, const Door *door) {
     placed.wall = wall->id;
     placed.state = added->state;
     placed.opening_time = added->opening_time;
+    placed.leaf = added->leaf;
     *added = placed;
     return builder->plan.door_count - 1;
 }

@@ -22,6 +22,7 @@ typedef struct Reader {
     int fields;             /* number of columns in the heading */
     bool good;              /* all values of this row are valid */
     TimedRun row;
+    const char *path; /* in the arena */
 } Reader;
 
 static void read_name(Reader *reader, TablePlace place, int index, const char *text) {
@@ -68,7 +69,8 @@ static void read_cell(Reader *reader, TablePlace place, int index, const char *t
 static void take_field(void *context, TablePlace place, int index, const char *text) {
     Reader *reader = context;
     if (index == 0) {
-        reader->row = (TimedRun){.route = NULL, .time = NAN, .deviation = NAN, .line = place.line};
+        reader->row =
+            (TimedRun){.route = NULL, .time = NAN, .deviation = NAN, .path = reader->path, .line = place.line};
         reader->good = true;
     }
     if (!text)
@@ -102,6 +104,7 @@ bool timed_read(Timed *timed, const char *path, Fault *fault) {
     size_t before = fault->total, count = timed->count;
     Reader reader = {.table = {.path = path, .fault = fault, .take_field = take_field, .end_row = end_row},
                      .timed = timed,
+                     .path = arena_text(&timed->arena, path),
                      .column_of = {-1, -1, -1}};
     reader.table.context = &reader;
     TablePlace end = table_read(&reader.table, LARGEST_FILE);

@@ -16,6 +16,7 @@ typedef struct TimedRun {
     const char *route;
     double time;      /* s */
     double deviation; /* s; NAN: not given */
+    const char *path; /* of its file */
     int line;         /* from 1 */
 } TimedRun;
 

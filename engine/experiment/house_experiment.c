@@ -18,6 +18,7 @@ typedef struct HouseGiven {
     const char *route;
     House house; /* with nominal values, before any shake */
     ShakeRecord shake;
+    LocusRecord locus;
     Population population; /* without rows: nobody is drawn */
     Arena arena;           /* holds the names of shake observables */
 } HouseGiven;
@@ -108,6 +109,8 @@ static void observe(Trial *trial, const HouseGiven *given, const House *house, c
     if (observed[HOUSE_NARROWEST] == HUGE_VAL)
         observed[HOUSE_NARROWEST] = NAN;
     observed[HOUSE_WAY] = way_of(house, observation);
+    if (given->locus.count)
+        locus_record_observe(&given->locus, house, observation, observed);
 }
 
 /* Joins the options' settings and a NAME=VALUE for each varied name; the caller releases both with memory_free. */
@@ -145,7 +148,8 @@ static void run_one(const HouseGiven *given, const char *const *names, size_t na
         if (drawn)
             drivers_run_one(&observation, &house, &given->population, driver, route, stop);
         else
-            run_house(&observation, &house, &(RunOptions){.route = route, .brief = true, .jobs = 1, .stop = stop});
+            run_house(&observation, &house,
+                      &(RunOptions){.route = route, .brief = !given->locus.count, .jobs = 1, .stop = stop});
         trial->done = !observation.interrupted;
         if (trial->done)
             observe(trial, given, &house, &observation);
@@ -253,6 +257,22 @@ void house_experiment_drive(Experiment *experiment, Population *population) {
     experiment->chance = "drivers";
     given->population = *population;
     *population = (Population){0};
+}
+
+const LocusRecord *house_experiment_follow(Experiment *experiment, const Locus *measured, size_t person) {
+    HouseGiven *given = experiment->given;
+    given->locus = locus_record_of(measured, person, HOUSE_OBSERVABLES, &given->arena);
+    const LocusRecord *record = &given->locus;
+    experiment->observable_count = HOUSE_OBSERVABLES + 2 * record->count;
+    Observable *all = arena_allocate(&given->arena, experiment->observable_count * sizeof *all);
+    memcpy(all, observables, sizeof observables);
+    locus_record_describe(record, all, &given->arena);
+    experiment->observables = all;
+    for (size_t k = 0; k < record->count; k++) {
+        experiment->identity = digest_mix(digest_mix(experiment->identity, record->at[k].x), record->at[k].y);
+        experiment->identity = digest_mix(experiment->identity, record->speed[k]);
+    }
+    return record;
 }
 
 const House *house_experiment_house(const Experiment *experiment) {

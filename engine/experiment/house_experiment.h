@@ -3,6 +3,7 @@
 #pragma once
 
 #include "house/house.h"
+#include "experiment/locus_record.h"
 #include "plan/population.h"
 #include "experiment/shake_record.h"
 #include "study/experiment.h"
@@ -32,6 +33,11 @@ bool house_experiment_open(Experiment *experiment, const char *path, const House
  * next seed driver 2. So each point of a study has the same drivers, and chance stays that of the options' seed. Takes
  * the population over. */
 void house_experiment_drive(Experiment *experiment, Population *population);
+
+/* Adds the observables of a measured locus of a person: see locus_record.h. Not after a shake. Returns the record,
+ * which belongs to the experiment; its count is 0 if the locus is too short. */
+const LocusRecord *house_experiment_follow(Experiment *experiment, const Locus *measured, size_t person);
+
 void house_experiment_close(Experiment *experiment);
 
 /* Return the house with nominal values, before any shake; and the record of shakes, or NULL. */

@@ -183,8 +183,8 @@ static Pace speed_to_barriers(const World *world, size_t i, Drive *drive, double
     if (!steers(world, i) || !(drive->free_way < HUGE_VAL))
         return pace;
     Pace before_obstacle = speed_to_stop(track, profile, drive, drive->free_way, most);
-    if (!drive->barred && before_obstacle.speed < pace_creep(profile))
-        before_obstacle = (Pace){pace_creep(profile), 0};
+    if (!drive->barred && before_obstacle.speed < profile->creep)
+        before_obstacle = (Pace){profile->creep, 0};
     return pace.speed < before_obstacle.speed ? pace : before_obstacle;
 }
 

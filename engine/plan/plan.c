@@ -11,9 +11,9 @@
 #include "plan/plan_check.h"
 #include "plan/plan_tables.h"
 
-static const char *const plan_keys[] = {"format",    "version",   "name",       "note",   "walls",  "doors",
-                                        "furniture", "rooms",     "exits",      "people", "crowds", "routes",
-                                        "run",       "overrides", "background", NULL};
+static const char *const plan_keys[] = {"format",    "version", "name",      "note",       "walls",  "doors",
+                                        "furniture", "rooms",   "exits",     "people",     "crowds", "routes",
+                                        "run",       "drivers", "overrides", "background", NULL};
 
 /* Reading ---------------------------------------------------------------------------------------------------- */
 
@@ -24,6 +24,21 @@ static const char *keep_place(Plan *plan, const JsonFile *file, JsonPlace place)
     if (file->text)
         snprintf(text, size, "%s:%d:%d: ", file->path, place.line, place.column);
     return text;
+}
+
+/* Stores the position of a member of the root. */
+static const char *place_of(Plan *plan, const JsonNode *root, const char *member) {
+    JsonPlace *places = json_places(root);
+    const char *key, *place = "";
+    json_t *value;
+    size_t i = 0;
+    json_object_foreach(root->value, key, value) {
+        if (strcmp(key, member) == 0)
+            place = keep_place(plan, root->file, places[i]);
+        i++;
+    }
+    memory_free(places);
+    return place;
 }
 
 /* Stores the positions of people and crowds, whose errors may be found after reading. */
@@ -134,6 +149,13 @@ static bool find_target(const Plan *plan, Target *target, const char *name, cons
             parameters_fault_unknown(&plan_tables_run, name + used, node, fault);
         return target->row;
     }
+    used = 0;
+    if (sscanf(name, "drivers.%n", &used) == 0 && used) {
+        *target = (Target){.row = parameters_find(&plan_tables_drivers, name + used), .object = &plan->drivers};
+        if (!target->row)
+            parameters_fault_unknown(&plan_tables_drivers, name + used, node, fault);
+        return target->row;
+    }
     if (sscanf(name, "%31[a-z].%255[A-Za-z0-9_-].%n", kind, id, &used) == 2 && used && name[used])
         return find_in_lists(plan, target, kind, id, name + used, node, fault);
     json_fault(node, fault,
@@ -153,7 +175,11 @@ static void apply_setting(Plan *plan, const char *name, const JsonNode *node, co
     }
     if (!find_target(plan, &target, name, node, fault))
         return;
-    void *object = target.list ? plan_tables_element(plan, target.list, target.index) : &plan->run;
+    void *object = target.list                       ? plan_tables_element(plan, target.list, target.index)
+                   : target.object == &plan->drivers ? (void *)&plan->drivers
+                                                     : &plan->run;
+    if (object == &plan->drivers)
+        plan->drivers.place = place;
     if (parameters_read_value(target.row, object, node, &plan->arena, fault) && target.list)
         plan_tables_renamed(plan, target.list, target.index);
 }
@@ -223,6 +249,11 @@ static void read_house(Plan *plan, const JsonNode *root, const char *const *sett
     parameters_reset(&plan_tables_run, &plan->run);
     if (run.value)
         parameters_read(&plan_tables_run, &plan->run, &run, &plan->arena, fault);
+    JsonNode drivers = json_member(root, "drivers");
+    parameters_reset(&plan_tables_drivers, &plan->drivers);
+    if (drivers.value)
+        parameters_read(&plan_tables_drivers, &plan->drivers, &drivers, &plan->arena, fault);
+    plan->drivers.place = drivers.value ? place_of(plan, root, "drivers") : "";
     JsonNode background = json_member(root, "background");
     if (background.value)
         parameters_read(&plan_tables_background, &plan->background, &background, &plan->arena, fault);
@@ -314,6 +345,10 @@ char *plan_text(const Plan *plan) {
         lines_add_json(&lines, json_incref(run));
     }
     json_decref(run);
+    if (plan->drivers.count || *plan->drivers.population) {
+        text_add(&lines, ",\n  \"drivers\": ");
+        lines_add_json(&lines, parameters_write(&plan_tables_drivers, &plan->drivers));
+    }
     if (plan->override_count) {
         json_t *overrides = json_object();
         for (size_t i = 0; i < plan->override_count; i++)
@@ -353,10 +388,11 @@ json_t *plan_schema(void) {
                             json_pack("{s:s, s:o}", "type", "array", "items", parameters_schema_table(&list->table)));
     }
     json_object_set_new(properties, "run", parameters_schema_table(&plan_tables_run));
+    json_object_set_new(properties, "drivers", parameters_schema_table(&plan_tables_drivers));
     json_object_set_new(properties, "background", parameters_schema_table(&plan_tables_background));
     json_object_set_new(properties, "overrides",
                         json_pack("{s:s, s:{s:s}, s:s}", "type", "object", "propertyNames", "pattern",
-                                  "^(run|[a-z]+\\.[A-Za-z0-9_-]+)\\.[a-z_.]+$", "description",
+                                  "^(run|drivers|[a-z]+\\.[A-Za-z0-9_-]+)\\.[a-z_.]+$", "description",
                                   "parameters by their path, for instance profile.manual-chair.width"));
     return json_pack("{s:s, s:s, s:s, s:b, s:o, s:[s,s,s]}", "$schema", "https://json-schema.org/draft/2020-12/schema",
                      "title", "A house of clearance", "type", "object", "additionalProperties", 0, "properties",

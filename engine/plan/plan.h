@@ -36,6 +36,9 @@ typedef struct Door {
     int hinge;           /* DoorHinge: the end of the segment that is nearer to the hinge */
     int swing;           /* DoorSwing: the side of the wall's direction to which the leaf opens */
     double opening_time; /* s, from touching the handle of a closed door to passing */
+    double leaf;         /* m, thickness of a hinged door's leaf */
+    double rest;         /* m, of the width that the open leaf of a sliding door still covers */
+    bool closer;         /* True if it closes by itself */
     size_t wall_index;   /* resolved from `wall` */
 } Door;
 
@@ -89,11 +92,14 @@ typedef struct Crowd {
     const char *place;
 } Crowd;
 
-/* A measured time of a route; mean 0: not measured. */
+/* Measured runs of a route, as the file gives them: see plan/observed_times.h. */
 typedef struct Observed {
-    double mean;      /* s */
-    double deviation; /* s */
+    double mean;      /* s; 0: not given */
+    double deviation; /* s; 0: not given */
     int runs;
+    NumberList times; /* s, of each run */
+    Ids drivers;      /* who drove each run; none: not given */
+    int touches;      /* runs in which something was touched; -1: not counted */
 } Observed;
 
 typedef struct PlanRoute {
@@ -136,6 +142,13 @@ typedef struct Override {
     const char *place;
 } Override;
 
+/* Drivers that a house asks for besides the nominal one. */
+typedef struct PlanDrivers {
+    int count;              /* 0: none */
+    const char *population; /* an id, or a file relative to the house file's folder; "": the usual one */
+    const char *place;
+} PlanDrivers;
+
 /* A picture used as a template for the plan. */
 typedef struct Background {
     const char *image;  /* its file, relative to the house file's folder; NULL: none */
@@ -163,6 +176,7 @@ typedef struct Plan {
     size_t wall_count, door_count, furniture_count, room_count, exit_count, person_count, crowd_count, route_count;
     size_t override_count;
     RunSettings run;
+    PlanDrivers drivers;
     Background background;
     struct PlanIndex *index; /* finds elements by id */
     Arena arena;             /* memory of all of the above */

@@ -9,10 +9,12 @@
 #include <string.h>
 
 #include "mechanics/broadphase.h"
+#include "plan/observed_times.h"
 #include "plan/plan_geometry.h"
 
 static const double ROUNDING = 1e-9;        /* m: tolerance for a door that fills its wall exactly */
 static const double WALL_SHORTEST = 1e-6;   /* m, of a segment: the resolution of the outline's grid */
+static const double GAP_LEAST = 0.01;       /* m, that the open leaf of a sliding door leaves free, at least */
 static const double EXIT_SHORTEST = 0.01;   /* m */
 static const double FURNITURE_LEAST = 0.01; /* m, in both directions */
 static const double MOST_PEOPLE = 2e5;      /* 1: a house of some 200 MB, and minutes to place */
@@ -155,6 +157,12 @@ static bool check_door(const PlanCheck *check, size_t d) {
         add_fault(check, LIST_DOORS, d, "at",
                   "door %.40s: at is %g m, past the end of wall %.40s, must be from %.4g to %.4g m", door->id, door->at,
                   wall->id, door->width / 2, length - door->width / 2);
+        return false;
+    }
+    if (door->rest > door->width - GAP_LEAST) {
+        add_fault(check, LIST_DOORS, d, "rest",
+                  "door %.40s: rest is %g m, must be at least %g m less than the width, %g m", door->id, door->rest,
+                  GAP_LEAST, door->width);
         return false;
     }
     return true;
@@ -332,6 +340,13 @@ static void check_people(const PlanCheck *check, const Doorway *doorways, size_t
     solids_destroy(&solids);
 }
 
+/* Checks what was measured on a route. */
+static void check_observed(const PlanCheck *check, size_t r) {
+    char fault[200];
+    if (!observed_times_check(&check->plan->routes[r].observed, fault, sizeof fault))
+        add_fault(check, LIST_ROUTES, r, "observed", "route %.40s: %s", check->plan->routes[r].id, fault);
+}
+
 static void check_route(const PlanCheck *check, size_t r) {
     const Plan *plan = check->plan;
     PlanRoute *route = &check->plan->routes[r];
@@ -356,6 +371,7 @@ static void check_route(const PlanCheck *check, size_t r) {
         else
             *taken = r;
     }
+    check_observed(check, r);
 }
 
 static void check_each(const PlanCheck *check, int list, void (*check_element)(const PlanCheck *check, size_t index)) {

@@ -21,6 +21,7 @@ static void add_rows(Text *text, const char *before, const char *id, const Param
                 continue;
             break;
         case PARAMETER_IDS:
+        case PARAMETER_NUMBERS:
         case PARAMETER_POINT:
         case PARAMETER_POINTS:
         case PARAMETER_TABLE:

@@ -3,6 +3,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "plan/population.h"
+
 #define NAME(struct_, field_, meaning_)                                                                                \
     { .name = #field_, .kind = PARAMETER_TEXT, .offset = offsetof(struct_, field_), .unit = "", .meaning = meaning_ }
 #define ID(struct_, field_, meaning_)                                                                                  \
@@ -65,6 +67,13 @@ static const Parameter door_rows[] = {
     CHOICE(Door, hinge, "start|end", HINGE_START, "the end of the segment nearer to the hinge"),
     CHOICE(Door, swing, "left|right", SWING_LEFT, "the side of the wall's direction to which the leaf opens"),
     NUMBER(Door, opening_time, "s", 0, 600, 3, "time to open it when it is closed", "assumed"),
+    NUMBER(Door, leaf, "m", 0, 0.3, 0.04, "thickness of a hinged door's leaf", "assumed: a usual inner door"),
+    NUMBER(Door, rest, "m", 0, 100, 0, "what the open leaf of a sliding door still covers of the width", "none"),
+    {.name = "closer",
+     .kind = PARAMETER_FLAG,
+     .offset = offsetof(Door, closer),
+     .unit = "",
+     .meaning = "closes by itself"},
 };
 
 static const Parameter furniture_rows[] = {
@@ -116,9 +125,22 @@ static const Parameter crowd_rows[] = {
 };
 
 static const Parameter observed_rows[] = {
-    NEEDED_NUMBER(Observed, mean, "s", 0.001, 1e6, "mean time of the measured runs"),
-    NUMBER(Observed, deviation, "s", 0, 1e6, 0, "their standard deviation", "unknown"),
-    WHOLE(Observed, runs, 1, 1e6, 1, false, "number of runs", "one"),
+    NUMBER(Observed, mean, "s", 0, 1e6, 0, "mean time of the measured runs; absent: that of times", "that of times"),
+    NUMBER(Observed, deviation, "s", 0, 1e6, 0, "their standard deviation; absent: that of times", "unknown"),
+    WHOLE(Observed, runs, 1, 1e6, 1, false, "number of runs; absent: that of times", "one"),
+    {.name = "times",
+     .kind = PARAMETER_NUMBERS,
+     .offset = offsetof(Observed, times),
+     .unit = "s",
+     .low = 0.001,
+     .high = 1e6,
+     .meaning = "time of each run"},
+    {.name = "drivers",
+     .kind = PARAMETER_IDS,
+     .offset = offsetof(Observed, drivers),
+     .unit = "",
+     .meaning = "who drove each run, in the order of times; equal ids are the same person"},
+    WHOLE(Observed, touches, -1, 1e6, -1, false, "runs in which something was touched; -1: not counted", "not counted"),
 };
 
 static const ParameterTable observed_table = TABLE("observed", observed_rows);
@@ -171,6 +193,13 @@ static const Parameter run_rows[] = {
 };
 
 const ParameterTable plan_tables_run = TABLE("run", run_rows);
+
+static const Parameter drivers_rows[] = {
+    WHOLE(PlanDrivers, count, 0, DRIVERS_MOST, 0, true, "drivers of a population besides the nominal one; 0: none", ""),
+    NAME(PlanDrivers, population, "one of assets/populations, or a file; absent: manual-jp"),
+};
+
+const ParameterTable plan_tables_drivers = TABLE("drivers", drivers_rows);
 
 static const Parameter background_rows[] = {
     {.name = "image",

@@ -25,7 +25,7 @@ enum {
 };
 
 extern const PlanList plan_tables_lists[PLAN_LISTS];
-extern const ParameterTable plan_tables_run, plan_tables_background;
+extern const ParameterTable plan_tables_run, plan_tables_drivers, plan_tables_background;
 
 /* Gives the plan `count` zeroed elements in a list, and returns them. */
 void *plan_tables_allocate(Plan *plan, const PlanList *list, size_t count);

@@ -41,8 +41,7 @@ enum { CHAIRS = 1, WALKERS = 2, ALL = CHAIRS | WALKERS, OPTIONAL = 4 };
     ROW(CHAIRS, "drive.reversing_time", reversing_time, "s", 0, 60, "time to change direction")                        \
     MAY(CHAIRS, "drive.skid_time", skid_time, "s/m", 0, 10000, 0, "assumed: not given, so none",                       \
         "time to skid sideways; 0: no skids")                                                                          \
-    MAY(CHAIRS, "drive.creep", creep, "m/s", 0, 2, 0, "assumed: not given, so v_min",                                  \
-        "least speed through a gap; 0: v_min")                                                                         \
+    MAY(CHAIRS, "drive.creep", creep, "m/s", 0.01, 2, 0.1, "assumed", "least speed through a passage")                 \
     MAY(CHAIRS, "drive.caution", caution, "1", 0.1, 10, 3, "assumed", "z, errors kept from a wall")                    \
     MAY(CHAIRS, "drive.sight", sight, "m", 0.1, 20, 2, "assumed", "l_p, way ahead by which the line is held")          \
     MAY(CHAIRS, "drive.reaction", reaction, "s", 0, 2, 0.3, "assumed", "time to notice what is near")                  \
@@ -50,6 +49,7 @@ enum { CHAIRS = 1, WALKERS = 2, ALL = CHAIRS | WALKERS, OPTIONAL = 4 };
     ROW(ALL, "space.reach", space_reach, "m", 0, 3, "personal space beyond the body")                                  \
     MAY(CHAIRS, "space.centring", space_centring, "m", 0.05, 20, 0.6, "assumed",                                       \
         "l_r, way in which what is near steers")                                                                       \
+    MAY(CHAIRS, "space.price", space_price, "s/m", 0, 100, 0.5, "assumed", "price of space pressed on one side")       \
     ROW(ALL, "space.normal_stiffness", space.normal_stiffness, "N/m", 0, 1e7, "k_n' of the personal space")            \
     ROW(ALL, "space.normal_damping", space.normal_damping, "N s/m", 0, 1e6, "c_n' of the personal space")              \
     ROW(ALL, "space.tangential_stiffness", space.tangential_stiffness, "N/m", 0, 1e7, "k_t' of the personal space")    \

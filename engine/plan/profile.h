@@ -59,7 +59,7 @@ typedef struct Profile {
     double reversing_speed;      /* m/s */
     double reversing_time;       /* s, to change direction */
     double skid_time;            /* s/m, to skid with the drive wheels sideways; 0: they do not skid */
-    double creep;    /* m/s, the slowest that a driver plans with, however narrow a gap is; 0: minimum_speed */
+    double creep;    /* m/s, the slowest speed through a passage or towards an obstacle, however narrow it is */
     double caution;  /* 1, z: how many standard deviations of the error a driver keeps from a wall */
     double sight;    /* m, l_p, the length in which a driver steers back to the planned line */
     double reaction; /* s, until what is near has an effect */
@@ -67,6 +67,7 @@ typedef struct Profile {
 
     double space_reach;    /* m, of the personal space beyond the body */
     double space_centring; /* m, l_r, the length in which a driver steers away from what is near */
+    double space_price;    /* s/m, what it costs a plan to press the space to the body on one side */
     ContactLaw space;
     ContactLaw contact;
 

@@ -17,16 +17,12 @@ static const double TURNING_CREEP = 0.03;
 /* m/s2: the least acceleration that is planned with, so that times stay finite without any strength. */
 static const double WEAKEST = 0.01;
 
-double pace_creep(const Profile *profile) {
-    return profile->creep > 0 ? profile->creep : PACE_CREEP;
-}
-
 /* Returns the speed, m/s, that the clearance allows. */
 static double speed_in_gap(const Profile *profile, double free, double clearance) {
     double speed = profile->steering_time > 0 ? 2 * clearance / profile->steering_time : HUGE_VAL;
     if (clearance < profile->hands)
         speed = real_min(speed, PACE_TUCKED_SPEED);
-    return real_min(real_max(speed, profile->creep > 0 ? profile->creep : profile->minimum_speed), free);
+    return real_min(real_max(speed, profile->minimum_speed), free);
 }
 
 double pace_turning(const Profile *profile) {
@@ -52,7 +48,7 @@ Agility pace_agility(const Profile *profile) {
 
 double pace_in_passage(const Profile *profile, double free, double width) {
     double speed = profile->steering_time > 0 ? (width - profile->width) / profile->steering_time : HUGE_VAL;
-    return real_min(real_max(speed, pace_creep(profile)), free);
+    return real_min(real_max(speed, profile->creep), free);
 }
 
 double pace_at(const Profile *profile, const Agility *agility, double free, double clearance, double width,
@@ -72,7 +68,7 @@ double pace_at(const Profile *profile, const Agility *agility, double free, doub
 double pace_price(const Profile *profile, double left, double right) {
     double reach = profile->space_reach;
     double on_left = real_max(reach - left, 0), on_right = real_max(reach - right, 0);
-    return reach > 0 ? PACE_PRICE * (on_left * on_left + on_right * on_right) / (reach * reach) : 0;
+    return reach > 0 ? profile->space_price * (on_left * on_left + on_right * on_right) / (reach * reach) : 0;
 }
 
 double pace_enough(const Profile *profile) {

@@ -3,9 +3,6 @@
 
 #include "plan/profile.h"
 
-/* m/s, assumed: speed through a gap hardly wider than the body. */
-#define PACE_CREEP 0.1
-
 /* 1, assumed: the share of the deceleration that a driver plans with, before corners, doors, exits and people; the rest
  * is a reserve. */
 #define PACE_PLANNED 0.8
@@ -31,15 +28,15 @@ double pace_turning(const Profile *profile);
  * body has `clearance` m, the passage is `width` m wide across the body's middle, here and within PACE_FORESIGHT, the
  * path's curvature is `curvature` rad/m and changes by `bending` rad/m2; `direction` is -1 backwards.
  *
- * Width: v = (W - w) / b, but no less than drive.creep or PACE_CREEP. Clearance: in the middle of a straight passage
+ * Width: v = (W - w) / b, but no less than drive.creep. Clearance: in the middle of a straight passage
  * the clearance on either side is (W - w) / 2; where the body turns, or the path leads close by an obstacle, the same
- * law holds with twice the clearance, with the floor of the paper for corners, or drive.creep where the profile has it.
- * With less than body.hands beside the rims the arms are tucked in:
- * PACE_TUCKED_SPEED. Curvature k: v^2 k <= the lateral acceleration, v k <= nine tenths of the turn rate, since a
- * driver who turns as quickly as possible cannot come back to the path, and of the rate w at which half of the push
- * holds the mass centre, c ahead of the axle: m c w^2 <= push / 2; m c v^2 k <= half of the turning moment, since the
- * drive wheels hold the axle and the mass centre swings the chair straight. Bending: I v^2 dk/ds <= half of the turning
- * moment. A bend is taken at 0.03 m/s, however narrow it is and however weak the driver. */
+ * law holds with twice the clearance, with the floor of the paper for corners, drive.minimum_speed. With less than
+ * body.hands beside the rims the arms are tucked in: PACE_TUCKED_SPEED. Curvature k: v^2 k <= the lateral acceleration,
+ * v k <= nine tenths of the turn rate, since a driver who turns as quickly as possible cannot come back to the path,
+ * and of the rate w at which half of the push holds the mass centre, c ahead of the axle: m c w^2 <= push / 2; m c v^2
+ * k <= half of the turning moment, since the drive wheels hold the axle and the mass centre swings the chair straight.
+ * Bending: I v^2 dk/ds <= half of the turning moment. A bend is taken at 0.03 m/s, however narrow it is and however
+ * weak the driver. */
 double pace_at(const Profile *profile, const Agility *agility, double free, double clearance, double width,
                double curvature, double bending, int direction);
 
@@ -66,20 +63,14 @@ double pace_sharpest(const Profile *profile);
  * Infinite on the straight. */
 double pace_in_bend(double turning, double curvature);
 
-/* Returns the speed, m/s, below which no gap makes a driver plan. */
-double pace_creep(const Profile *profile);
-
 /* Returns alpha, s: the error of a driver across the way has the standard deviation alpha v, and a driver keeps z of
  * them (drive.caution) from the wall, so that v = c / (z alpha) = 2 c / b with b = 2 z alpha, drive.steering_time. */
 double pace_error(const Profile *profile);
 
 /* Returns what the personal space, pressed where the body has the clearances `left` and `right` (m), costs beyond the
- * time, s/m: PACE_PRICE (d_L^2 + d_R^2) / reach^2 with d how deep it is pressed on a side. Between walls the sum is
+ * time, s/m: space.price (d_L^2 + d_R^2) / reach^2 with d how deep it is pressed on a side. Between walls the sum is
  * least in the middle. */
 double pace_price(const Profile *profile, double left, double right);
-
-/* s/m, assumed: the personal space pressed to the body on one side. */
-#define PACE_PRICE 0.5
 
 /* Returns the clearance from which on it does not slow a driver, m. */
 double pace_enough(const Profile *profile);

@@ -125,9 +125,17 @@ static void add_plan(Bytes *key, const Plan *plan) {
     add_number(key, (double)plan->door_count);
     for (size_t d = 0; d < plan->door_count; d++) {
         const Door *door = &plan->doors[d];
-        const double numbers[] = {door->segment, door->at,           door->width,
-                                  door->kind,    door->state,        door->hinge,
-                                  door->swing,   door->opening_time, (double)door->wall_index};
+        const double numbers[] = {door->segment,
+                                  door->at,
+                                  door->width,
+                                  door->kind,
+                                  door->state,
+                                  door->hinge,
+                                  door->swing,
+                                  door->opening_time,
+                                  door->leaf,
+                                  door->rest,
+                                  (double)door->wall_index};
         add_bytes(key, numbers, sizeof numbers);
     }
     add_number(key, (double)plan->exit_count);

@@ -16,11 +16,8 @@ typedef struct Inspecting {
     Inspection *inspection;
     const House *house;
     RuleWays ways;
-    Corridors corridors;
     Doorway *doorways;      /* (door_count) */
     TurningPlace *turnings; /* (2 x room_count) circle and square; size NAN: not measured yet */
-    bool *passed_by;        /* (place_count x person_count) */
-    size_t first_door, first_room;
 } Inspecting;
 
 /* Places ------------------------------------------------------------------------------------------------------------
@@ -37,12 +34,14 @@ static const char *room_words(const Plan *plan, size_t room, Arena *arena) {
 static void name_places(Inspecting *inspecting) {
     Inspection *inspection = inspecting->inspection;
     const Plan *plan = &inspecting->house->plan;
-    const Corridors *corridors = &inspecting->corridors;
-    inspecting->first_door = corridors->count;
-    inspecting->first_room = corridors->count + plan->door_count;
-    inspection->place_count = inspecting->first_room + plan->room_count;
+    const Corridors *corridors = &inspecting->inspection->corridors;
+    inspecting->inspection->first_door = corridors->count;
+    inspecting->inspection->first_room = corridors->count + plan->door_count;
+    inspection->place_count = inspecting->inspection->first_room + plan->room_count;
     inspection->places = memory_zeroed(inspection->place_count + 1, sizeof *inspection->places);
     RulePlace *place = inspection->places;
+    for (size_t p = 0; p < inspection->place_count; p++)
+        place[p].grade = -1;
     for (size_t c = 0; c < corridors->count; c++, place++) {
         const Corridor *corridor = &corridors->list[c];
         place->name = text_in_arena(&inspection->arena, "corridor c%zu%s", c + 1,
@@ -70,43 +69,45 @@ static void name_places(Inspecting *inspecting) {
 static void note_passages(Inspecting *inspecting) {
     const House *house = inspecting->house;
     size_t people = house->person_count;
-    inspecting->passed_by = memory_zeroed((inspecting->inspection->place_count + 1) * (people + 1), sizeof(bool));
+    inspecting->inspection->person_count = people;
+    inspecting->inspection->passed_by =
+        memory_zeroed((inspecting->inspection->place_count + 1) * (people + 1), sizeof(bool));
     for (size_t w = 0; w < inspecting->ways.count; w++) {
         const RuleWay *way = &inspecting->ways.ways[w];
         if (way->person == SIZE_MAX)
             continue;
         for (size_t i = 0; i + 1 < way->count; i++) {
-            size_t corridor = corridor_at(&inspecting->corridors, way->at[i]);
+            size_t corridor = corridor_at(&inspecting->inspection->corridors, way->at[i]);
             size_t room = i % 10 ? SIZE_MAX : ways_room(&house->plan, way->at[i]);
             if (corridor != SIZE_MAX)
-                inspecting->passed_by[corridor * people + way->person] = true;
+                inspecting->inspection->passed_by[corridor * people + way->person] = true;
             if (room != SIZE_MAX)
-                inspecting->passed_by[(inspecting->first_room + room) * people + way->person] = true;
+                inspecting->inspection->passed_by[(inspecting->inspection->first_room + room) * people + way->person] =
+                    true;
             for (size_t d = 0; d < house->plan.door_count; d++)
                 if (ways_meet(way->at[i], way->at[i + 1], inspecting->doorways[d].from, inspecting->doorways[d].to))
-                    inspecting->passed_by[(inspecting->first_door + d) * people + way->person] = true;
+                    inspecting->inspection->passed_by[(inspecting->inspection->first_door + d) * people + way->person] =
+                        true;
         }
     }
 }
 
-/* Returns the door that a blockage names, the corridor near it, or the room around it; SIZE_MAX: none. */
-static size_t place_of_blockage(const Inspecting *inspecting, const Blockage *blockage) {
-    const Plan *plan = &inspecting->house->plan;
-    for (size_t d = 0; d < plan->door_count; d++)
-        if (strcmp(blockage->what, inspecting->inspection->places[inspecting->first_door + d].name) == 0)
-            return inspecting->first_door + d;
+size_t inspection_place(const Inspection *inspection, const House *house, const char *what, Vec2 at) {
+    for (size_t d = 0; d < house->plan.door_count; d++)
+        if (strcmp(what, inspection->places[inspection->first_door + d].name) == 0)
+            return inspection->first_door + d;
     double best = NEAR;
     size_t found = SIZE_MAX;
-    for (size_t c = 0; c < inspecting->corridors.count; c++) {
-        const Corridor *corridor = &inspecting->corridors.list[c];
+    for (size_t c = 0; c < inspection->corridors.count; c++) {
+        const Corridor *corridor = &inspection->corridors.list[c];
         for (size_t i = 0; i < corridor->count; i++) {
-            double distance = vec2_distance(corridor->widths[i].at, blockage->at);
+            double distance = vec2_distance(corridor->widths[i].at, at);
             found = distance < best ? c : found;
             best = fmin(best, distance);
         }
     }
-    size_t room = found == SIZE_MAX ? ways_room(plan, blockage->at) : SIZE_MAX;
-    return room != SIZE_MAX ? inspecting->first_room + room : found;
+    size_t room = found == SIZE_MAX ? ways_room(&house->plan, at) : SIZE_MAX;
+    return room != SIZE_MAX ? inspection->first_room + room : found;
 }
 
 /* Plans the ways of the chairs, and notes where they are stopped. */
@@ -123,9 +124,11 @@ static void note_chairs(Inspecting *inspecting, int jobs, const Stop *stop) {
             continue;
         inspecting->inspection->interrupted |= route->answer == ROUTE_INTERRUPTED;
         bool stuck = route->answer == ROUTE_CANNOT_PASS;
-        size_t at = stuck ? place_of_blockage(inspecting, &route->blockage) : SIZE_MAX;
+        size_t at = stuck ? inspection_place(inspecting->inspection, house, route->blockage.what, route->blockage.at)
+                          : SIZE_MAX;
         for (size_t p = 0; p < inspecting->inspection->place_count; p++)
-            inspecting->inspection->places[p].chairs += inspecting->passed_by[p * house->person_count + i] || p == at;
+            inspecting->inspection->places[p].chairs +=
+                inspecting->inspection->passed_by[p * house->person_count + i] || p == at;
         if (at == SIZE_MAX)
             continue;
         RulePlace *place = &inspecting->inspection->places[at];
@@ -172,6 +175,7 @@ static bool at_door(const RuleWhere *where, const Plan *plan, const Doorway *doo
     bool kind = where->kind == KIND_ANY || (where->kind == KIND_HINGED) == (door->kind == DOOR_HINGED);
     bool place = where->doors == DOORS_ALL || (where->doors == DOORS_ENTRANCE) == doorway->entrance;
     kind &= where->kind == KIND_ANY || door->kind != DOOR_OPENING;
+    kind &= where->closer == CLOSER_ANY || (where->closer == CLOSER_WITH) == door->closer;
     bool deep = where->space_least <= 0 && where->space_below >= 100;
     for (int k = 0; k < 2; k++)
         deep |= doorway->spaces[k] >= where->space_least - INSPECTION_TOLERANCE &&
@@ -211,10 +215,10 @@ static void add_unknown(Inspection *inspection, const RuleSet *set, const Rule *
 
 static void inspect_corridors(Inspecting *inspecting, const RuleSet *set, const Rule *rule) {
     Inspection *inspection = inspecting->inspection;
-    if (!inspecting->corridors.count)
+    if (!inspecting->inspection->corridors.count)
         add_unknown(inspection, set, rule, SIZE_MAX, "no way in this house leads through a corridor");
-    for (size_t c = 0; c < inspecting->corridors.count; c++) {
-        const Corridor *corridor = &inspecting->corridors.list[c];
+    for (size_t c = 0; c < inspecting->inspection->corridors.count; c++) {
+        const Corridor *corridor = &inspecting->inspection->corridors.list[c];
         const CorridorWidth *narrowest = &corridor->widths[corridor->narrowest];
         if (!in_rooms(&rule->where, &inspecting->house->plan, (size_t[2]){corridor->room, SIZE_MAX}))
             continue;
@@ -238,7 +242,7 @@ static void inspect_corridors(Inspecting *inspecting, const RuleSet *set, const 
 }
 
 static void inspect_clear(Inspecting *inspecting, const RuleSet *set, const Rule *rule, const Doorway *doorway) {
-    Finding finding = begin_finding(set, rule, inspecting->first_door + doorway->door);
+    Finding finding = begin_finding(set, rule, inspecting->inspection->first_door + doorway->door);
     finding.has = doorway->clear;
     finding.from = doorway->from;
     finding.to = doorway->to;
@@ -254,7 +258,7 @@ static void inspect_space(Inspecting *inspecting, const RuleSet *set, const Rule
     double depth = latch ? LATCH_DEPTH : rule->least, beyond = latch ? rule->least : rule->beyond;
     DoorwaySpace space = doorway_space(inspecting->house, doorway, side, depth, beyond, rule->at_hinge);
     bool deep = verdict_of(space.depth, depth) == RULE_PASSES, before = space.beyond > 0;
-    Finding finding = begin_finding(set, rule, inspecting->first_door + doorway->door);
+    Finding finding = begin_finding(set, rule, inspecting->inspection->first_door + doorway->door);
     bool beside = latch || (!deep && before && beyond > 0);
     finding.requires = beside ? beyond : depth;
     finding.has = beside ? fmax(space.beyond, 0) : space.depth;
@@ -272,7 +276,7 @@ static void inspect_spaces(Inspecting *inspecting, const RuleSet *set, const Rul
     const Door *door = &inspecting->house->plan.doors[doorway->door];
     bool done[2] = {false, false};
     if (!doorway->use_count) {
-        add_unknown(inspecting->inspection, set, rule, inspecting->first_door + doorway->door,
+        add_unknown(inspecting->inspection, set, rule, inspecting->inspection->first_door + doorway->door,
                     "no way comes to this door from 1 m before it");
         return;
     }
@@ -308,9 +312,10 @@ static void inspect_doors(Inspecting *inspecting, const RuleSet *set, const Rule
 static bool is_corridor(const Inspecting *inspecting, size_t room) {
     const size_t least = (size_t)(0.5 / WAYS_STEP);
     size_t places = 0;
-    for (size_t c = 0; c < inspecting->corridors.count; c++)
-        for (size_t i = 0; i < inspecting->corridors.list[c].count; i++)
-            places += ways_room(&inspecting->house->plan, inspecting->corridors.list[c].widths[i].at) == room;
+    for (size_t c = 0; c < inspecting->inspection->corridors.count; c++)
+        for (size_t i = 0; i < inspecting->inspection->corridors.list[c].count; i++)
+            places +=
+                ways_room(&inspecting->house->plan, inspecting->inspection->corridors.list[c].widths[i].at) == room;
     return places > least;
 }
 
@@ -326,7 +331,7 @@ static void inspect_rooms(Inspecting *inspecting, const RuleSet *set, const Rule
         TurningPlace *turning = &inspecting->turnings[2 * r + square];
         if (isnan(turning->size))
             *turning = square ? turning_square(inspecting->house, r) : turning_circle(inspecting->house, r);
-        Finding finding = begin_finding(set, rule, inspecting->first_room + r);
+        Finding finding = begin_finding(set, rule, inspecting->inspection->first_room + r);
         finding.has = turning->size;
         finding.at_least = turning->size >= 2 * FREESPACE_FARTHEST - INSPECTION_TOLERANCE;
         finding.from = vec2_along(turning->at, -turning->size / 2, turning->axis);
@@ -361,7 +366,7 @@ Inspection inspection_make(const House *house, const RuleSets *sets, int jobs, c
     const Plan *plan = &house->plan;
     Inspecting inspecting = {.inspection = &inspection, .house = house, .ways = ways_find(house, stop)};
     inspection.interrupted = inspecting.ways.interrupted;
-    inspecting.corridors = corridor_measure_all(house, &inspecting.ways);
+    inspection.corridors = corridor_measure_all(house, &inspecting.ways);
     inspecting.doorways = memory_zeroed(plan->door_count + 1, sizeof *inspecting.doorways);
     for (size_t d = 0; d < plan->door_count; d++)
         inspecting.doorways[d] = doorway_measure(house, &inspecting.ways, d);
@@ -376,8 +381,6 @@ Inspection inspection_make(const House *house, const RuleSets *sets, int jobs, c
             inspect_rule(&inspecting, &sets->sets[s], &sets->sets[s].rules[r]);
     memory_free(inspecting.doorways);
     memory_free(inspecting.turnings);
-    memory_free(inspecting.passed_by);
-    corridor_free_all(&inspecting.corridors);
     ways_free(&inspecting.ways);
     return inspection;
 }
@@ -385,12 +388,19 @@ Inspection inspection_make(const House *house, const RuleSets *sets, int jobs, c
 void inspection_free(Inspection *inspection) {
     memory_free(inspection->places);
     memory_free(inspection->findings);
+    memory_free(inspection->passed_by);
+    corridor_free_all(&inspection->corridors);
     arena_clear(&inspection->arena);
     *inspection = (Inspection){.place_count = 0};
 }
 
+bool inspection_is_stopped(const RulePlace *place) {
+    return place->stopped > 0 ||
+           (place->refused > 0 && (double)place->refused >= INSPECTION_REFUSED * (double)place->drivers);
+}
+
 FindingGroup inspection_group(const Inspection *inspection, const Finding *finding) {
-    bool stopped = finding->place != SIZE_MAX && inspection->places[finding->place].stopped > 0;
+    bool stopped = finding->place != SIZE_MAX && inspection_is_stopped(&inspection->places[finding->place]);
     if (finding->verdict == RULE_OPEN)
         return GROUP_OPEN;
     if (finding->verdict == RULE_PASSES)
@@ -407,13 +417,23 @@ static bool fails_there(const Inspection *inspection, const RuleSet *set, size_t
     return false;
 }
 
+/* True if the place stops more: chairs of the plan before drivers, then those whose source is known better, then more
+ * drivers. */
+static bool is_worse(const Inspection *inspection, const Finding *finding, const Finding *before) {
+    const RulePlace *place = &inspection->places[finding->place], *other = &inspection->places[before->place];
+    if ((place->stopped > 0) != (other->stopped > 0))
+        return place->stopped > 0;
+    if (finding->rule->status != before->rule->status)
+        return finding->rule->status < before->rule->status;
+    return (double)place->refused * (double)other->drivers > (double)other->refused * (double)place->drivers;
+}
+
 const Finding *inspection_legal_impassable(const Inspection *inspection) {
     const Finding *best = NULL;
     for (size_t i = 0; i < inspection->finding_count; i++) {
         const Finding *finding = &inspection->findings[i];
         if (inspection_group(inspection, finding) == GROUP_LEGAL_IMPASSABLE &&
-            !fails_there(inspection, finding->set, finding->place) &&
-            (!best || finding->rule->status < best->rule->status))
+            !fails_there(inspection, finding->set, finding->place) && (!best || is_worse(inspection, finding, best)))
             best = finding;
     }
     return best;

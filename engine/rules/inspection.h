@@ -12,6 +12,7 @@
 #include "rules/turning.h"
 
 #define INSPECTION_TOLERANCE 0.001 /* m */
+#define INSPECTION_REFUSED 0.05    /* 1, assumed: share of drivers refused from which a place stops chairs */
 
 typedef enum RuleVerdict { RULE_PASSES, RULE_FAILS, RULE_OPEN, RULE_VERDICTS } RuleVerdict;
 
@@ -24,6 +25,14 @@ typedef struct RulePlace {
     size_t carried;    /* those of the stopped ones that a helper can lift and shift through: they fit */
     const char *who;   /* the first one that is stopped, or NULL */
     Blockage blockage; /* of that one */
+
+    /* Of drivers of a population, if they were tried; all counts are 0 if not. */
+    size_t drivers;  /* whose way leads here */
+    size_t refused;  /* those of them whose chair cannot be driven through here */
+    size_t out;      /* those who get out of the house */
+    size_t touching; /* those whose fastest impact is here */
+    int grade;       /* GradeLetter of the tightest way here (inquiry/grade.h); -1: no way was graded */
+    double to_next;  /* m per side, to the next better grade here; 0: there is none; NAN: not known */
 } RulePlace;
 
 typedef struct Finding {
@@ -55,6 +64,12 @@ typedef struct Inspection {
     size_t finding_count, finding_capacity;
     size_t counts[RULE_VERDICTS];
     bool interrupted; /* True: what was found so far */
+    Corridors corridors;
+    size_t first_door, first_room; /* indices in places */
+    bool *passed_by;               /* (place_count x person_count) the way of the person leads there */
+    size_t person_count;
+    const char *population; /* id of the drivers' population; NULL: no drivers were tried */
+    size_t driver_count;
     Arena arena;
 } Inspection;
 
@@ -63,8 +78,16 @@ typedef struct Inspection {
 Inspection inspection_make(const House *house, const RuleSets *sets, int jobs, const Stop *stop);
 void inspection_free(Inspection *inspection);
 
+/* Returns the place of what `what` names ("door d2") or, if it names no door, of the corridor near `at` or the room
+ * around it; SIZE_MAX: none. */
+size_t inspection_place(const Inspection *inspection, const House *house, const char *what, Vec2 at);
+
+/* True if chairs are stopped at a place: one of the plan's own, or at least INSPECTION_REFUSED of the drivers. */
+bool inspection_is_stopped(const RulePlace *place);
+
 FindingGroup inspection_group(const Inspection *inspection, const Finding *finding);
 
 /* Returns a finding of a set that has no failure at a place where chairs are stopped: legal and impassable; of several,
- * the first one whose source is known best. NULL: there is none. */
+ * one that stops a chair of the plan, then the one whose source is known best, then the one with most drivers refused.
+ * NULL: there is none. */
 const Finding *inspection_legal_impassable(const Inspection *inspection);

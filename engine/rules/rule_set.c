@@ -33,6 +33,7 @@ static const Parameter where_rows[] = {
     TEXT_ROW(RuleWhere, not_room, false, "not in, nor at doors of, rooms with this in their name or id"),
     CHOICE_ROW(RuleWhere, doors, "all|inner|entrance", false, "only these doors; an entrance is next to an exit"),
     CHOICE_ROW(RuleWhere, kind, "any|hinged|sliding", false, "only doors of this kind"),
+    CHOICE_ROW(RuleWhere, closer, "any|with|without", false, "only doors with a closer, or without one"),
     CHOICE_ROW(RuleWhere, approach, "any|front|hinge|latch", false,
                "only doors that are approached so; within 30 degrees of the normal is front"),
     CHOICE_ROW(RuleWhere, side, "both|pull|push", false, "only on this side; a leaf opens towards who pulls"),

@@ -36,6 +36,7 @@ typedef enum RuleDoors { DOORS_ALL, DOORS_INNER, DOORS_ENTRANCE } RuleDoors;
 typedef enum RuleApproach { APPROACH_ANY, APPROACH_FRONT, APPROACH_HINGE, APPROACH_LATCH } RuleApproach;
 typedef enum RuleSide { SIDE_BOTH, SIDE_PULL, SIDE_PUSH } RuleSide;
 typedef enum RuleKind { KIND_ANY, KIND_HINGED, KIND_SLIDING } RuleKind;
+typedef enum RuleCloser { CLOSER_ANY, CLOSER_WITH, CLOSER_WITHOUT } RuleCloser;
 
 /* Where a rule holds; all of it must be true. Rooms are found by a part of their name or id, without regard to case. */
 typedef struct RuleWhere {
@@ -43,6 +44,7 @@ typedef struct RuleWhere {
     int doors;                   /* RuleDoors */
     int kind;                    /* RuleKind of the doors */
     int approach;                /* RuleApproach: see doorway.h */
+    int closer;                  /* RuleCloser: a door that closes by itself needs more space before it */
     int side;                    /* RuleSide: the leaf opens towards a person who pulls */
     double space_least;          /* m: the space in front of the door is at least as deep */
     double space_below;          /* m: and less than this */

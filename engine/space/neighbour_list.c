@@ -9,7 +9,7 @@ static double face_depth(const Plan *plan, const Face *face) {
     case OWNER_WALL:
         return fmin(plan->walls[face->index].thickness / 2, DEEPEST);
     case OWNER_DOOR:
-        return fmin(OUTLINE_LEAF_THICKNESS / 2, DEEPEST);
+        return fmin(plan->doors[face->index].leaf / 2, DEEPEST);
     case OWNER_FURNITURE:
         return fmin(fmin(plan->furniture[face->index].size.x, plan->furniture[face->index].size.y) / 2, DEEPEST);
     }

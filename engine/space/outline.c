@@ -106,16 +106,20 @@ static void add_moving_leaf(Builder *builder, size_t d) {
     const Door *door = &plan->doors[d];
     Vec2 from, to, corners[4];
     plan_geometry_door_ends(plan, door, &from, &to);
-    solids_strip(from, to, OUTLINE_LEAF_THICKNESS / 2, OUTLINE_LEAF_THICKNESS / 2, corners);
+    solids_strip(from, to, door->leaf / 2, door->leaf / 2, corners);
     Face face = {.owner = OWNER_DOOR, .index = (int)d, .door = (int)d, .presence = PRESENT_SHUT};
     for (int side = 0; side < 4; side += 2) {
         face.a = corners[side];
         face.b = corners[side + 1];
         add_face(builder, face);
     }
-    if (door->kind != DOOR_HINGED)
+    bool rests = door->kind == DOOR_SLIDING && door->rest > 0;
+    if (door->kind != DOOR_HINGED && !rests)
         return;
-    solids_open_leaf(plan, door, plan->walls[door->wall_index].thickness / 2, corners);
+    if (rests)
+        solids_rest(plan, door, corners);
+    else
+        solids_open_leaf(plan, door, plan->walls[door->wall_index].thickness / 2, corners);
     face.presence = PRESENT_OPEN;
     for (int i = 0; i < 3; i++) { /* side, free end, side */
         face.a = corners[i];

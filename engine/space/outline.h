@@ -57,8 +57,6 @@ typedef struct Outline {
     Broadphase *broadphase; /* items: face i as i, corner j as face_count + j */
 } Outline;
 
-#define OUTLINE_LEAF_THICKNESS 0.04 /* m, thickness of a door's leaf: assumed */
-
 /* Builds the outline of a plan. Returns false after an error if GEOS cannot unite the solids. */
 bool outline_build(Outline *outline, const Plan *plan, Fault *fault);
 void outline_free(Outline *outline);

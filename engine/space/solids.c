@@ -247,8 +247,16 @@ void solids_open_leaf(const Plan *plan, const Door *door, double from_wall, Vec2
     double half = plan->walls[door->wall_index].thickness / 2;
     Vec2 root = vec2_along(hinge, from_wall, out), tip = vec2_along(hinge, half + door->width, out);
     bool beside_left = (door->hinge == HINGE_START) == (door->swing == SWING_LEFT);
-    solids_strip(root, tip, beside_left ? OUTLINE_LEAF_THICKNESS : 0, beside_left ? 0 : OUTLINE_LEAF_THICKNESS,
-                 corners);
+    solids_strip(root, tip, beside_left ? door->leaf : 0, beside_left ? 0 : door->leaf, corners);
+}
+
+void solids_rest(const Plan *plan, const Door *door, Vec2 corners[4]) {
+    Vec2 from, to;
+    plan_geometry_door_ends(plan, door, &from, &to);
+    Vec2 along = vec2_unit(vec2_sub(to, from));
+    bool at_start = door->hinge == HINGE_START;
+    Vec2 root = at_start ? from : to, tip = vec2_along(root, door->rest, at_start ? along : vec2_scale(along, -1));
+    solids_strip(root, tip, door->leaf / 2, door->leaf / 2, corners);
 }
 
 static void add_standing_solids(Solids *solids) {
@@ -259,10 +267,15 @@ static void add_standing_solids(Solids *solids) {
         add_solid(solids, corners, 0, OWNER_FURNITURE, f);
     }
     for (size_t d = 0; d < plan->door_count; d++) {
-        if (plan->doors[d].kind == DOOR_HINGED && plan->doors[d].state == DOOR_OPEN) {
-            solids_open_leaf(plan, &plan->doors[d], 0, corners);
-            add_solid(solids, corners, 0, OWNER_DOOR, d);
-        }
+        const Door *door = &plan->doors[d];
+        bool rests = door->kind == DOOR_SLIDING && door->rest > 0;
+        if (door->state != DOOR_OPEN || !(door->leaf > 0) || (door->kind != DOOR_HINGED && !rests))
+            continue;
+        if (rests)
+            solids_rest(plan, door, corners);
+        else
+            solids_open_leaf(plan, door, 0, corners);
+        add_solid(solids, corners, 0, OWNER_DOOR, d);
     }
 }
 

@@ -68,3 +68,6 @@ void solids_strip(Vec2 a, Vec2 b, double left, double right, Vec2 corners[4]);
 /* Fills in the leaf of a hinged door that stands open, at a right angle to its wall, from `from_wall` m off the wall's
  * centre line on. The leaf hangs next to the opening and does not narrow it: `width` is the clear width. */
 void solids_open_leaf(const Plan *plan, const Door *door, double from_wall, Vec2 corners[4]);
+
+/* Fills in what stays of the leaf of a sliding door in its opening when it is open, at the end of its hinge. */
+void solids_rest(const Plan *plan, const Door *door, Vec2 corners[4]);

@@ -32,7 +32,9 @@ static const double NINETY = 1.6448536269514722, NINETY_FIVE = 1.959963984540054
 static const double SAME_SUM = 2;     /* difference of sums of two minima that are both possible */
 static const double SAME_PLACE = 0.5; /* spreads between two minima that are one */
 
-enum { U = FIT_UNKNOWNS_MOST };
+static const double LOWER = 0.01; /* 1, of 1 + the sum: a profile that falls by more has found a better place */
+
+enum { U = FIT_UNKNOWNS_MOST, SETTLINGS = 4 };
 
 /* Starts, intervals and checks --------------------------------------------------------------------------------------
  */
@@ -71,20 +73,25 @@ static bool search_all(FitSearch *search, double *best, double *least) {
     return fit_search_evaluate(search, best, least);
 }
 
-/* Returns the standard deviation, in spreads, that follows from the rise of the profile `by` away from the best u. */
+/* Returns the standard deviation, in spreads, that follows from the rise of the profile `by` away from the best u; and
+ * leaves u and the sum of the profile. */
 static bool profile_at(FitSearch *search, const double *best, double least, size_t unknown, double by,
-                       double *deviation) {
-    double u[U], sum;
-    memcpy(u, best, sizeof u);
+                       double *deviation, double *u, double *found) {
+    double sum;
+    memcpy(u, best, U * sizeof *u);
     u[unknown] += by;
     search->fixed = unknown;
     bool good = fit_search_from(search, u, &sum);
     search->fixed = SIZE_MAX;
     *deviation = sum > least ? fabs(by) / sqrt(sum - least) : HUGE_VAL;
+    *found = sum;
     return good;
 }
 
-static bool find_intervals(FitSearch *search, const double *best, double least, double *kept) {
+/* Finds the intervals around the best u. Where a profile finds a sum that is lower still by LOWER, `better`, unless it
+ * is NULL, becomes that place, `moved` true, and the intervals mean nothing. */
+static bool find_intervals(FitSearch *search, const double *best, double least, double *kept, double *better,
+                           bool *moved) {
     Fit *fit = search->fit;
     size_t n = fit->unknown_count;
     double *jacobian = memory_zeroed(fit->row_count * n + 1, sizeof *jacobian), normal[U * U], slope[U], none[U];
@@ -105,9 +112,15 @@ static bool find_intervals(FitSearch *search, const double *best, double least, 
     search->derivatives = kept;
     for (size_t i = 0; i < n && good; i++) {
         FitUnknown *unknown = &fit->unknowns[i];
-        double straight = sqrt(normal[i * n + i]), sides[2];
+        double straight = sqrt(normal[i * n + i]), sides[2], u[U], sum = least;
+        unknown->skew = false;
         for (int side = 0; side < 2 && good; side++) {
-            good = profile_at(search, best, least, i, (side ? 2 : -2) * straight, &sides[side]);
+            good = profile_at(search, best, least, i, (side ? 2 : -2) * straight, &sides[side], u, &sum);
+            if (good && better && sum < least - LOWER * (1 + least)) {
+                memcpy(better, u, sizeof u);
+                *moved = true;
+                return true;
+            }
             bool differs = fabs(sides[side] / straight - 1) > 0.3;
             sides[side] = differs ? fmin(sides[side], 1.0) : straight; /* never wider than the prior */
             unknown->skew |= differs;
@@ -219,6 +232,35 @@ static double sign_runs(const Fit *fit) {
     return all >= 8 && variance > 0 ? (runs - expected) / sqrt(variance) : (double)NAN;
 }
 
+/* Takes the values at the best u, which are those of the search. */
+static void take_best(const FitSearch *search, double least) {
+    Fit *fit = search->fit;
+    fit->sum = least;
+    for (size_t r = 0; r < fit->row_count; r++) {
+        fit->rows[r].simulated = search->values[r];
+        fit->rows[r].residual = fit_search_residual(&fit->rows[r], search->values[r]);
+    }
+    fit->sign_runs = sign_runs(fit);
+}
+
+/* Finds the intervals, from a better place on where a profile finds one. */
+static bool settle(FitSearch *search, double *best, double least, double *kept) {
+    for (int k = 0; k < SETTLINGS; k++) {
+        bool moved = false;
+        double better[U];
+        if (!find_intervals(search, best, least, kept, better, &moved))
+            return false;
+        if (!moved)
+            return true;
+        memcpy(best, better, sizeof better);
+        search->derivatives = NULL; /* those of the other place have led astray */
+        if (!fit_search_from(search, best, &least))
+            return false;
+        take_best(search, least);
+    }
+    return find_intervals(search, best, least, kept, NULL, NULL);
+}
+
 static bool check(const Fit *fit, const double *values, Fault *fault) {
     for (size_t r = 0; r < fit->row_count; r++)
         if (isfinite(values[r]))
@@ -245,13 +287,8 @@ static bool fit_with(FitSearch *search, Fault *fault) {
         memory_free(kept);
         return true;
     }
-    fit->sum = least;
-    for (size_t r = 0; r < fit->row_count; r++) {
-        fit->rows[r].simulated = search->values[r];
-        fit->rows[r].residual = fit_search_residual(&fit->rows[r], search->values[r]);
-    }
-    fit->sign_runs = sign_runs(fit);
-    if (!fit->jumps && find_intervals(search, best, least, kept) && fit->leave_out)
+    take_best(search, least);
+    if (!fit->jumps && settle(search, best, least, kept) && fit->leave_out)
         leave_out(search, best);
     fit->error = sqrt(fit->error / (double)fit->row_count);
     fit->error_before = sqrt(fit->error_before / (double)fit->row_count);

@@ -13,6 +13,7 @@ typedef struct Every {
     bool flag;
     const char *text, *id;
     Ids ids;
+    NumberList numbers;
     Vec2 point;
     Points points;
     Observed table;
@@ -34,6 +35,7 @@ static const Parameter every_rows[] = {
     {EVERY(PARAMETER_TEXT, text)},
     {EVERY(PARAMETER_ID, id)},
     {EVERY(PARAMETER_IDS, ids)},
+    {EVERY(PARAMETER_NUMBERS, numbers), .low = -1e9, .high = 1e9},
     {EVERY(PARAMETER_POINT, point), .needed = true},
     {EVERY(PARAMETER_POINTS, points)},
     {EVERY(PARAMETER_TABLE, table), .table = &inner},

@@ -75,6 +75,7 @@ void rooms_make_two(Rooms *fixture, double width, double door, int state) {
                                .kind = state == DOOR_OPEN ? DOOR_OPENING : DOOR_SLIDING,
                                .state = state,
                                .opening_time = 3,
+                               .leaf = 0.04,
                                .wall_index = 1};
     fixture->exits[0] = (Exit){.id = "e1", .from = {5, 0}, .to = {5, 3}, .closes = HUGE_VAL};
     fixture->plan = (Plan){.name = "rooms",

@@ -1,21 +1,17 @@
 #include "laboratory/house/crew.h"
 
-#include <stdio.h>
-
 #include "base/digest.h"
 #include "house/run.h"
-#include "laboratory/shipped.h"
+#include "laboratory/shipped_population.h"
 #include "result/drivers.h"
 #include "visual/house/drivers_band.h"
 #include "visual/house/drivers_scene.h"
 
-static const char *const POPULATION = "manual-jp"; /* as `run --drivers` without --population */
+enum { FEW = 10, USUAL = 100 };
 
-enum { PATH = 4096 };
-
-size_t crew_size(int step) {
-    static const size_t sizes[CREW_STEPS] = {10, 100};
-    return sizes[step];
+size_t crew_size(int step, const Plan *plan) {
+    size_t all = plan->drivers.count ? (size_t)plan->drivers.count : USUAL;
+    return step == CREW_STEPS - 1 ? all : all < FEW ? all : FEW;
 }
 
 uint64_t crew_digest(const Drivers *drivers) {
@@ -42,16 +38,14 @@ static void show(Crew *crew, const House *house, const Drivers *drivers, const T
 
 bool crew_make(Crew *crew, int step, const House *house, size_t route, int jobs, const Stop *stop, Fault *fault) {
     Population population = {0};
-    char path[PATH];
     *crew = (Crew){0};
-    snprintf(path, sizeof path, "%s/%s.json", shipped_places()->populations, POPULATION);
-    if (!population_read(&population, path, fault))
+    if (!shipped_population_read(&population, &house->plan.drivers, house->plan.path, fault))
         return false;
     Observation nominal = {0};
     Drivers drivers = {0};
     run_house(&nominal, house, &(RunOptions){.route = route, .jobs = jobs, .stop = stop, .brief = true});
     if (!nominal.interrupted)
-        drivers_run(&drivers, house, &population, crew_size(step), route, jobs, stop);
+        drivers_run(&drivers, house, &population, crew_size(step, &house->plan), route, jobs, stop);
     bool done = !nominal.interrupted && !drivers.interrupted;
     if (done)
         show(crew, house, &drivers, &nominal.trace);

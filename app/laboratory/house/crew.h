@@ -16,8 +16,8 @@ typedef struct Crew {
     size_t person_count;
 } Crew;
 
-/* Returns the number of drivers of a step. */
-size_t crew_size(int step);
+/* Returns the number of drivers of a step: at last as many as the plan asks for, or 100. */
+size_t crew_size(int step, const Plan *plan);
 
 /* Runs the nominal driver and the drivers of a step. Returns false, with an empty crew, if it was stopped or, with a
  * fault, if the population cannot be read. crew_clear releases it. */

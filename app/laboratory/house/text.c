@@ -503,7 +503,8 @@ static const char *describe_progress(HouseSession *session) {
         run = session->runs[RUN_ROUTES];
     if (!run && session->runs[RUN_CREW] && !house_runs_is_over(session, RUN_CREW)) {
         const Crew *crew = house_run_crew(session->runs[RUN_CREW]);
-        snprintf(texts->doing, sizeof texts->doing, "running %zu drivers", crew_size(crew ? CREW_STEPS - 1 : 0));
+        size_t size = crew_size(crew ? CREW_STEPS - 1 : 0, draft_plan(session->draft));
+        snprintf(texts->doing, sizeof texts->doing, "running %zu drivers", size);
         return texts->doing;
     }
     return run && house_run_describe(run, model, texts->doing, sizeof texts->doing) ? texts->doing : NULL;

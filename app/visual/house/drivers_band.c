@@ -7,6 +7,8 @@
 
 /* m: a driver who passes farther from the nominal way is on another one. */
 static const double ASIDE = 0.6;
+/* 1: names of rooms and pieces stand beside the band where there is room. */
+static const double KEEP_BAND = 1;
 /* Points of a driver's path that are searched ahead of the last crossing. */
 enum { AHEAD = 30 };
 
@@ -104,6 +106,7 @@ static void add_area(Scene *scene, const DriversBand *band, bool inner, double o
             area->edge_opacity = 0.9;
             area->width = 0.8;
             area->style = style;
+            area->keep_clear = KEEP_BAND;
         }
         first = end + 1;
     }

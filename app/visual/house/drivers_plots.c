@@ -3,7 +3,10 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "plan/observed_times.h"
 #include "visual/house/drivers_band.h"
+
+#define BEYOND 1.08 /* 1: the edges of the fan lie within the frame, not on it */
 
 static int by_value(const void *a, const void *b) {
     double one = *(const double *)a, other = *(const double *)b;
@@ -24,9 +27,10 @@ static bool is_alone(const House *house, size_t person) {
 
 static void add_measured(Plot *plot, const House *house, size_t person) {
     const PlanRoute *route = house->people[person].route;
-    if (!route || !(route->observed.mean > 0) || !is_alone(house, person))
+    ObservedTimes observed = route ? observed_times(&route->observed) : (ObservedTimes){.runs = 0};
+    if (!observed.runs || !is_alone(house, person))
         return;
-    double mean = route->observed.mean, deviation = route->observed.runs > 1 ? route->observed.deviation : 0;
+    double mean = observed.mean, deviation = observed.runs > 1 ? observed.deviation : 0;
     if (deviation > 0)
         add_guide(plot, (PlotGuide){.band = true,
                                     .at = mean - deviation,
@@ -78,7 +82,13 @@ static void make_speeds(DriversPlot *of, const Observation *nominal, const Drive
             column[c][s] = station->drivers >= BAND_LEAST || c == 0 || c == COLUMNS - 1 ? values[c] : (double)NAN;
     }
     plot->x = (PlotAxis){.title = "way", .unit = "m"};
-    plot->y = (PlotAxis){.title = "speed", .unit = "m/s"};
+    double low = 0, high = 0;
+    for (size_t s = 0; s < band.count; s++)
+        for (int c = 1; c < COLUMNS; c++) {
+            low = isfinite(column[c][s]) ? fmin(low, column[c][s]) : low;
+            high = isfinite(column[c][s]) ? fmax(high, column[c][s]) : high;
+        }
+    plot->y = (PlotAxis){.title = "speed", .unit = "m/s", .low = BEYOND * low, .high = BEYOND * high};
     plot->areas = arena_allocate(&of->arena, 2 * sizeof *plot->areas);
     plot->areas[plot->area_count++] = (PlotArea){"5 to 95 %", column[0], column[1], column[4], band.count, ROLE_GRID};
     plot->areas[plot->area_count++] = (PlotArea){"25 to 75 %", column[0], column[2], column[3], band.count, ROLE_BAND};

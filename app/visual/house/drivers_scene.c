@@ -84,6 +84,8 @@ void drivers_scene_add(Scene *scene, const House *house, const Drivers *drivers)
         if (radius >= LETTERED) {
             Primitive *label = scene_add_label(scene, ROLE_TEXT, LETTERS, place->at, letters[place->part]);
             label->bold = label->fixed = true; /* within its disc; names give way */
+            label->shape = LABEL_TAG;          /* over the leaders of other labels */
+            label->fill = role_of(places[p].fastest);
         }
     }
     qsort(rows, row_count, sizeof *rows, by_energy);

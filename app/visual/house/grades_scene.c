@@ -29,7 +29,8 @@ static const char *missing_of(Scene *scene, int letter, double to_next) {
 static void add_label(Scene *scene, const GradePlace *place) {
     const char *letter = grade_letter(place->letter), *missing = missing_of(scene, place->letter, place->to_next);
     Primitive *label = scene_add_label(scene, role_of(place->letter), LETTERS, place->at,
-                                       *missing ? scene_text(scene, "%s +%s", letter, missing) : letter);
+                                       *missing ? scene_text(scene, "grade %s +%s", letter, missing)
+                                                : scene_text(scene, "grade %s", letter));
     label->shape = LABEL_TAG;
     label->fill = role_of(place->letter);
     label->bold = label->leader = true;
@@ -44,11 +45,10 @@ void grades_scene_add(Scene *scene, const House *house, const Grade *grades) {
         if (!any)
             scene_add_row(scene, ROW_HEADING, "How tight, to the next grade");
         any = true;
-        SceneRow *row = scene_add_row(
-            scene, ROW_DISC,
-            scene_text(scene, "%s  %s", names_person(house, i, &scene->arena), grade_words(grade->letter)));
+        SceneRow *row = scene_add_row(scene, ROW_PLAIN, names_person(house, i, &scene->arena));
         row->role = role_of(grade->letter);
-        row->mark = grade_letter(grade->letter);
+        row->cells[1] = scene_text(scene, "grade %s %s", grade_letter(grade->letter),
+                                   grade_words(grade->letter)); /* no disc: those are people */
         row->cells[2] = missing_of(scene, grade->letter, grade->to_next);
         for (size_t p = 0; p < grade->place_count; p++)
             if (!is_repeated(grades, i, &grade->places[p]))

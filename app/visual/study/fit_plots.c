@@ -7,6 +7,8 @@
 
 #define SIZE 9.0 /* design points, across a symbol */
 
+#define BEYOND 1.15 /* 1, share of the frame that the farthest value leaves */
+
 #define LIMIT 2.0 /* standard deviations, of the lines */
 
 static double residual(const FitRow *row, double value) {
@@ -37,6 +39,14 @@ void fit_plots_residuals(Plot *plot, const Fit *fit, Arena *arena) {
     *plot = (Plot){.title = "Residuals: simulated minus observed",
                    .x = {.title = "measured value, in the order of the file"},
                    .y = {.title = "residual, standard deviations"}};
+    double most = LIMIT; /* the lines lie within the frame, not on it */
+    for (size_t r = 0; r < fit->row_count; r++) {
+        double before = residual(&fit->rows[r], fit->rows[r].before);
+        most = fmax(most, fmax(isfinite(before) ? fabs(before) : 0,
+                               isfinite(fit->rows[r].residual) ? fabs(fit->rows[r].residual) : 0));
+    }
+    plot->y.high = BEYOND * most;
+    plot->y.low = -plot->y.high;
     plot->x.low = 0;
     plot->x.high = (double)fit->row_count + 1;
     plot->series = arena_allocate(arena, 2 * sizeof *plot->series);

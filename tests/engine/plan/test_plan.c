@@ -165,7 +165,8 @@ TEST(a_plan_survives_writing_to_the_last_bit) {
                  "'walls': [{'id': 'w1', 'points': [[0.1, 0.30000000000000004], [4, 0], [4, 3.0000000000000004]], "
                  "'thickness': 0, 'height': 2.71828182845904523}], "
                  "'doors': [{'id': 'd1', 'wall': 'w1', 'segment': 1, 'at': 1.2, 'width': 0.7999999999999999, 'kind': "
-                 "'hinged', 'state': 'closed', 'hinge': 'end', 'swing': 'right', 'opening_time': 2.5}], "
+                 "'hinged', 'state': 'closed', 'hinge': 'end', 'swing': 'right', 'opening_time': 2.5, 'leaf': "
+"0.035, 'closer': true}], "
                  "'furniture': [{'id': 'f1', 'centre': [1, 9], 'size': [1e-1, 2], 'angle': -33.3, 'topples': 'left', "
                  "'probability': 0.1, 'toppled': true}], "
                  "'rooms': [{'id': 'r1', 'name': 'hall', 'outline': [[0, 0], [1, 0], [1, 1e-7]]}], "
@@ -174,7 +175,8 @@ TEST(a_plan_survives_writing_to_the_last_bit) {
                  "0.5}], 'crowds': [{'id': 'c1', 'profile': 'manual-chair', 'count': 7, 'area': [[0, 0], [1, 0], [1, "
                  "1]], 'delay': 2}], "
                  "'routes': [{'id': 'A', 'people': ['p1'], 'via': [[2, 1]], 'exit': 'e1', 'observed': {'mean': 12.3, "
-                 "'deviation': 0.8, 'runs': 5}}], 'run': {'dt': 0.0005, 'routes': 'alone'}, "
+                 "'deviation': 0.8, 'times': [11.5, 12.3, 13.1], 'drivers': ['a', 'b', 'a'], 'touches': 1}}], 'drivers': {'count': "
+"40, 'population': 'whm'}, 'run': {'dt': 0.0005, 'routes': 'alone'}, "
                  "'overrides': {'profile.manual-chair.width': 0.7, 'profile.manual-chair.driving': 'miura'}");
     char *text = round_trip(&plan);
     char path[SCRATCH_PATH];
@@ -191,7 +193,11 @@ TEST(a_plan_survives_writing_to_the_last_bit) {
     CHECK(again.doors[0].kind == DOOR_HINGED && again.doors[0].hinge == HINGE_END);
     CHECK(again.furniture[0].toppled && again.furniture[0].topples == TOPPLE_LEFT);
     CHECK(again.exits[0].to.x == -1e5 && again.exits[0].closes == 60);
-    CHECK(again.routes[0].observed.runs == 5 && again.routes[0].observed.mean == 12.3);
+    const Observed *observed = &again.routes[0].observed;
+    CHECK(observed->runs == 1 && observed->mean == 12.3 && observed->touches == 1);
+    CHECK(observed->times.count == 3 && observed->times.at[2] == 13.1 && observed->drivers.count == 3);
+    CHECK(again.doors[0].leaf == 0.035 && again.doors[0].closer);
+    CHECK(again.drivers.count == 40 && strcmp(again.drivers.population, "whm") == 0);
     CHECK(again.routes[0].exit_index == 0);
     CHECK(again.run.dt == 0.0005 && again.run.routes == ROUTES_ALONE);
     CHECK(again.override_count == 2);
@@ -206,6 +212,8 @@ TEST(what_a_file_leaves_out_has_the_value_of_its_table) {
     scratch_plan(&plan, room);
     CHECK_NEAR(plan.walls[0].thickness, 0.12, 0);
     CHECK_NEAR(plan.doors[0].opening_time, 3, 0);
+    CHECK_NEAR(plan.doors[0].leaf, 0.04, 0);
+    CHECK(!plan.doors[0].closer && plan.doors[0].rest == 0 && plan.drivers.count == 0);
     CHECK(plan.doors[0].state == DOOR_OPEN && plan.doors[0].kind == DOOR_OPENING);
     CHECK(isinf(plan.exits[0].closes));
     CHECK_NEAR(plan.run.dt, 0.001, 0);

@@ -251,6 +251,7 @@ TEST(a_closed_door_costs_its_opening_time) {
                                       .kind = DOOR_SLIDING,
                                       .state = closed ? DOOR_CLOSED : DOOR_OPEN,
                                       .opening_time = 3,
+                                      .leaf = 0.04,
                                       .wall_index = 1};
             CHECK(fixture_build(&fixture, 0.05));
             times[closed] = floor_field_time(&fixture.field, vec2_turn(vec2(1, 2.5), vec2_heading(angles[a])));

@@ -105,6 +105,7 @@ typedef struct Front {
     const char *swing, *hinge, *kind;
     const char *room;
     double exit; /* m, x of the exit behind it */
+    bool closer;
 } Front;
 
 static Drawing draw_door(double angle, const Front *front) {
@@ -117,8 +118,9 @@ static Drawing draw_door(double angle, const Front *front) {
     add_wall(&drawing, "w5", 0, 1.5, 4, 1.5);
     add_wall(&drawing, "w6", 0, -1.5, 4, -1.5);
     add(&drawing, "doors",
-        json_pack("{s:s, s:s, s:f, s:f, s:s, s:s, s:s}", "id", "d1", "wall", "w1", "at", -(low - WALL), "width",
-                  front->width, "kind", front->kind, "hinge", front->hinge, "swing", front->swing));
+        json_pack("{s:s, s:s, s:f, s:f, s:s, s:s, s:s, s:b}", "id", "d1", "wall", "w1", "at", -(low - WALL), "width",
+                  front->width, "kind", front->kind, "hinge", front->hinge, "swing", front->swing, "closer",
+                  front->closer));
     add_exit(&drawing, front->exit, -1.4, 1.4);
     add_room(&drawing, front->room, (Box){{back, low}, {-WALL / 2, high}});
     add_person(&drawing, front->x, front->y);
@@ -138,6 +140,7 @@ static Front usual_front(const Rule *rule) {
                    .y = -2.4,
                    .swing = "right",
                    .hinge = "start",
+                   .closer = where->closer == CLOSER_WITH,
                    .kind = where->kind == KIND_SLIDING ? "sliding" : "hinged",
                    .room = *where->room ? where->room : "hall",
                    .exit = where->doors == DOORS_ENTRANCE ? 0.5 : 3.5};

@@ -218,7 +218,7 @@ TEST(a_standing_leaf_hangs_beside_the_opening_and_does_not_narrow_it) {
         double hinge = at_end ? 2.4 : 1.6, out = to_right ? -1 : 1, beside = at_end ? 1 : -1;
         double tip = out * (0.05 + 0.8);
         CHECK(corners_at(&drawn.outline, hinge, tip) == 1);
-        CHECK(corners_at(&drawn.outline, hinge + beside * OUTLINE_LEAF_THICKNESS, tip) == 1);
+        CHECK(corners_at(&drawn.outline, hinge + beside * 0.04, tip) == 1);
         CHECK_NEAR(ray(&drawn, 2, out * 0.5, beside, 0), 0.4, GRID);
         CHECK_NEAR(ray(&drawn, 2, out * 0.5, -beside, 0), 20, 0);
         CHECK_NEAR(ray(&drawn, 2, 0, 1, 0), 0.4, GRID);

@@ -45,12 +45,31 @@ TEST(the_drivers_of_the_window_are_those_of_run_bit_for_bit) {
     for (int step = 0; step < CREW_STEPS; step++) {
         Crew crew;
         CHECK(crew_make(&crew, step, &house, SIZE_MAX, 1 + step, NULL, &fault));
-        CHECK(crew.count == crew_size(step) && crew.person_count == 1);
-        CHECK(crew.digest == headless("straight-corridor", crew_size(step), 2 - step, NULL, said));
+        CHECK(crew.count == crew_size(step, &house.plan) && crew.person_count == 1);
+        CHECK(crew.digest == headless("straight-corridor", crew_size(step, &house.plan), 2 - step, NULL, said));
         CHECK_TEXT(crew.said[0], said);
         CHECK(crew.scene.count > 0);
         crew_clear(&crew);
     }
+    house_free(&house);
+}
+
+TEST(a_house_says_how_many_drivers_the_window_runs_and_of_which_population) {
+    House house;
+    Fault fault = {0};
+    Crew crew;
+    case_house(&house, "straight-corridor", -1, NULL);
+    house.plan.drivers = (PlanDrivers){.count = 4, .population = "whm", .place = ""};
+    CHECK(crew_make(&crew, CREW_STEPS - 1, &house, SIZE_MAX, 1, NULL, &fault) && crew.count == 4);
+    uint64_t digest = crew.digest;
+    crew_clear(&crew);
+    house.plan.drivers.population = "";
+    CHECK(crew_make(&crew, CREW_STEPS - 1, &house, SIZE_MAX, 1, NULL, &fault) && crew.digest != digest);
+    crew_clear(&crew);
+    house.plan.drivers = (PlanDrivers){.count = 4, .population = "wmh", .place = "flat.json:3:4: "};
+    CHECK(!crew_make(&crew, 0, &house, SIZE_MAX, 1, NULL, &fault));
+    CHECK(strstr(fault.lines[0], "flat.json:3:4: unknown population \"wmh\"; known are manual-jp, whm"));
+    fault_clear(&fault);
     house_free(&house);
 }
 
