@@ -319,7 +319,7 @@ static const char *field_text(Window *window, const GestureView *gesture, size_t
     if (isnan(field->value))
         return text_in_arena(&window->arena, "%s %s", field->name, cursor);
     return text_in_arena(&window->arena, "%s %.*f %s%s%s", field->name, *field->unit == 'm' ? 3 : 1, field->value,
-                         field->unit, field->typed ? " (typed)" : "", cursor);
+                         field->unit, field->typed && !field->moved ? " (typed)" : "", cursor);
 }
 
 /* Returns where the fields of the gesture are shown: next to the pointer, or in the view's corner without one, since
