@@ -31,6 +31,27 @@ TEST(the_key_has_five_numbers_and_no_words_overlap_also_when_it_is_tiny) {
     }
 }
 
+TEST(large_letters_leave_the_numbers_of_the_key_apart) {
+    static const Vec2 pages[] = {{640, 360}, {427, 240}, {341, 200}, {280, 160}};
+    for (size_t p = 0; p < sizeof pages / sizeof *pages; p++) {
+        Scene scene = {.box = {{0, 0}, {20, 20}}, .bare = true, .unscaled = true};
+        Layout layout = {.caption_count = 0};
+        density_scene_key(&scene);
+        layout_make(&layout, &scene, pages[p]);
+        bool first = false, last = false;
+        for (size_t a = 0; a < layout.caption_count; a++) {
+            first |= strcmp(layout.captions[a].text, "0.5") == 0;
+            last |= strcmp(layout.captions[a].text, "3+") == 0;
+            for (size_t b = a + 1; b < layout.caption_count; b++)
+                CHECK(!overlap(&layout.captions[a], &layout.captions[b]));
+        }
+        CHECK(first && (last || pages[p].x < 300));
+        CHECK(layout.caption_count >= 5 || pages[p].x < 640);
+        layout_clear(&layout);
+        scene_clear(&scene);
+    }
+}
+
 TEST(an_area_counts_when_enough_people_stand_there) {
     Vec2 places[400];
     size_t count = 0;
