@@ -50,4 +50,16 @@ check([state["gesture"]["active"] for state in found] == [False, True, False] an
       "a door is dragged, and let go by Escape", [state["gesture"] for state in found])
 check(found[2]["time"] == found[0]["time"] > 0 and stage.differing(*shots, fuzz="0%") == 0,
       "Escape leaves the moment as it was", ([state["time"] for state in found], stage.differing(*shots, fuzz="0%")))
+
+# neither the frame nor the handles of what is selected hide why somebody cannot pass
+things = ("door d4", "door d5", "bed", "desk")
+found = stage.act("reason", "until answered", "until idle", "pause", "wait 5", "state STATE",
+                  *[line for i, thing in enumerate(things) for line in (f'select "{thing}"', "wait 5", f"picture FOLDER/{i}.png")],
+                  arguments=[stage.house("flat-0.910-module"), "--size", "1280x720"])
+tags = [t["box"] for t in found[0]["text_in_view"] if t["string"].startswith("needs at least")]
+check(len(tags) == 1, "the picture tells why somebody cannot pass", found[0]["text_in_view"])
+for i, thing in enumerate(things):
+    seen = stage.colours(stage.folder / "reason" / f"{i}.png", tags[0])
+    dark = sum(count for count, colour in seen if max(colour) < 60)  # of frames, handles and walls
+    check(dark < 20, f"{thing} is selected: nothing lies over the reason", dark)
 stage.end()
