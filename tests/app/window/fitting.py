@@ -137,6 +137,13 @@ clocks = [t for t in texts if t["string"].endswith(" s") and t["string"] in stat
 check(clocks and not cut(texts) and all(t["box"][2] <= 1024 for t in clocks), "a clock is whole with the largest letters",
       ([t["string"] for t in texts], state["clock"], cut(texts)))
 
+# the buttons of a lesson have shorter words with large letters
+for words in ("vote", "hint"):
+    texts = stage.act(f"lesson-{words}", "until answered", "wait 5", "key PageDown", "wait 10",
+                      *(["key 1", "key PageDown", "wait 10", "key PageDown", "wait 10"] if words == "hint" else []), "texts STATE",
+                      arguments=[str(stage.source / "assets" / "lessons" / "legal-no-way.json"), "--size", "1280x720", "--text", "2"])[0]
+    check(len(texts) > 10 and not cut(texts), f"a lesson with large letters, {words}: no text is cut", cut(texts))
+
 # a detail of two lines breaks between its clauses
 for name in ("beam", "crank"):
     texts, state = stage.act(f"clauses-{name}", "until answered", "pause", "key F5", "wait 20", "texts STATE", "state STATE",
