@@ -292,23 +292,6 @@ static char *painted(const Scene *scene, CairoFileKind kind, size_t *size) {
     return bytes;
 }
 
-TEST(the_scale_is_shorter_where_the_usual_one_would_lie_over_the_plan) {
-    static const struct {
-        Vec2 page;
-        const char *length;
-    } cases[] = {{{720, 540}, "1 m"}, {{330, 236}, "2 m"}, {{300, 236}, "1 m"}};
-    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
-        Scene scene = {.box = {{0, 0}, {6, 8}}, .bare = true};
-        Layout layout = {.caption_count = 0};
-        layout_make(&layout, &scene, cases[c].page);
-        const Sample *bar = &layout.samples[layout.sample_count - 1];
-        CHECK_TEXT(layout.captions[layout.caption_count - 1].text, cases[c].length);
-        CHECK(bar->from.x > layout_point(&layout, scene.box.high).x || bar->from.y > layout.plan.high.y);
-        layout_clear(&layout);
-        scene_clear(&scene);
-    }
-}
-
 TEST(the_same_scene_gives_the_same_bytes) {
     static const char *const beginnings[] = {
         [CAIRO_FILE_PNG] = "\x89PNG", [CAIRO_FILE_SVG] = "<?xml", [CAIRO_FILE_PDF] = "%PDF"};

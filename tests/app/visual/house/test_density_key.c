@@ -1,4 +1,5 @@
-/* Tests the key of the colours of a crowd: five numbers at every size, and no words over others. */
+/* Tests the foot of a plan: the key of the colours of a crowd, with five numbers at every size and no words over others,
+ * and the scale bar. */
 #include <string.h>
 
 #include "check.h"
@@ -47,6 +48,23 @@ TEST(large_letters_leave_the_numbers_of_the_key_apart) {
         }
         CHECK(first && (last || pages[p].x < 300));
         CHECK(layout.caption_count >= 5 || pages[p].x < 640);
+        layout_clear(&layout);
+        scene_clear(&scene);
+    }
+}
+
+TEST(the_scale_is_shorter_where_the_usual_one_would_lie_over_the_plan) {
+    static const struct {
+        Vec2 page;
+        const char *length;
+    } cases[] = {{{720, 540}, "1 m"}, {{330, 236}, "2 m"}, {{300, 236}, "1 m"}};
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        Scene scene = {.box = {{0, 0}, {6, 8}}, .bare = true};
+        Layout layout = {.caption_count = 0};
+        layout_make(&layout, &scene, cases[c].page);
+        const Sample *bar = &layout.samples[layout.sample_count - 1];
+        CHECK_TEXT(layout.captions[layout.caption_count - 1].text, cases[c].length);
+        CHECK(bar->from.x > layout_point(&layout, scene.box.high).x || bar->from.y > layout.plan.high.y);
         layout_clear(&layout);
         scene_clear(&scene);
     }
