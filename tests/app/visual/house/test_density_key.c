@@ -1,5 +1,5 @@
-/* Tests the foot of a plan: the key of the colours of a crowd, with five numbers at every size and no words over others,
- * and the scale bar. */
+/* Tests the foot of a plan: the key of the colours of a crowd, with five numbers at every size and no words over
+ * others, and the scale bar. */
 #include <string.h>
 
 #include "check.h"
