@@ -11,6 +11,7 @@
 
 /* Design points. */
 #define EDGE 12.0
+#define LABEL_PAD 20.0 /* beside the label of a button */
 #define GAP 7.0
 #define FOOT 36.0   /* height of the buttons */
 #define DIGIT 28.0  /* width of the box with an option's number */
@@ -405,15 +406,25 @@ typedef struct FootButton {
     bool usable, first;
 } FootButton;
 
+/* Returns a label, or a shorter one where it does not fit into a button. */
+static const char *label_in(const Card *card, double width, const char *label, const char *shorter) {
+    return ui_extent(card->ui, UI_BODY, label).x + LABEL_PAD <= width ? label : shorter;
+}
+
 static void show_foot(Card *card, Box pane) {
     const LessonStep *step = card->step;
+    enum { BUTTONS = 3 };
+    double widths[BUTTONS] = {0.14, 0.45, 0.41}, left = card->box.low.x, whole = box_width(card->box);
+    double room = widths[1] * whole - GAP;
     const char *hint = text_in_arena(
         card->arena, "Hint %d of %zu (?)",
         card->shown->hints < (int)step->hints.count ? card->shown->hints + 1 : card->shown->hints, step->hints.count);
-    const char *vote = *step->unit ? "Vote again" : "Vote again (0)";
+    hint = label_in(card, room, hint, "Hint (?)");
+    const char *vote =
+        *step->unit ? label_in(card, room, "Vote again", "Again") : label_in(card, room, "Vote again (0)", "Again (0)");
     bool predicts = step->kind == LESSON_PREDICT;
     bool last = card->play->step + 1 == card->play->lesson.step_count;
-    const FootButton buttons[] = {
+    const FootButton buttons[BUTTONS] = {
         {"\u25c0",
          "Back (PgUp): The step before, as it was left",
          {.pressed = true, .key = PLAY_BACK},
@@ -432,8 +443,6 @@ static void show_foot(Card *card, Box pane) {
          true,
          true},
     };
-    enum { BUTTONS = sizeof buttons / sizeof *buttons };
-    double widths[BUTTONS] = {0.14, 0.45, 0.41}, left = card->box.low.x, whole = box_width(card->box);
     for (int b = 0; b < BUTTONS; b++) {
         const FootButton *row = &buttons[b];
         double right = left + widths[b] * whole - (b + 1 < BUTTONS ? GAP : 0);

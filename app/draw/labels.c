@@ -16,6 +16,7 @@
 #define ROOM_MOST 0.02     /* the same for the name of a room: it lies on the bare floor */
 #define ROOM_AIR 6.0       /* design points, left free around the name of a room */
 #define BAR_AIR 6.0        /* around the scale bar */
+#define LABEL_SMALLEST 0.7 /* of the size of a label that must not be too wide */
 #define NAME_AREA 30000.0  /* square design points of the plan for each name in it */
 
 enum {
@@ -265,6 +266,14 @@ static bool find_place(const Places *places, const Primitive *label, const char 
     return false;
 }
 
+/* Returns the caption of a label on its point, with smaller letters where it would be too wide. */
+static Caption caption_on_point(Layout *layout, const Primitive *label, Vec2 at) {
+    Caption caption = label_caption(layout, label, at, label->size);
+    Box box = caption_box(&caption);
+    double part = label->widest > 0 ? fmin(label->widest * layout->metre / box_width(box), 1) : 1;
+    return part < 1 ? label_caption(layout, label, at, label->size * fmax(part, LABEL_SMALLEST)) : caption;
+}
+
 /* Places a label on its point or next to it, within the frame and below the texts above the plan. */
 static void place_fixed(Places *places, const Primitive *label) {
     Layout *layout = places->layout;
@@ -272,7 +281,7 @@ static void place_fixed(Places *places, const Primitive *label) {
         return;
     Vec2 at = layout_raised(layout, label->points[0], label->base);
     Caption caption =
-        label->count == 2 ? beside(places, label, label->text, 0, 1) : label_caption(layout, label, at, label->size);
+        label->count == 2 ? beside(places, label, label->text, 0, 1) : caption_on_point(layout, label, at);
     Box room = {{layout->frame.low.x, layout->plan.low.y - AIR}, layout->frame.high};
     if (label->count > 2 && !find_place(places, label, label->text, &caption) &&
         !find_place(places, label, label->brief, &caption))

@@ -32,6 +32,7 @@
 #define SYMBOL_WIDTH 46.0 /* kept for a line sample with a symbol */
 #define LINE_SHOWN 14.0   /* of the line, and of the tag's own edge, on either side of the tag's text */
 #define DISC_TEXT 16.0
+#define BAR_LEAST 20.0    /* of the scale bar beside a plan */
 #define BAR_SHORTEST 64.0 /* of the scale bar: room for "10 m" */
 #define BAR_WIDTH 5.0
 #define BAR_RIM 3.0       /* of paper around the bar: it may lie on something */
@@ -353,22 +354,31 @@ static bool is_taken(const Layout *layout, const Scene *scene, Box box) {
     return false;
 }
 
-/* Returns the length of the scale bar, m: shorter than usual if a key takes its place. */
-static double bar_length(const Layout *layout, const Scene *scene) {
-    double length = round_step(layout->metre, BAR_SHORTEST);
-    if (!scene->keyed)
-        return length;
-    double room = layout->plan.high.x - layout_point(layout, vec2(scene->key_end, scene->box.low.y)).x - CELL_GAP;
+/* Returns the right end on the page of what lies at the height of the scale bar: of a key, or of a plan that reaches
+ * down to it; 0: nothing. */
+static double end_beside_bar(const Layout *layout, const Scene *scene, double top) {
+    if (scene->keyed)
+        return layout_point(layout, vec2(scene->key_end, scene->box.low.y)).x;
+    Vec2 corner = layout_point(layout, vec2(scene->box.high.x, scene->box.low.y));
+    return corner.y > top ? corner.x : 0;
+}
+
+/* Returns the length of the scale bar, m: shorter than usual beside a key, or beside a plan if that leaves it long
+ * enough to be read. */
+static double bar_length(const Layout *layout, const Scene *scene, double top) {
+    double usual = round_step(layout->metre, BAR_SHORTEST), length = usual;
+    double room = layout->plan.high.x - end_beside_bar(layout, scene, top) - CELL_GAP;
     for (size_t i = sizeof steps / sizeof *steps; i-- > 0 && length * layout->metre > room;)
         if (steps[i] < length)
             length = steps[i];
-    return length;
+    bool fits = length * layout->metre <= room && length * layout->metre >= BAR_LEAST;
+    return scene->keyed || fits ? length : usual;
 }
 
 /* Adds the scale bar at the lower right; a raised view has no single scale and shows the size of the grid's squares
  * instead, there or at the lower left. */
 static void place_scale_bar(Layout *layout, const Scene *scene, double foot) {
-    double right = layout->plan.high.x, length = bar_length(layout, scene);
+    double right = layout->plan.high.x, length = bar_length(layout, scene, foot - NAME_TEXT);
     double left = right - length * layout->metre;
     char text[32];
     if (layout->view.raised) {

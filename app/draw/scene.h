@@ -108,6 +108,8 @@ typedef struct Primitive {
                       matter */
     const char *brief; /* labels: a shorter text for where the text has no room; such a label is never left out */
     bool leader;       /* labels: a thin line to points[0] when they have to move away */
+    double widest;     /* labels exactly on their point, m: where they are wider their letters are smaller, down to
+                          LABEL_SMALLEST of their size; 0: any width */
     const char *text;
 } Primitive;
 

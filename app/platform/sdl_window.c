@@ -1,6 +1,7 @@
 #include "platform/sdl_window.h"
 
 #include <SDL2/SDL.h>
+#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
@@ -15,7 +16,8 @@ struct SdlWindow {
     SDL_Window *window;
     SDL_GLContext context;
     Gl gl;
-    char *clipboard; /* allocated by SDL */
+    char *clipboard;      /* allocated by SDL */
+    SDL_Keycode shortcut; /* of the key pressed last, if it was pressed with the left Alt key; otherwise 0 */
 };
 
 static GlFunction get_function(const char *name) {
@@ -149,6 +151,22 @@ static void translate_window(SdlWindowEvent *event, int what) {
     event->at = vec2(-1, -1);
 }
 
+/* Keeps the key that was pressed with the left Alt key; the right one types characters on many keyboards. */
+static void keep_shortcut(SdlWindow *sdl_window, const SDL_Event *event) {
+    if (event->type == SDL_KEYUP)
+        sdl_window->shortcut = 0;
+    if (event->type != SDL_KEYDOWN)
+        return;
+    unsigned mods = event->key.keysym.mod;
+    bool alone = (mods & KMOD_LALT) && !(mods & (KMOD_RALT | KMOD_MODE));
+    sdl_window->shortcut = alone ? event->key.keysym.sym : 0;
+}
+
+/* True if a text is the letter of a key like Alt+K, which X11 sends behind it. */
+static bool is_letter_of_shortcut(const SdlWindow *sdl_window, const char *text) {
+    return sdl_window->shortcut && text[0] && !text[1] && tolower((unsigned char)text[0]) == sdl_window->shortcut;
+}
+
 /* Translates an event of SDL; the kind is SDL_WINDOW_EVENT_NOTHING if the program has no use for it. */
 static void translate(const SdlWindow *sdl_window, const SDL_Event *from, SdlWindowEvent *event) {
     double density = sdl_window_density(sdl_window);
@@ -167,7 +185,8 @@ static void translate(const SdlWindow *sdl_window, const SDL_Event *from, SdlWin
         event->kind = SDL_WINDOW_EVENT_LET_GO;
         break;
     case SDL_TEXTINPUT:
-        translate_text(event, SDL_WINDOW_EVENT_TEXT, from->text.text);
+        if (!is_letter_of_shortcut(sdl_window, from->text.text))
+            translate_text(event, SDL_WINDOW_EVENT_TEXT, from->text.text);
         break;
     case SDL_MOUSEMOTION:
         event->kind = SDL_WINDOW_EVENT_MOUSE;
@@ -217,8 +236,10 @@ void sdl_window_hold(SdlWindow *sdl_window, int mods) {
 bool sdl_window_next(SdlWindow *sdl_window, SdlWindowEvent *event, double wait) {
     SDL_Event from;
     bool got = wait > 0 ? SDL_WaitEventTimeout(&from, (int)(1000 * wait)) : SDL_PollEvent(&from);
-    if (got)
+    if (got) {
+        keep_shortcut(sdl_window, &from);
         translate(sdl_window, &from, event);
+    }
     return got;
 }
 

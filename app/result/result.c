@@ -66,11 +66,18 @@ static int decimals_of(const ResultRow *row, double value) {
 }
 
 /* Writes zero without a sign, also where rounding leaves one. */
-static const char *number_of(const ResultRow *row, double number, Arena *arena) {
-    double value = number * (row->factor != 0 ? row->factor : 1);
+static const char *digits_of(const ResultRow *row, double value, Arena *arena) {
     int decimals = decimals_of(row, value);
     const char *text = text_in_arena(arena, row->sign ? "%+.*f" : "%.*f", decimals, value);
     return text[strspn(text, "+-0.")] ? text : text_in_arena(arena, "%.*f", decimals, 0.0);
+}
+
+static double in_unit(const ResultRow *row, double number) {
+    return number * (row->factor != 0 ? row->factor : 1);
+}
+
+static const char *number_of(const ResultRow *row, double number, Arena *arena) {
+    return digits_of(row, in_unit(row, number), arena);
 }
 
 static const char *list_of(const ResultRow *row, Arena *arena) {
@@ -93,7 +100,7 @@ const char *result_value(const ResultRow *row, Arena *arena) {
         return NULL;
     if (row->kind == RESULT_FLAG)
         return row->number > 0 ? "yes" : "no";
-    return number_of(row, row->number, arena);
+    return row->reads ? digits_of(row, row->read, arena) : number_of(row, row->number, arena);
 }
 
 const char *result_value_and_unit(const ResultRow *row, Arena *arena) {
@@ -157,6 +164,25 @@ bool result_is_number(const ResultRow *row) {
 
 /* Two tables ------------------------------------------------------------------------------------------------------- */
 
+/* Returns a number as it is rounded for people, in their unit. */
+static double rounded(const ResultRow *row) {
+    Arena arena = {0};
+    double value = strtod(number_of(row, row->number, &arena), NULL);
+    arena_clear(&arena);
+    return value;
+}
+
+/* Lets people read the difference of what they read of a and of b, with the decimals of the finer one. */
+static void read_difference(ResultRow *difference, const ResultRow *a, const ResultRow *b) {
+    if (a->text || b->text || !isfinite(difference->number))
+        return;
+    int decimals = decimals_of(a, in_unit(a, a->number)), others = decimals_of(b, in_unit(b, b->number));
+    difference->reads = true;
+    difference->read = rounded(b) - rounded(a);
+    difference->decimals = decimals > others ? decimals : others;
+    difference->significant = 0;
+}
+
 ResultRow result_difference(const ResultRow *a, const ResultRow *b, bool both) {
     bool known = a->difference == DIFFERENCE_ALWAYS || (a->difference == DIFFERENCE_IF_BOTH && both);
     ResultRow difference = *a;
@@ -165,6 +191,7 @@ ResultRow result_difference(const ResultRow *a, const ResultRow *b, bool both) {
     difference.sign = true;
     difference.unknown = a->unknown || b->unknown;
     difference.omitted = false;
+    read_difference(&difference, a, b);
     return difference;
 }
 

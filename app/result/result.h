@@ -36,6 +36,8 @@ typedef struct ResultRow {
     bool sign;        /* people read the sign of positive numbers, too */
     bool unknown;     /* people read "-", although JSON has a value */
     bool omitted;     /* JSON leaves the key out, and people read "-" */
+    bool reads;       /* people read `read`, in their unit and not multiplied, instead of the number */
+    double read;
     ResultDifference difference;
     Role role; /* of the value in the window; ROLE_PAPER counts as ROLE_TEXT */
 } ResultRow;
@@ -90,8 +92,8 @@ size_t result_columns(const ResultTable *table, size_t *rows);
 /* True if the row's values stand to the right in a column. */
 bool result_is_number(const ResultRow *row);
 
-/* Returns value b - value a as a row, without a value where there is no difference. `both`: both runs have succeeded.
- */
+/* Returns value b - value a as a row, without a value where there is no difference. People read the difference of the
+ * numbers as they are rounded for people, so that it agrees with both. `both`: both runs have succeeded. */
 ResultRow result_difference(const ResultRow *a, const ResultRow *b, bool both);
 
 /* Two tables of the same kind of rows. The records of b are found by the text of their first row and, where `alike` is

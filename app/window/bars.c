@@ -279,6 +279,22 @@ static const char *some_clauses(Window *window, UiTextStyle size, const char *te
     return *whole ? whole : text;
 }
 
+/* Shows a detail in two lines that break between clauses; the last ones are left out where they have no room. False: a
+ * clause that begins a line is longer than it. */
+static bool show_broken(Window *window, UiTextStyle size, Role role, Box lines, const char *detail) {
+    static const char between[] = " ,;\u00b7";
+    double width = box_width(lines), y = middle_of(lines).y, height = ui_extent(window->ui, size, detail).y;
+    const char *first = whole_clauses(window, size, detail, width);
+    const char *rest = detail + strlen(first);
+    rest += strspn(rest, between);
+    const char *second = whole_clauses(window, size, rest, width);
+    if (!*first || !*second)
+        return false;
+    show_text(window, size, role, lines.low.x, lines.high.x, y - height / 2, first);
+    show_text(window, size, role, lines.low.x, lines.high.x, y + height / 2, second);
+    return true;
+}
+
 /* Shows the result's numbers in one line, or small in two. */
 static void show_detail(Window *window, const Result *answer, double left, double right, double y) {
     const char *detail = first_line(window, answer->detail);
@@ -286,9 +302,12 @@ static void show_detail(Window *window, const Result *answer, double left, doubl
     UiTextStyle size = left + ui_extent(window->ui, UI_DETAIL, detail).x > right ? UI_BODY : UI_DETAIL;
     if (size == UI_BODY && show_clauses(window, detail, role, left, right, y))
         return;
+    y -= NOTE_ROOM;
+    if (left + ui_extent(window->ui, size, detail).x > right &&
+        show_broken(window, size, role, (Box){{left, y}, {right, y}}, detail))
+        return;
     detail = whole_clauses(window, size, detail, TWO_LINES * (right - left));
     Vec2 extent = ui_extent(window->ui, size, detail);
-    y -= NOTE_ROOM;
     if (left + extent.x > right && extent.x < TWO_LINES * (right - left)) {
         double half = fmax(extent.y, ui_text_height(window->ui, size, detail, right - left) / 2);
         ui_at(window->ui, (Box){{left, y - half}, {right, y + half}});

@@ -85,6 +85,17 @@ static void claim_tags(const Window *window, const ViewLayers *layers, Labels *l
         }
 }
 
+/* True if a handle would hide letters of a tag, such as why somebody cannot pass; what is held is always seen. */
+static bool hides_tag(const Window *window, const ViewLayers *layers, const EditMark *mark, Vec2 at) {
+    const Layout *layouts[] = {&layers->still, &layers->moving};
+    Box box = box_around(vec2_sub(at, window->frame.view.low), HANDLE + INNER);
+    for (int l = 0; l < 2 && layers->painted && mark->kind == MARK_HANDLE && !mark->active; l++)
+        for (size_t i = 0; i < layouts[l]->caption_count; i++)
+            if (layouts[l]->captions[i].shape == LABEL_TAG && overlap(box, caption_box(&layouts[l]->captions[i])))
+                return true;
+    return false;
+}
+
 /* Places a label at its middle, or above or below that if another label is there. Returns false if one is everywhere:
  * then the box is the last one that was tried. */
 static bool place_label(const Window *window, const Labels *labels, Vec2 middle, Vec2 size, Box *box) {
@@ -275,14 +286,28 @@ static void show_marks(Window *window, Tab *tab, const GestureView *gesture, Lab
             if (!mark->count || (pass < 2 && solid != (pass == 1)) || (pass == 2 && !(mark->text && *mark->text)))
                 continue;
             size_t count = points_of(window, tab, mark, points);
-            if (pass < 2)
+            if (pass < 2 && !hides_tag(window, &tab->view_layers, mark, points[0]))
                 draw_mark(window, mark, points, count, is_wrong(gesture));
-            else
+            else if (pass == 2)
                 write_mark(window, labels, mark, points, count);
         }
 }
 
 /* The selection ---------------------------------------------------------------------------------------------------- */
+
+/* Writes a layer's tags that tell why somebody cannot pass again where a frame crosses them. */
+static void show_reasons(Window *window, const Layout *layer, Box frame) {
+    for (size_t i = 0; i < layer->caption_count; i++) {
+        const Caption *caption = &layer->captions[i];
+        Box box = caption_box(caption);
+        Vec2 low = window->frame.view.low, middle = vec2_add(caption->centre, low);
+        box = (Box){vec2_add(box.low, low), vec2_add(box.high, low)};
+        if (caption->shape != LABEL_TAG || caption->fill != ROLE_ERROR || !overlap(box, frame))
+            continue;
+        ui_draw_box(window->ui, box, ROLE_ERROR, 1);
+        ui_draw_text(window->ui, UI_BOLD, ROLE_PAPER, middle, 0.5, caption->text);
+    }
+}
 
 static void frame_item(Window *window, Tab *tab, Item item) {
     Vec2 points[LABORATORY_OUTLINE_MOST];
@@ -293,6 +318,11 @@ static void frame_item(Window *window, Tab *tab, Item item) {
         return;
     ui_draw_polyline(window->ui, points, count, true, ROLE_PAPER, OUTER);
     ui_draw_polyline(window->ui, points, count, true, ROLE_TEXT, INNER);
+    Box frame = box_empty();
+    for (size_t i = 0; i < count; i++)
+        frame = box_include(frame, points[i]);
+    for (int layer = 0; layer < 2 && tab->view_layers.painted; layer++)
+        show_reasons(window, layer ? &tab->view_layers.moving : &tab->view_layers.still, box_expand(frame, OUTER));
 }
 
 static void show_selection(Window *window, Tab *tab) {
@@ -319,7 +349,7 @@ static const char *field_text(Window *window, const GestureView *gesture, size_t
     if (isnan(field->value))
         return text_in_arena(&window->arena, "%s %s", field->name, cursor);
     return text_in_arena(&window->arena, "%s %.*f %s%s%s", field->name, *field->unit == 'm' ? 3 : 1, field->value,
-                         field->unit, field->typed ? " (typed)" : "", cursor);
+                         field->unit, field->typed && !field->moved ? " (typed)" : "", cursor);
 }
 
 /* Returns where the fields of the gesture are shown: next to the pointer, or in the view's corner without one, since

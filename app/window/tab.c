@@ -77,6 +77,7 @@ bool tab_open(Tab *tab, const char *path, const LaboratoryOptions *options, Pain
     tab->path = kept;
     int power = tab->player.power;
     tab->player = player_start();
+    tab->moment.kept = false;
     tab->player.power = power;
     tab->camera = (Camera){.kind = tab->camera.kind, .azimuth = VIEW_AZIMUTH, .elevation = VIEW_ELEVATION, .zoom = 1};
     tab->follows = false;
@@ -214,6 +215,27 @@ static void update_trial(Tab *tab) {
     view_layers_invalidate(&tab->trial_layers);
 }
 
+/* Keeps the moment shown while a gesture changes the plan, since its run is shown again once the gesture is cancelled.
+ */
+static void keep_moment(Tab *tab) {
+    Editor *editor = tab_editor(tab);
+    if (!tab->moment.kept && editor && editor_gesture(editor)->active)
+        tab->moment = (TabMoment){true, tab->player.time, editor_edit_count(editor)};
+}
+
+/* Goes back to the moment before a gesture that was cancelled, as soon as its run is shown again. */
+static void return_to_moment(Tab *tab, const RecordSpan *span) {
+    Editor *editor = tab_editor(tab);
+    if (!tab->moment.kept || !editor || editor_gesture(editor)->active)
+        return;
+    bool cancelled = editor_edit_count(editor) == tab->moment.edits;
+    if (cancelled && tab->laboratory->runs && tab->laboratory->runs(tab->session).working)
+        return;
+    if (cancelled)
+        player_seek(&tab->player, tab->moment.time, span);
+    tab->moment.kept = false;
+}
+
 unsigned tab_update(Tab *tab, double seconds) {
     if (!tab->session)
         return 0;
@@ -227,7 +249,12 @@ unsigned tab_update(Tab *tab, double seconds) {
     update_trial(tab);
     span = tab_span(tab);
     if (changes & LABORATORY_RESTART) {
+        keep_moment(tab);
         player_seek(&tab->player, span.begin, &span);
+        wish = tab->player.time;
+    }
+    if (tab->moment.kept) {
+        return_to_moment(tab, &span);
         wish = tab->player.time;
     }
     player_advance(&tab->player, seconds, wish, &span);

@@ -7,6 +7,13 @@
 #include "laboratory/player.h"
 #include "window/view_layers.h"
 
+/* The moment shown before a gesture began to change the plan. */
+typedef struct TabMoment {
+    bool kept;
+    double time;  /* s */
+    size_t edits; /* in the history; more: the gesture has become an edit */
+} TabMoment;
+
 typedef struct Tab {
     const Laboratory *laboratory;
     void *session;    /* NULL: nothing is open */
@@ -15,6 +22,7 @@ typedef struct Tab {
     const char *mark; /* " [Recovered]", " [Imported]": it has no file of its own; otherwise NULL */
     size_t recovered; /* number of edits that were recovered with it */
     Player player;
+    TabMoment moment;
     Camera camera;
     unsigned layers;   /* bits of the layers shown where they fit */
     bool cramped;      /* the text is so large that names do not fit */

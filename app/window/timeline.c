@@ -1,6 +1,7 @@
 #include "window/timeline.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "window/act.h"
 #include "window/lesson.h"
@@ -59,6 +60,21 @@ static void add_text(Row *row, UiTextStyle size, const char *text, const char *w
         row->right = left - GAP;
     else
         row->left = left + width + 2 * GAP;
+}
+
+/* Adds the clock, smaller where it has no room, and then without its first parts: the time, which comes last, is whole.
+ */
+static void add_clock(Row *row, const char *clock) {
+    Ui *ui = row->window->ui;
+    const UiTextStyle sizes[] = {row->window->frame.compact ? UI_BOLD : UI_CLOCK, UI_BODY, UI_SMALL};
+    double room = row->right - row->left;
+    size_t i = 0;
+    while (i + 1 < sizeof sizes / sizeof *sizes && ui_extent(ui, sizes[i], clock).x > room)
+        i++;
+    for (const char *rest = strstr(clock, ", "); rest && ui_extent(ui, sizes[i], clock).x > room;
+         rest = strstr(clock, ", "))
+        clock = rest + strlen(", ");
+    add_text(row, sizes[i], clock, row->window->note_crowded ? "" : CLOCK_WIDEST, false);
 }
 
 /* Adds the speed between its keys, if there is room. */
@@ -174,8 +190,7 @@ void timeline_show(Window *window) {
             add_button(&row, ACTION_STEP, ">", false, false);
         if (!compact)
             add_button(&row, ACTION_LOOP, "Loop", tab->player.loops, false);
-        const char *clock = tab->laboratory->clock(tab->session, tab->player.time);
-        add_text(&row, compact ? UI_BOLD : UI_CLOCK, clock, window->note_crowded ? "" : CLOCK_WIDEST, false);
+        add_clock(&row, tab->laboratory->clock(tab->session, tab->player.time));
         if (!compact)
             add_button(&row, ACTION_NOW, "Now", false, true);
         bool noted = window->note_crowded && show_crowded_note(&row, tab->laboratory->note(tab->session));

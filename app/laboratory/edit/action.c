@@ -45,12 +45,12 @@ static void nudge_fields(Editor *edit, Vec2 by) {
         double along = vec2_dot(by, vec2_unit(vec2_sub(ends[1], ends[0])));
         bool wider = grip->grip == GRIP_EDGE;
         fields[wider].value += wider && grip->index == 0 ? -along : along;
-        fields[wider].typed = true;
+        fields[wider].typed = fields[wider].moved = true;
         return;
     }
     if (grip->grip == GRIP_TURN) {
         fields[0].value += fabs(by.x) > fabs(by.y) ? -by.x * 100 : by.y * 100; /* one degree per centimetre */
-        fields[0].typed = true;
+        fields[0].typed = fields[0].moved = true;
         return;
     }
     double widen[2] = {by.x, by.y};
@@ -61,7 +61,7 @@ static void nudge_fields(Editor *edit, Vec2 by) {
     }
     for (size_t k = 0; k < 2; k++) {
         fields[x + k].value = snap_tidy(fields[x + k].value + widen[k]);
-        fields[x + k].typed = true;
+        fields[x + k].typed = fields[x + k].moved = true;
     }
 }
 

@@ -365,7 +365,7 @@ static bool nudge(Editor *edit, Vec2 by) {
     length->value = vec2_length(way) < SAME ? 0 : vec2_length(way);
     if (length->value > 0)
         angle->value = snap_angle(way);
-    length->typed = angle->typed = true;
+    length->typed = angle->typed = length->moved = angle->moved = true;
     edit_gesture_update(edit);
     return true;
 }

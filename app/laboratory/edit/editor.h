@@ -55,7 +55,8 @@ typedef struct EditField {
     const char *name; /* "length" */
     const char *unit; /* "m", "degree" */
     double value;     /* from the pointer, or typed */
-    bool typed;
+    bool typed;       /* it does not follow the pointer */
+    bool moved;       /* typed not by digits but by arrows, or proposed */
 } EditField;
 
 typedef enum EditMarkKind {

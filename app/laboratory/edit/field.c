@@ -54,6 +54,7 @@ static void read_typed(Editor *edit) {
     double value;
     *edit->typed_error = 0;
     field->typed = *edit->typed != 0;
+    field->moved = false;
     if (!field->typed)
         return;
     if (!quantity_read(edit->typed, strcmp(field->unit, "degree") == 0 ? "deg" : field->unit, &value, reason)) {

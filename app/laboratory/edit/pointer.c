@@ -202,7 +202,7 @@ bool edit_pointer_nudge(Editor *edit, Vec2 by) {
         return false;
     fields[0].value = snap_tidy(fields[0].value + by.x);
     fields[1].value = snap_tidy(fields[1].value + by.y);
-    fields[0].typed = fields[1].typed = true;
+    fields[0].typed = fields[1].typed = fields[0].moved = fields[1].moved = true;
     edit_gesture_update(edit);
     return true;
 }

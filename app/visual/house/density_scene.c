@@ -136,7 +136,19 @@ static void add_words(Scene *scene, double right, double y) {
     }
 }
 
+/* Adds the number of a level in its box; where not all five have room, the ends of the scale are seen, then its middle.
+ */
+static void add_number(Scene *scene, int level, Vec2 at, double width) {
+    const char *number = scene_text(scene, level + 1 < LEVELS ? "%g" : "%g+", levels[level]); /* the last: or more */
+    Primitive *label = scene_add_label(scene, ROLE_TEXT, KEY_TEXT, at, number);
+    label->shape = LABEL_TAG;
+    label->fill = roles[level];
+    label->fixed = label->bold = label->optional = true;
+    label->widest = width;
+}
+
 void density_scene_key(Scene *scene) {
+    static const int order[LEVELS] = {0, LEVELS - 1, LEVELS / 2, 1, LEVELS - 2};
     double width = box_width(scene->box), height = KEY_HEIGHT * width, each = KEY_WIDTH * width;
     double y = scene->box.low.y - 0.5 * height, begin = scene->box.low.x + KEY_LEFT * width;
     for (int i = 0; i < LEVELS; i++) {
@@ -145,12 +157,9 @@ void density_scene_key(Scene *scene) {
         Primitive *box = scene_add_polygon(scene, roles[i], corners, 4);
         box->edge_opacity = 0;
         box->fill_opacity = OPACITY;
-        const char *number = scene_text(scene, i + 1 < LEVELS ? "%g" : "%g+", levels[i]); /* the last: or more */
-        Primitive *label = scene_add_label(scene, ROLE_TEXT, KEY_TEXT, vec2(left + each / 2, y - height / 2), number);
-        label->shape = LABEL_TAG;
-        label->fill = roles[i];
-        label->fixed = label->bold = true;
     }
+    for (int i = 0; i < LEVELS; i++)
+        add_number(scene, order[i], vec2(begin + (order[i] + 0.5) * each, y - height / 2), each);
     add_words(scene, begin, y - height / 2);
     scene->box.low.y = y - height;
     scene->keyed = true;

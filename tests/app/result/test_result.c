@@ -190,6 +190,34 @@ TEST(two_runs_are_compared_where_both_have_succeeded) {
     result_clear(&failed);
 }
 
+TEST(a_difference_agrees_with_the_numbers_beside_it) {
+    static const struct {
+        double a, b, factor;
+        int decimals, significant;
+        const char *text;
+    } cases[] = {{20.84, 20.56, 0, 1, 0, "-0.2"},     /* 20.8, 20.6; the numbers differ by 0.28 */
+                 {0.0444, 0.0456, 100, 1, 0, "+0.2"}, /* 4.4 cm, 4.6 cm, 0.12 cm */
+                 {1.04, 1.06, 0, 1, 0, "+0.1"},       /* 1.0, 1.1 */
+                 {9.994, 10.04, 0, 0, 3, "+0.01"},    /* 9.99, 10.0 */
+                 {1234.4, 1234.6, 0, 0, 3, "+1"},     /* 1234, 1235 */
+                 {2.04, 1.96, 0, 1, 0, "0.0"}};
+    Arena arena = {0};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        ResultRow a = {.kind = RESULT_NUMBER,
+                       .number = cases[i].a,
+                       .factor = cases[i].factor,
+                       .decimals = cases[i].decimals,
+                       .significant = cases[i].significant,
+                       .difference = DIFFERENCE_ALWAYS},
+                  b = a;
+        b.number = cases[i].b;
+        ResultRow difference = result_difference(&a, &b, true);
+        CHECK_TEXT(result_value(&difference, &arena), cases[i].text);
+        CHECK_NEAR(difference.number, cases[i].b - cases[i].a, 1e-12);
+    }
+    arena_clear(&arena);
+}
+
 static void check_house(const char *name, size_t least) {
     House house;
     case_house(&house, name, -1, NULL);

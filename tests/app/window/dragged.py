@@ -2,6 +2,8 @@
 """Tests by a real pointer that the lengths beside what is dragged leave the signs of the picture readable."""
 
 import itertools
+import json
+import math
 
 import stage
 from drawing import Plan
@@ -30,4 +32,34 @@ for step in range(12):
 check(held >= 6 and told >= 36, "the chair is held, and lengths are told", (held, told))
 screen.release()
 screen.end()
+
+# Escape during a drag: the clock, the chairs and the plan are as before, to the pixel
+plan = json.loads(open(stage.house("ube-techno-house")).read())
+door = next(door for door in plan["doors"] if door["id"] == "d7")
+wall = next(wall for wall in plan["walls"] if wall["id"] == door["wall"])
+(ax, ay), (bx, by) = wall["points"][door.get("segment", 0):][:2]
+places = [f"at {ax + (bx - ax) * at / math.hypot(bx - ax, by - ay)} {ay + (by - ay) * at / math.hypot(bx - ax, by - ay)}"
+          for at in (door["at"], door["at"] + 0.12)]
+found = stage.act("cancelled", "until answered", "until idle", "key Ctrl+J", "pause", "seek 3", "wait 5", places[0], "press",
+                  "release", "mouse 1278 718", "wait 5", "state STATE", "view FOLDER/before.png", places[0], "press", "wait 2",
+                  places[1], "wait 60", "state STATE", "key Escape", "wait 2", "release", "mouse 1278 718", "wait 5",
+                  "until answered", "until idle", "wait 5", "state STATE", "view FOLDER/after.png",
+                  arguments=[stage.house("ube-techno-house")])
+shots = [stage.folder / "cancelled" / f"{name}.png" for name in ("before", "after")]
+check([state["gesture"]["active"] for state in found] == [False, True, False] and found[1]["runs"]["working"],
+      "a door is dragged, and let go by Escape", [state["gesture"] for state in found])
+check(found[2]["time"] == found[0]["time"] > 0 and stage.differing(*shots, fuzz="0%") == 0,
+      "Escape leaves the moment as it was", ([state["time"] for state in found], stage.differing(*shots, fuzz="0%")))
+
+# neither the frame nor the handles of what is selected hide why somebody cannot pass
+things = ("door d4", "door d5", "bed", "desk")
+found = stage.act("reason", "until answered", "until idle", "pause", "wait 5", "state STATE",
+                  *[line for i, thing in enumerate(things) for line in (f'select "{thing}"', "wait 5", f"picture FOLDER/{i}.png")],
+                  arguments=[stage.house("flat-0.910-module"), "--size", "1280x720"])
+tags = [t["box"] for t in found[0]["text_in_view"] if t["string"].startswith("needs at least")]
+check(len(tags) == 1, "the picture tells why somebody cannot pass", found[0]["text_in_view"])
+for i, thing in enumerate(things):
+    seen = stage.colours(stage.folder / "reason" / f"{i}.png", tags[0])
+    dark = sum(count for count, colour in seen if max(colour) < 60)  # of frames, handles and walls
+    check(dark < 20, f"{thing} is selected: nothing lies over the reason", dark)
 stage.end()

@@ -37,7 +37,7 @@ def gesture_words(state, kind):
 for number, typed in enumerate(("2.5", "2,5", "250cm")):
     plan = Plan(f"length-{number}")
     plan.keys("ctrl+n")
-    plan.until(lambda s: s["title"] == "new house" and s["floor"])
+    plan.until(lambda s: s["answer"]["title"] == "No plan yet" and s["floor"])
     plan.keys("w")
     plan.put(-2, 0)
     plan.move(1, 0)
@@ -52,7 +52,7 @@ for number, typed in enumerate(("2.5", "2,5", "250cm")):
 # the flat, by mouse: four outer walls, two inner walls, doors, an exit, a person
 plan = Plan("flat", minutes=9)
 plan.keys("ctrl+n")
-plan.until(lambda s: s["title"] == "new house" and s["floor"])
+plan.until(lambda s: s["answer"]["title"] == "No plan yet" and s["floor"])
 chain(plan, (-3, -2), (3, -2), (3, 2), (-3, 2), (-3, -2))
 chain(plan, (0, -2), (0, 2))
 chain(plan, (-3, 0), (3, 0))
@@ -243,7 +243,7 @@ def walls(plan, start, *sides):
 plan = Plan("keys", minutes=9)
 plan.point_to(0, 0)
 plan.keys("ctrl+n")
-plan.until(lambda s: s["title"] == "new house" and s["floor"])
+plan.until(lambda s: s["answer"]["title"] == "No plan yet" and s["floor"])
 walls(plan, ("-3", "-2"), ("6", "0"), ("4", "90"), ("6", "180"), ("4", "-90"))
 walls(plan, ("0", "-2"), ("4", "90"))
 walls(plan, ("-3", "0"), ("6", "0"))

@@ -130,6 +130,31 @@ for name in ("house", "beam"):
     more = [t["string"] for t in texts if t["string"].startswith(("assumed", "identified", "PAUSED")) or t["string"] in ("2 m", "5 m")]
     check(texts and not more, f"a presentation of a {name} has no notes and no scale", more)
 
+# a clock of many words is whole with the largest letters, smaller or without its first words
+texts, state = stage.act("clock", "until answered", "pause", "seek 3.5", "wait 5", "texts STATE", "state STATE",
+                         arguments=[FILES["crank"], *stage.PERIODIC, "--size", "1024x600", "--text", "3"])
+clocks = [t for t in texts if t["string"].endswith(" s") and t["string"] in state["clock"]]
+check(clocks and not cut(texts) and all(t["box"][2] <= 1024 for t in clocks), "a clock is whole with the largest letters",
+      ([t["string"] for t in texts], state["clock"], cut(texts)))
+
+# the buttons of a lesson have shorter words with large letters
+for words in ("vote", "hint"):
+    texts = stage.act(f"lesson-{words}", "until answered", "wait 5", "key PageDown", "wait 10",
+                      *(["key 1", "key PageDown", "wait 10", "key PageDown", "wait 10"] if words == "hint" else []), "texts STATE",
+                      arguments=[str(stage.source / "assets" / "lessons" / "legal-no-way.json"), "--size", "1280x720", "--text", "2"])[0]
+    check(len(texts) > 10 and not cut(texts), f"a lesson with large letters, {words}: no text is cut", cut(texts))
+
+# a detail of two lines breaks between its clauses
+for name in ("beam", "crank"):
+    texts, state = stage.act(f"clauses-{name}", "until answered", "pause", "key F5", "wait 20", "texts STATE", "state STATE",
+                             arguments=[FILES[name], *(BRIEF if name == "beam" else stage.PERIODIC), "--size", "1280x720"])
+    detail, foot = state["answer"]["detail"].split("\n")[0], state["frame"]["answer"][3]
+    lines = [t["string"] for t in texts if t["box"][3] <= foot and t["string"] in detail]
+    ends = [detail[detail.find(line) + len(line):][:1] for line in lines]
+    check(lines and all(end in ("", ",", ";", " ") for end in ends) and all(
+        end != " " or "\u00b7" in detail[detail.find(line):][len(line):len(line) + 3] for end, line in zip(ends, lines)),
+          f"a presented {name}'s detail breaks between its clauses", (lines, detail))
+
 # a slider that was clicked stays below the pointer when a list is inserted above it
 texts = stage.act("anchored", "until answered", "pause", "wait 5", "mouse 1100 400", "wheel -4", "wait 10", "click 1100 214",
                   "wait 10", "texts STATE", "click 1100 330", "wait 3", "until answered", "wait 20", "texts STATE",

@@ -16,7 +16,7 @@ HOUSE = {"format": "clearance-house", "version": 1, "name": "rooms",
 def opened(name, **more):
     path = stage.folder / f"{name}.json"
     path.write_text(json.dumps({**HOUSE, **more}))
-    plan = Plan(name, path, minutes=9)
+    plan = Plan(name, path, minutes=9, texts=True)
     plan.until(lambda s: s["title"] == "rooms" and s["floor"])
     return plan
 
@@ -122,6 +122,17 @@ marks = {mark["kind"]: mark["at"] for mark in gesture["marks"]}
 check(abs(gesture["fields"]["length"] - 0.5) < 1e-6 and marks["start"] == moved[0]
       and abs(marks["place"][0] - moved[0][0] - 0.4) < 1e-6 and abs(marks["place"][1] - moved[0][1] - 0.3) < 1e-6,
       "19: then arrows move the wall's end", gesture)
+
+def fields(screen):
+    """Returns the lines of the numbers of what is being drawn."""
+    return [t["string"] for t in screen.texts() if t["string"].startswith(("length ", "angle "))]
+
+
+check(fields(keys) and not any("typed" in line for line in fields(keys)), "what arrows have moved is not said to be typed",
+      fields(keys))
+keys.type("0.7")
+keys.keys("Tab")
+check([line for line in fields(keys) if "typed" in line] == ["length 0.700 m (typed)"], "what is typed is said to be", fields(keys))
 keys.keys("Return", "Escape", "Escape")
 check(keys.state()["undo_name"] == "Draw walls", "19: and Return draws it", keys.state()["undo_name"])
 keys.end()

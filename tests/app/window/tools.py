@@ -36,7 +36,7 @@ def counts(plan, name):
 
 plan = Plan("exits", minutes=9)
 plan.keys("ctrl+n")
-plan.until(lambda s: s["title"] == "new house" and s["floor"])
+plan.until(lambda s: s["answer"]["title"] == "No plan yet" and s["floor"])
 chain(plan, (-3, -2), (3, -2), (3, 2), (-3, 2), (-3, -2))
 
 # 17: on a solid wall an exit comes with a door, and one step takes both back
@@ -126,7 +126,7 @@ plan.end()
 # 20: what is missing is said, with the tool that adds it
 need = Plan("need")
 need.keys("ctrl+n")
-state = need.until(lambda s: s["title"] == "new house" and s["floor"])
+state = need.until(lambda s: s["answer"]["title"] == "No plan yet" and s["floor"])
 check((state["answer"]["title"], state["answer"]["cure"]) == ("No plan yet", "Draw walls"), "an empty plan asks for walls",
       state["answer"])
 chain(need, (-3, -2), (3, -2), (3, 2), (-3, 2), (-3, -2))
@@ -194,7 +194,7 @@ check(seen[0]["undo_name"] == "Draw room" and not seen[0]["gesture"]["active"], 
 
 far = Plan("far")
 far.keys("ctrl+n")
-far.until(lambda s: s["title"] == "new house" and s["floor"])
+far.until(lambda s: s["answer"]["title"] == "No plan yet" and s["floor"])
 far.keys("w", "Return")
 for values in (("0", "0"), ("30", "0"), ("20", "90")):
     far.type(values[0])
@@ -332,7 +332,7 @@ def act(what, *with_what):
 
 user.until(lambda s: s["floor"])
 act(user.keys, "ctrl+n")
-user.until(lambda s: s["title"] == "new house" and s["floor"])
+user.until(lambda s: s["answer"]["title"] == "No plan yet" and s["floor"])
 act(user.keys, "w")
 for corner in ((-3, -2), (3, -2), (3, 2), (-3, 2), (-3, -2)):
     act(user.put, *corner)

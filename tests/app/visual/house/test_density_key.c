@@ -1,4 +1,5 @@
-/* Tests the key of the colours of a crowd: five numbers at every size, and no words over others. */
+/* Tests the foot of a plan: the key of the colours of a crowd, with five numbers at every size and no words over
+ * others, and the scale bar. */
 #include <string.h>
 
 #include "check.h"
@@ -26,6 +27,44 @@ TEST(the_key_has_five_numbers_and_no_words_overlap_also_when_it_is_tiny) {
         for (size_t a = 0; a < layout.caption_count; a++)
             for (size_t b = a + 1; b < layout.caption_count; b++)
                 CHECK(!overlap(&layout.captions[a], &layout.captions[b]));
+        layout_clear(&layout);
+        scene_clear(&scene);
+    }
+}
+
+TEST(large_letters_leave_the_numbers_of_the_key_apart) {
+    static const Vec2 pages[] = {{640, 360}, {427, 240}, {341, 200}, {280, 160}};
+    for (size_t p = 0; p < sizeof pages / sizeof *pages; p++) {
+        Scene scene = {.box = {{0, 0}, {20, 20}}, .bare = true, .unscaled = true};
+        Layout layout = {.caption_count = 0};
+        density_scene_key(&scene);
+        layout_make(&layout, &scene, pages[p]);
+        bool first = false, last = false;
+        for (size_t a = 0; a < layout.caption_count; a++) {
+            first |= strcmp(layout.captions[a].text, "0.5") == 0;
+            last |= strcmp(layout.captions[a].text, "3+") == 0;
+            for (size_t b = a + 1; b < layout.caption_count; b++)
+                CHECK(!overlap(&layout.captions[a], &layout.captions[b]));
+        }
+        CHECK(first && (last || pages[p].x < 300));
+        CHECK(layout.caption_count >= 5 || pages[p].x < 640);
+        layout_clear(&layout);
+        scene_clear(&scene);
+    }
+}
+
+TEST(the_scale_is_shorter_where_the_usual_one_would_lie_over_the_plan) {
+    static const struct {
+        Vec2 page;
+        const char *length;
+    } cases[] = {{{720, 540}, "1 m"}, {{330, 236}, "2 m"}, {{300, 236}, "1 m"}};
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        Scene scene = {.box = {{0, 0}, {6, 8}}, .bare = true};
+        Layout layout = {.caption_count = 0};
+        layout_make(&layout, &scene, cases[c].page);
+        const Sample *bar = &layout.samples[layout.sample_count - 1];
+        CHECK_TEXT(layout.captions[layout.caption_count - 1].text, cases[c].length);
+        CHECK(bar->from.x > layout_point(&layout, scene.box.high).x || bar->from.y > layout.plan.high.y);
         layout_clear(&layout);
         scene_clear(&scene);
     }
