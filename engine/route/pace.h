@@ -28,10 +28,9 @@ double pace_turning(const Profile *profile);
  * body has `clearance` m, the passage is `width` m wide across the body's middle, here and within PACE_FORESIGHT, the
  * path's curvature is `curvature` rad/m and changes by `bending` rad/m2; `direction` is -1 backwards.
  *
- * Width: v = (W - w) / b, but no less than drive.creep. Clearance: in the middle of a straight passage
- * the clearance on either side is (W - w) / 2; where the body turns, or the path leads close by an obstacle, the same
- * law holds with twice the clearance, with the floor of the paper for corners, drive.minimum_speed. With less than
- * body.hands beside the rims the arms are tucked in: PACE_TUCKED_SPEED. Curvature k: v^2 k <= the lateral acceleration,
+ * Width: v = (W - w) / b, but no less than drive.creep. Clearance: in the middle of a straight passage the clearance
+ * on either side is (W - w) / 2; where the body turns, or the path leads close by an obstacle, the same law holds with
+ * twice the clearance, with the floor of the paper for corners, drive.minimum_speed. With less than body.hands beside the rims the arms are tucked in: PACE_TUCKED_SPEED. Curvature k: v^2 k <= the lateral acceleration,
  * v k <= nine tenths of the turn rate, since a driver who turns as quickly as possible cannot come back to the path,
  * and of the rate w at which half of the push holds the mass centre, c ahead of the axle: m c w^2 <= push / 2; m c v^2
  * k <= half of the turning moment, since the drive wheels hold the axle and the mass centre swings the chair straight.

@@ -21,7 +21,7 @@ static double inertia(const Profile *profile) {
 }
 
 static double push_from_rest(const Profile *profile) {
-    double creep = pace_creep(profile);
+    double creep = profile->creep;
     return profile->mass * creep * creep / (2 * RUN_UP);
 }
 

@@ -16,6 +16,7 @@ Profile rooms_chair(double length, double width) {
                      .axle = 0.28,
                      .free_speed = 0.69,
                      .minimum_speed = 0.3,
+                     .creep = 0.1,
                      .steering_time = 0.4,
                      .acceleration = 0.5,
                      .deceleration = 1,

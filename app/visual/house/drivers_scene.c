@@ -85,7 +85,7 @@ void drivers_scene_add(Scene *scene, const House *house, const Drivers *drivers)
             Primitive *label = scene_add_label(scene, ROLE_TEXT, LETTERS, place->at, letters[place->part]);
             label->bold = label->fixed = true; /* within its disc; names give way */
             label->shape = LABEL_TAG;          /* over the leaders of other labels */
-            label->fill = role_of(places[p].fastest);
+            label->fill = role_of(place->fastest);
         }
     }
     qsort(rows, row_count, sizeof *rows, by_energy);
