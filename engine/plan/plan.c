@@ -345,7 +345,7 @@ char *plan_text(const Plan *plan) {
         lines_add_json(&lines, json_incref(run));
     }
     json_decref(run);
-    if (plan->drivers.count || *plan->drivers.population) {
+    if (plan->drivers.count || (plan->drivers.population && *plan->drivers.population)) {
         text_add(&lines, ",\n  \"drivers\": ");
         lines_add_json(&lines, parameters_write(&plan_tables_drivers, &plan->drivers));
     }

@@ -117,6 +117,12 @@ Route strength_drive(const RouteQuery *query) {
         route = bends ? route_drive(query) : with_turns(query);
     }
     strength_test(&route, query->profile, false);
+    if (route.answer == ROUTE_TOO_WEAK && query->any) { /* the first way takes more than the quickest one */
+        RouteQuery quickest = *query;
+        quickest.any = false;
+        route_free(&route);
+        route = strength_drive(&quickest);
+    }
     return route;
 }
 
