@@ -13,7 +13,7 @@
 #include "base/text.h"
 #include "command/answer.h"
 #include "command/cases_html.h"
-#include "command/cases_text.h"
+#include "result/cases_text.h"
 #include "command/command.h"
 #include "command/house_file.h"
 #include "command/output.h"

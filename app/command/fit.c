@@ -10,7 +10,7 @@
 #include "crank/crank.h"
 #include "command/answer.h"
 #include "command/command.h"
-#include "command/fit_job.h"
+#include "command/fit_house.h"
 #include "command/house_file.h"
 #include "command/output.h"
 #include "command/progress.h"
@@ -31,12 +31,6 @@
 #define SPREAD 0.5           /* 1, of the logarithm of what is not given with --prior: assumed */
 #define PEAK_DEVIATION 0.05  /* 1, of the logarithm of a peak: assumed */
 #define TONE_DEVIATION 0.005 /* 1, of the logarithm of a natural frequency: assumed */
-
-void fit_job_add_row(FitJob *job, FitRow row) {
-    Fit *fit = &job->fit;
-    fit->rows = memory_reserve(fit->rows, &job->row_capacity, fit->row_count + 1, sizeof *fit->rows);
-    fit->rows[fit->row_count++] = row;
-}
 
 /* Beams -------------------------------------------------------------------------------------------------------------
  */
@@ -89,17 +83,17 @@ static void add_observed(FitJob *job, const Given *given, size_t e, size_t obser
             at[g] = known ? given->values[g][i] : experiment->nominal(experiment->given, given->names[g]);
             label = g ? label : text_in_arena(&job->arena, "%s %g", given->names[g], at[g]);
         }
-        fit_job_add_row(job, (FitRow){.experiment = experiment,
-                                      .observable = observable,
-                                      .way = SIZE_MAX,
-                                      .names = given->names,
-                                      .at = at,
-                                      .name_count = given->count,
-                                      .observed = values[i],
-                                      .deviation = e == TONES ? TONE_DEVIATION : PEAK_DEVIATION,
-                                      .relative = true,
-                                      .group = e == TONES ? job->fit.row_count : i,
-                                      .label = label});
+        fit_house_add_row(job, (FitRow){.experiment = experiment,
+                                        .observable = observable,
+                                        .way = SIZE_MAX,
+                                        .names = given->names,
+                                        .at = at,
+                                        .name_count = given->count,
+                                        .observed = values[i],
+                                        .deviation = e == TONES ? TONE_DEVIATION : PEAK_DEVIATION,
+                                        .relative = true,
+                                        .group = e == TONES ? job->fit.row_count : i,
+                                        .label = label});
         job->fit.robust |= e == MOTION;
         job->fit.jumps |= e == MOTION;
     }

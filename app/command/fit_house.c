@@ -1,4 +1,4 @@
-#include "command/fit_job.h"
+#include "command/fit_house.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -14,6 +14,12 @@
 #include "plan/observed_times.h"
 #include "report/report_loci.h"
 
+void fit_house_add_row(FitJob *job, FitRow row) {
+    Fit *fit = &job->fit;
+    fit->rows = memory_reserve(fit->rows, &job->row_capacity, fit->row_count + 1, sizeof *fit->rows);
+    fit->rows[fit->row_count++] = row;
+}
+
 #define TIME_DEVIATION 0.5    /* s, of a measured time without one: assumed */
 #define OFFSET_DEVIATION 0.03 /* m, of a place of a measured locus, across it: assumed */
 #define SPEED_DEVIATION 0.1   /* m/s, of the speed there: assumed */
@@ -21,14 +27,14 @@
 enum { HEADING = 4096 /* bytes of a row of names */ };
 
 static double deviation_of(const TimedRun *run, const PlanRoute *route) {
-    double measured = observed_times(&route->observed).deviation;
+    double measured = observed_times_of(&route->observed).deviation;
     return !isnan(run->deviation) ? run->deviation : measured > 0 ? measured : TIME_DEVIATION;
 }
 
 /* Takes the means that the house file holds: their standard error is the deviation of one run by sqrt(runs). */
 static void take_means(FitJob *job, const Plan *plan) {
     for (size_t r = 0; r < plan->route_count; r++) {
-        ObservedTimes observed = observed_times(&plan->routes[r].observed);
+        ObservedTimes observed = observed_times_of(&plan->routes[r].observed);
         double error =
             observed.deviation > 0 && observed.runs > 1 ? observed.deviation / sqrt(observed.runs) : TIME_DEVIATION;
         Timed *timed = &job->timed;
@@ -71,12 +77,12 @@ static void add_times(FitJob *job, const Plan *plan, Fault *fault) {
         const char *id = arena_text(&job->arena, run->route);
         size_t experiment = open_route(job, id, fault);
         if (experiment != SIZE_MAX)
-            fit_job_add_row(job, (FitRow){.observable = HOUSE_TIME,
-                                          .way = HOUSE_WAY,
-                                          .observed = run->time,
-                                          .deviation = deviation_of(run, &plan->routes[route]),
-                                          .group = experiment,
-                                          .label = text_in_arena(&job->arena, "route %s", id)});
+            fit_house_add_row(job, (FitRow){.observable = HOUSE_TIME,
+                                            .way = HOUSE_WAY,
+                                            .observed = run->time,
+                                            .deviation = deviation_of(run, &plan->routes[route]),
+                                            .group = experiment,
+                                            .label = text_in_arena(&job->arena, "route %s", id)});
     }
 }
 
@@ -96,13 +102,13 @@ static void add_locus(FitJob *job, const House *house, const ObservedLoci *of, c
     for (size_t k = 0; k < 2 * record->count; k++) {
         size_t place = k % record->count;
         bool speed = k >= record->count;
-        fit_job_add_row(job, (FitRow){.observable = record->first + k,
-                                      .way = HOUSE_WAY,
-                                      .observed = speed ? record->speed[place] : 0,
-                                      .deviation = speed ? SPEED_DEVIATION : OFFSET_DEVIATION,
-                                      .group = job->experiment_count - 1,
-                                      .label = text_in_arena(&job->arena, "%s at %.2f m", house->people[person].id,
-                                                             record->way[place])});
+        fit_house_add_row(job, (FitRow){.observable = record->first + k,
+                                        .way = HOUSE_WAY,
+                                        .observed = speed ? record->speed[place] : 0,
+                                        .deviation = speed ? SPEED_DEVIATION : OFFSET_DEVIATION,
+                                        .group = job->experiment_count - 1,
+                                        .label = text_in_arena(&job->arena, "%s at %.2f m", house->people[person].id,
+                                                               record->way[place])});
     }
 }
 

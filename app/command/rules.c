@@ -93,7 +93,7 @@ static void try_drivers(Inspection *inspection, const House *house, const Popula
     for (size_t i = 0; i < house->person_count; i++)
         whole &= !shares[i].interrupted;
     if (whole)
-        result_rules_take(inspection, house, population->id, &drivers, shares, grades);
+        result_rules_drivers_take(inspection, house, population->id, &drivers, shares, grades);
     else
         fprintf(stderr, "clearance: interrupted before all drivers had run; nothing is told of them\n");
     drivers_free(&drivers);

@@ -46,7 +46,7 @@ void report_people_add(Document *document, const House *house, const Observation
 void report_people_add_routes(Document *document, const House *house, const Observation *observation) {
     size_t measured = 0;
     for (size_t r = 0; r < house->plan.route_count; r++)
-        measured += observed_times(&house->plan.routes[r].observed).runs > 0;
+        measured += observed_times_of(&house->plan.routes[r].observed).runs > 0;
     if (!house->plan.route_count)
         return;
     document_add_heading(document, 2, "Routes, measured and simulated");

@@ -2,7 +2,7 @@
 
 #include "base/text.h"
 #include "house/touch.h"
-#include "result/drivers.h"
+#include "result/shares.h"
 
 const char *result_danger_words(double speed, Arena *arena) {
     return text_in_arena(arena, "a %s at %.2f m/s", danger_word(speed), speed);
@@ -21,7 +21,7 @@ static void add_place(ResultTable *table, const House *house, size_t person, con
                                   .label = many ? "by" : NULL,
                                   .kind = RESULT_NUMBER,
                                   .number = share->value,
-                                  .text = result_drivers_share(&table->arena, share)});
+                                  .text = result_shares_text(&table->arena, share)});
     result_add(table, (ResultRow){.key = "share_low", .kind = RESULT_NUMBER, .number = share->low});
     result_add(table, (ResultRow){.key = "share_high", .kind = RESULT_NUMBER, .number = share->high});
     result_add(table, (ResultRow){

@@ -1,4 +1,5 @@
 #include "result/drivers.h"
+#include "result/shares.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -75,16 +76,12 @@ static bool has_band(const Fleet *fleet) {
     return fleet->time.count >= RESULT_DRIVERS_BAND;
 }
 
-const char *result_drivers_share(Arena *arena, const Share *share) {
-    return text_in_arena(arena, "%.0f %% (%.0f to %.0f)", 100 * share->value, 100 * share->low, 100 * share->high);
-}
-
 static void add_share(ResultTable *table, const char *const *keys, const char *label, const Share *share) {
     result_add(table, (ResultRow){.key = keys[0],
                                   .label = label,
                                   .kind = RESULT_NUMBER,
                                   .number = share->value,
-                                  .text = result_drivers_share(&table->arena, share)});
+                                  .text = result_shares_text(&table->arena, share)});
     result_add(table, (ResultRow){.key = keys[1], .kind = RESULT_NUMBER, .number = share->low});
     result_add(table, (ResultRow){.key = keys[2], .kind = RESULT_NUMBER, .number = share->high});
 }
@@ -178,7 +175,7 @@ static const char *words_of_verdict(Arena *arena, const Welch *welch, const Welc
 }
 
 static void add_comparison(ResultTable *table, const PlanRoute *route, const Distribution *times) {
-    ObservedTimes observed = observed_times(&route->observed);
+    ObservedTimes observed = observed_times_of(&route->observed);
     bool measured = observed.runs > 0;
     WelchSample a = {observed.mean, observed.deviation, (size_t)observed.runs};
     WelchSample c = {times->mean, times->deviation, times->count};
@@ -233,7 +230,7 @@ static void add_measured(ResultTable *table, const Observed *observed, const cha
     Distribution simulated = montecarlo_distribution(times, count);
     for (size_t i = 0; i < runs; i++)
         inside += observed->times.at[i] >= simulated.low && observed->times.at[i] <= simulated.high;
-    double one = observed_times(observed).runs == 1 ? observed_times(observed).mean : (double)NAN;
+    double one = observed_times_of(observed).runs == 1 ? observed_times_of(observed).mean : (double)NAN;
     for (size_t k = 0; k < count; k++) {
         out += isfinite(times[k]);
         slower += times[k] > one;
@@ -243,11 +240,11 @@ static void add_measured(ResultTable *table, const Observed *observed, const cha
         size_t *person = memory_zeroed(runs, sizeof *person);
         for (size_t i = 0; i < runs; i++)
             person[i] = observed_times_person(observed, i);
-        effects = random_effects(observed->times.at, person, runs);
+        effects = random_effects_of(observed->times.at, person, runs);
         memory_free(person);
     }
     bool people = effects.groups > 0, counted = observed->touches >= 0, alone = isfinite(one);
-    Share hit = montecarlo_share(counted ? (size_t)observed->touches : 0, (size_t)observed_times(observed).runs);
+    Share hit = montecarlo_share(counted ? (size_t)observed->touches : 0, (size_t)observed_times_of(observed).runs);
     Arena *arena = &table->arena;
     result_add(table, (ResultRow){.key = "id", .label = "route", .text = id});
     result_add(table, (ResultRow){.key = "people",
@@ -271,9 +268,9 @@ static void add_measured(ResultTable *table, const Observed *observed, const cha
                                   .kind = RESULT_COUNT,
                                   .number = counted ? (double)observed->touches : (double)NAN,
                                   .omitted = !counted});
-    result_add(table, (ResultRow){.label = "touched", .text = counted ? result_drivers_share(arena, &hit) : NULL});
-    result_add(table, (ResultRow){.label = "touched, simulated",
-                                  .text = counted ? result_drivers_share(arena, &touch) : NULL});
+    result_add(table, (ResultRow){.label = "touched", .text = counted ? result_shares_text(arena, &hit) : NULL});
+    result_add(table,
+               (ResultRow){.label = "touched, simulated", .text = counted ? result_shares_text(arena, &touch) : NULL});
     result_end(table);
 }
 
@@ -306,7 +303,7 @@ ResultTable result_drivers_measured(const House *house, const Drivers *drivers) 
             times[k] = route_time(house, drivers, k, route);
             out += isfinite(times[k]);
         }
-        bool single = observed->times.count || observed->touches >= 0 || observed_times(observed).runs == 1;
+        bool single = observed->times.count || observed->touches >= 0 || observed_times_of(observed).runs == 1;
         if (out && single)
             add_measured(&table, observed, route->id, times, drivers->count, route_touch(house, drivers, route));
     }

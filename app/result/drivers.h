@@ -43,6 +43,3 @@ const char *result_drivers_headline(const House *house, const Drivers *drivers, 
 /* Adds a sentence for each person: "p-a  13.0 s; 9 of 10 drivers 11.9 to 15.2 s; 97 of 100 out; 12 % touch (7 to 20)".
  */
 void result_drivers_say(Text *text, const House *house, const Observation *nominal, const Drivers *drivers);
-
-/* Returns a share with its limits, "12 % (7 to 20)". */
-const char *result_drivers_share(Arena *arena, const Share *share);

@@ -359,7 +359,7 @@ ResultTable result_house_parties(const House *house, const Census *census, bool 
  */
 
 static void add_route(ResultTable *table, const House *house, const Observation *observation, const PlanRoute *route) {
-    ObservedTimes observed = observed_times(&route->observed);
+    ObservedTimes observed = observed_times_of(&route->observed);
     double time = census_route_time(house, observation, route);
     bool measured = observed.runs > 0, simulated = time >= 0;
     result_add(table, (ResultRow){.key = "id", .label = "route", .text = route->id});

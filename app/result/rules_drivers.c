@@ -50,8 +50,8 @@ static void take_grade(Inspection *inspection, const House *house, const Grade *
     }
 }
 
-void result_rules_take(Inspection *inspection, const House *house, const char *population, const Drivers *drivers,
-                       const Shares *shares, const Grade *grades) {
+void result_rules_drivers_take(Inspection *inspection, const House *house, const char *population,
+                               const Drivers *drivers, const Shares *shares, const Grade *grades) {
     inspection->population = population;
     inspection->driver_count = drivers->count;
     for (size_t i = 0; i < house->person_count; i++) {

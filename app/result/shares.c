@@ -2,7 +2,11 @@
 
 #include <stdint.h>
 
-#include "result/drivers.h"
+#include "base/text.h"
+
+const char *result_shares_text(Arena *arena, const Share *share) {
+    return text_in_arena(arena, "%.0f %% (%.0f to %.0f)", 100 * share->value, 100 * share->low, 100 * share->high);
+}
 
 static void add_share(ResultTable *table, const char *const *keys, const char *label, size_t good, size_t all) {
     Share share = montecarlo_share(good, all);
@@ -11,7 +15,7 @@ static void add_share(ResultTable *table, const char *const *keys, const char *l
                                   .label = label,
                                   .kind = RESULT_NUMBER,
                                   .number = share.value,
-                                  .text = result_drivers_share(&table->arena, &share)});
+                                  .text = result_shares_text(&table->arena, &share)});
     result_add(table, (ResultRow){.key = keys[2], .kind = RESULT_NUMBER, .number = share.low});
     result_add(table, (ResultRow){.key = keys[3], .kind = RESULT_NUMBER, .number = share.high});
 }

@@ -7,7 +7,6 @@
 #include "base/parallel.h"
 #include "house/journey.h"
 #include "house/run.h"
-#include "route/strength.h"
 
 /* m: a known way is driven by a body that keeps this clearance on it, or is at most as large as the one it was planned
  * for. */
@@ -159,7 +158,7 @@ static void plan_body(void *context, size_t i) {
     profile->length = plan->length;
     profile->axle = fmin(profile->axle, plan->length);
     if (varies(work, &work->house->people[plan->person]))
-        strength_suffice(profile); /* each driver's own strength is tested on the way (journey_follow) */
+        journey_suffice(profile); /* each driver's own strength is tested on the way (journey_follow) */
     plan->journeys = journey_plan_briefly(&house, part, 1, work->stop);
     memory_free(part);
     free_alike(&house);

@@ -387,6 +387,10 @@ Journeys journey_plan_any(const House *house, const bool *part, const Stop *stop
     return plan_from_start(&(Planning){.house = house, .stop = stop, .all_or_none = true}, part, true, 1);
 }
 
+void journey_suffice(Profile *profile) {
+    strength_suffice(profile);
+}
+
 Journeys journey_follow(const Journeys *known, const House *house, const bool *part, int jobs, const Stop *stop) {
     return plan_from_start(&(Planning){.house = house, .stop = stop, .known = known}, part, true, jobs);
 }

@@ -76,6 +76,9 @@ int journey_sense(const House *house, const bool *part);
  * one that is found, and the journeys after the first person without one are ROUTE_INTERRUPTED. */
 Journeys journey_plan_any(const House *house, const bool *part, const Stop *stop);
 
+/* Gives a profile the strength that every way takes, as far as it has less (strength.h). */
+void journey_suffice(Profile *profile);
+
 /* Plans for the drivers of another house on the same plan: each follows the route that `known` has, planned for
  * a body that is at least as large, at a speed of their own. Paper's chairs and walkers are planned for. */
 Journeys journey_follow(const Journeys *known, const House *house, const bool *part, int jobs, const Stop *stop);

@@ -15,7 +15,7 @@ static ObservedTimes of_times(const NumberList *times) {
     return found;
 }
 
-ObservedTimes observed_times(const Observed *observed) {
+ObservedTimes observed_times_of(const Observed *observed) {
     if (observed->times.count)
         return of_times(&observed->times);
     bool measured = observed->mean > 0;
@@ -27,7 +27,7 @@ static bool contradicts(double given, double found) {
 }
 
 bool observed_times_check(const Observed *observed, char *fault, size_t size) {
-    ObservedTimes found = observed_times(observed);
+    ObservedTimes found = observed_times_of(observed);
     size_t times = observed->times.count, drivers = observed->drivers.count;
     bool given =
         observed->mean > 0 || observed->deviation > 0 || observed->runs > 1 || drivers || observed->touches >= 0;

@@ -15,7 +15,7 @@ typedef struct ObservedTimes {
     int runs;         /* 0: not measured */
 } ObservedTimes;
 
-ObservedTimes observed_times(const Observed *observed);
+ObservedTimes observed_times_of(const Observed *observed);
 
 /* Checks that the numbers fit together. Returns false with the reason, a part of a sentence, in `fault` (size). */
 bool observed_times_check(const Observed *observed, char *fault, size_t size);

@@ -90,6 +90,12 @@ double pace_braking(const Profile *profile, double clearance) {
            (paper ? profile->deceleration : real_min(profile->deceleration, strength(profile, clearance)));
 }
 
+double pace_spot_moment(const Profile *profile) {
+    const double rate = 0.1, turned = 1; /* rad/s, rad */
+    double gyration = profile->radius_of_gyration, ahead = profile->mass_centre;
+    return profile->scrub + profile->mass * (gyration * gyration + ahead * ahead) * rate * rate / (2 * turned);
+}
+
 double pace_sharpest(const Profile *profile) {
     return planned_turn(profile) / TURNING_CREEP;
 }

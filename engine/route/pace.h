@@ -30,12 +30,13 @@ double pace_turning(const Profile *profile);
  *
  * Width: v = (W - w) / b, but no less than drive.creep. Clearance: in the middle of a straight passage the clearance
  * on either side is (W - w) / 2; where the body turns, or the path leads close by an obstacle, the same law holds with
- * twice the clearance, with the floor of the paper for corners, drive.minimum_speed. With less than body.hands beside the rims the arms are tucked in: PACE_TUCKED_SPEED. Curvature k: v^2 k <= the lateral acceleration,
- * v k <= nine tenths of the turn rate, since a driver who turns as quickly as possible cannot come back to the path,
- * and of the rate w at which half of the push holds the mass centre, c ahead of the axle: m c w^2 <= push / 2; m c v^2
- * k <= half of the turning moment, since the drive wheels hold the axle and the mass centre swings the chair straight.
- * Bending: I v^2 dk/ds <= half of the turning moment. A bend is taken at 0.03 m/s, however narrow it is and however
- * weak the driver. */
+ * twice the clearance, with the floor of the paper for corners, drive.minimum_speed. With less than body.hands beside
+ * the rims the arms are tucked in: PACE_TUCKED_SPEED. Curvature k: v^2 k <= the lateral acceleration, v k <= nine
+ * tenths of the turn rate, since a driver who turns as quickly as possible cannot come back to the path, and of the
+ * rate w at which half of the push holds the mass centre, c ahead of the axle: m c w^2 <= push / 2; m c v^2 k <= half
+ * of the turning moment, since the drive wheels hold the axle and the mass centre swings the chair straight. Bending: I
+ * v^2 dk/ds <= half of the turning moment. A bend is taken at 0.03 m/s, however narrow it is and however weak the
+ * driver. */
 double pace_at(const Profile *profile, const Agility *agility, double free, double clearance, double width,
                double curvature, double bending, int direction);
 
@@ -53,6 +54,10 @@ double pace_in_passage(const Profile *profile, double free, double width);
  * than the push can do. A chair of the paper does not plan: it slows down with a_d. */
 double pace_starting(const Profile *profile, double clearance);
 double pace_braking(const Profile *profile, double clearance);
+
+/* Returns the turning moment, N m, that a turn on the spot takes (strength.h): the scrub of the tyres, and what brings
+ * the inertia about the axle to w = 0.1 rad/s within phi = 1 rad, both assumed: drive.scrub + I w^2 / (2 phi). */
+double pace_spot_moment(const Profile *profile);
 
 /* Returns the greatest curvature that can be driven at all, rad/m; a sharper bend is a turn on the spot. */
 double pace_sharpest(const Profile *profile);

@@ -7,7 +7,7 @@
 #include "base/memory.h"
 #include "base/stop.h"
 #include "base/real.h"
-#include "route/strength.h"
+#include "route/pace.h"
 
 /* Hybrid A* (Dolgov, Thrun, Montemerlo and Diebel 2010): poses are real numbers, moved by primitives; of the poses in
  * one cell of the grid over (x, y, heading, direction) only the cheapest is expanded, and another one only with fewer
@@ -209,7 +209,8 @@ static void make_primitives(Search *search) {
             add_primitive(search, direction, radii[r] * turn, -turn, 0);
         }
     }
-    for (int side = 1; side >= -1 && strength_turns(search->profile); side -= 2) {
+    bool turns = search->profile->turning_moment >= pace_spot_moment(search->profile);
+    for (int side = 1; side >= -1 && turns; side -= 2) {
         add_primitive(search, 0, 0, side * unit, 0);
         if (search->grain->skids && search->body->ahead > 0)
             add_primitive(search, 0, 0, side * unit, search->body->ahead);

@@ -8,8 +8,6 @@
 
 /* Assumed: strength.h. */
 #define RUN_UP 0.5      /* m, d */
-#define TURN_RATE 0.1   /* rad/s, w */
-#define TURNED 1.0      /* rad, phi */
 #define BEND_SPEED 0.03 /* m/s, u */
 #define BEND_WAY 0.2    /* m, l */
 
@@ -25,22 +23,14 @@ static double push_from_rest(const Profile *profile) {
     return profile->mass * creep * creep / (2 * RUN_UP);
 }
 
-static double moment_on_the_spot(const Profile *profile) {
-    return profile->scrub + inertia(profile) * TURN_RATE * TURN_RATE / (2 * TURNED);
-}
-
 static double moment_in_bend(const Profile *profile, double curvature) {
     return inertia(profile) * BEND_SPEED * BEND_SPEED * curvature / BEND_WAY;
-}
-
-bool strength_turns(const Profile *profile) {
-    return profile->turning_moment >= moment_on_the_spot(profile);
 }
 
 void strength_suffice(Profile *profile) {
     double bend = moment_in_bend(profile, pace_sharpest(profile));
     profile->push = fmax(profile->push, push_from_rest(profile) / PACE_TUCKED_PUSH);
-    profile->turning_moment = fmax(profile->turning_moment, fmax(moment_on_the_spot(profile), bend));
+    profile->turning_moment = fmax(profile->turning_moment, fmax(pace_spot_moment(profile), bend));
 }
 
 /* Notes a place of the way that takes more than there is, if it lacks a greater part of that than those before. */
@@ -85,7 +75,7 @@ void strength_test(Route *route, const Profile *profile, bool round) {
         if (round)
             continue;
         if (next->direction == 0)
-            note(&worst, profile, pose, "turn", LACK_MOMENT, moment_on_the_spot(profile), profile->turning_moment);
+            note(&worst, profile, pose, "turn", LACK_MOMENT, pace_spot_moment(profile), profile->turning_moment);
         else
             note(&worst, profile, pose, "bend", LACK_MOMENT, moment_in_bend(profile, bend_from(route, p)),
                  profile->turning_moment);
@@ -109,7 +99,7 @@ static Route with_turns(const RouteQuery *query) {
 Route strength_drive(const RouteQuery *query) {
     RouteQuery whether = *query;
     whether.any = whether.whether = true;
-    bool turns = strength_turns(query->profile);
+    bool turns = query->profile->turning_moment >= pace_spot_moment(query->profile);
     Route route = turns ? route_drive(query) : route_drive(&whether);
     if (!turns && route.answer != ROUTE_INTERRUPTED && route.answer != ROUTE_NO_EXIT) {
         bool bends = route.answer == ROUTE_FOUND;

@@ -29,6 +29,3 @@ void strength_test(Route *route, const Profile *profile, bool round);
 
 /* Gives a profile the strength that every way takes, as far as it has less. */
 void strength_suffice(Profile *profile);
-
-/* True if a driver can turn on the spot. */
-bool strength_turns(const Profile *profile);

@@ -4,7 +4,7 @@
 
 #include "base/memory.h"
 
-RandomEffects random_effects(const double *values, const size_t *group, size_t count) {
+RandomEffects random_effects_of(const double *values, const size_t *group, size_t count) {
     RandomEffects found = {.within = NAN, .between = NAN};
     double *sums = memory_zeroed(2 * count + 1, sizeof *sums), *sizes = sums + count;
     double all = 0, inside = 0, among = 0, squares = 0, n = (double)count;

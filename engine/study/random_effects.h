@@ -13,4 +13,4 @@ typedef struct RandomEffects {
 } RandomEffects;
 
 /* `group` holds the group of each value, from 0, less than `count`. */
-RandomEffects random_effects(const double *values, const size_t *group, size_t count);
+RandomEffects random_effects_of(const double *values, const size_t *group, size_t count);

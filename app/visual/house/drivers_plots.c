@@ -27,7 +27,7 @@ static bool is_alone(const House *house, size_t person) {
 
 static void add_measured(Plot *plot, const House *house, size_t person) {
     const PlanRoute *route = house->people[person].route;
-    ObservedTimes observed = route ? observed_times(&route->observed) : (ObservedTimes){.runs = 0};
+    ObservedTimes observed = route ? observed_times_of(&route->observed) : (ObservedTimes){.runs = 0};
     if (!observed.runs || !is_alone(house, person))
         return;
     double mean = observed.mean, deviation = observed.runs > 1 ? observed.deviation : 0;

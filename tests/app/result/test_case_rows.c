@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "command/cases_html.h"
-#include "command/cases_text.h"
+#include "result/cases_text.h"
 #include "result/cases.h"
 
 static const Measure time_of = {.name = "time", .meaning = "time"};

@@ -9,15 +9,15 @@ static double times[] = {10, 11, 12, 15};
 static const char *people[] = {"b", "a", "b", "c"};
 
 TEST(mean_and_deviation_follow_from_the_times) {
-    ObservedTimes of_times = observed_times(&(Observed){.runs = 1, .times = {times, 4}, .touches = -1});
+    ObservedTimes of_times = observed_times_of(&(Observed){.runs = 1, .times = {times, 4}, .touches = -1});
     CHECK_NEAR(of_times.mean, 12, 1e-12);
     CHECK_NEAR(of_times.deviation, sqrt(14.0 / 3), 1e-12);
     CHECK(of_times.runs == 4);
-    ObservedTimes given = observed_times(&(Observed){.mean = 9, .deviation = 2, .runs = 5, .touches = -1});
+    ObservedTimes given = observed_times_of(&(Observed){.mean = 9, .deviation = 2, .runs = 5, .touches = -1});
     CHECK(given.mean == 9 && given.deviation == 2 && given.runs == 5);
-    ObservedTimes one = observed_times(&(Observed){.runs = 1, .times = {times, 1}, .touches = -1});
+    ObservedTimes one = observed_times_of(&(Observed){.runs = 1, .times = {times, 1}, .touches = -1});
     CHECK(one.mean == 10 && one.deviation == 0 && one.runs == 1);
-    CHECK(observed_times(&(Observed){.runs = 1, .touches = -1}).runs == 0);
+    CHECK(observed_times_of(&(Observed){.runs = 1, .touches = -1}).runs == 0);
 }
 
 TEST(people_are_numbered_in_the_order_in_which_they_first_drive) {

@@ -166,7 +166,7 @@ TEST(a_plan_survives_writing_to_the_last_bit) {
                  "'thickness': 0, 'height': 2.71828182845904523}], "
                  "'doors': [{'id': 'd1', 'wall': 'w1', 'segment': 1, 'at': 1.2, 'width': 0.7999999999999999, 'kind': "
                  "'hinged', 'state': 'closed', 'hinge': 'end', 'swing': 'right', 'opening_time': 2.5, 'leaf': "
-"0.035, 'closer': true}], "
+                 "0.035, 'closer': true}], "
                  "'furniture': [{'id': 'f1', 'centre': [1, 9], 'size': [1e-1, 2], 'angle': -33.3, 'topples': 'left', "
                  "'probability': 0.1, 'toppled': true}], "
                  "'rooms': [{'id': 'r1', 'name': 'hall', 'outline': [[0, 0], [1, 0], [1, 1e-7]]}], "
@@ -175,8 +175,9 @@ TEST(a_plan_survives_writing_to_the_last_bit) {
                  "0.5}], 'crowds': [{'id': 'c1', 'profile': 'manual-chair', 'count': 7, 'area': [[0, 0], [1, 0], [1, "
                  "1]], 'delay': 2}], "
                  "'routes': [{'id': 'A', 'people': ['p1'], 'via': [[2, 1]], 'exit': 'e1', 'observed': {'mean': 12.3, "
-                 "'deviation': 0.8, 'times': [11.5, 12.3, 13.1], 'drivers': ['a', 'b', 'a'], 'touches': 1}}], 'drivers': {'count': "
-"40, 'population': 'whm'}, 'run': {'dt': 0.0005, 'routes': 'alone'}, "
+                 "'deviation': 0.8, 'times': [11.5, 12.3, 13.1], 'drivers': ['a', 'b', 'a'], 'touches': 1}}], "
+                 "'drivers': {'count': "
+                 "40, 'population': 'whm'}, 'run': {'dt': 0.0005, 'routes': 'alone'}, "
                  "'overrides': {'profile.manual-chair.width': 0.7, 'profile.manual-chair.driving': 'miura'}");
     char *text = round_trip(&plan);
     char path[SCRATCH_PATH];

@@ -1,4 +1,4 @@
-/* The job of `clearance fit`: what is fitted, and all that it stands on. Private to the files of that verb. */
+/* The job of `clearance fit`: what is fitted, and all that it stands on; and its rows of a house. */
 #pragma once
 
 #include "beam/beam.h"
@@ -27,7 +27,7 @@ typedef struct FitJob {
     Arena arena;
 } FitJob;
 
-void fit_job_add_row(FitJob *job, FitRow row);
+void fit_house_add_row(FitJob *job, FitRow row);
 
 /* Reads the house and what was measured in it, and adds the rows. Returns false after errors. */
 bool fit_house_open(FitJob *job, Fault *fault);

@@ -1,4 +1,4 @@
-#include "command/cases_text.h"
+#include "result/cases_text.h"
 
 #include <inttypes.h>
 #include <stdio.h>
