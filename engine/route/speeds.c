@@ -31,7 +31,7 @@
 #define SHORTEST 5e-3 /* m: steps are not taken as shorter, as on the way (track.c) */
 
 enum {
-    ROOMS = 14,
+    ROOMS = 15,
     SPAN = 2,         /* stations on either side of one over which its curvature is the mean */
     WIDTHS = 2 * SPAN /* stations on either side of one whose passage limits its speed: PACE_FORESIGHT */
 };
@@ -51,7 +51,8 @@ Speeds speeds_make(size_t count) {
                     room + 10 * count,
                     room + 11 * count,
                     room + 12 * count,
-                    room + 13 * count};
+                    room + 13 * count,
+                    room + 14 * count};
 }
 
 void speeds_free(Speeds *speeds) {
@@ -82,11 +83,16 @@ double speeds_turn(const Speeds *speeds, size_t a, size_t b) {
     return vec2_wrap_angle(speeds->heading[b] - speeds->heading[a]);
 }
 
+/* Returns the length of the step from a station to the next one of its piece, m. */
+static double step_length(const Way *way, size_t s) {
+    return vec2_distance(way->stations[s].at, way->stations[s + 1].at);
+}
+
 /* Returns the length of the steps between two stations of a piece, m. */
-static double length_between(const Way *way, size_t low, size_t high) {
+static double length_between(const Speeds *speeds, size_t low, size_t high) {
     double length = 0;
     for (size_t s = low; s < high; s++)
-        length += vec2_distance(way->stations[s].at, way->stations[s + 1].at);
+        length += speeds->length[s];
     return real_max(length, SHORTEST);
 }
 
@@ -94,7 +100,7 @@ static double length_between(const Way *way, size_t low, size_t high) {
 static double mean_curvature(const Course *course, const Speeds *speeds, size_t s) {
     const WayPiece *piece = &course->way->pieces[course->way->stations[s].piece];
     size_t low = lower(piece, s), high = upper(piece, s);
-    return speeds_turn(speeds, low, high) / length_between(course->way, low, high);
+    return speeds_turn(speeds, low, high) / length_between(speeds, low, high);
 }
 
 /* Returns the station `steps` before one, or after it, or the first or last one. */
@@ -137,9 +143,9 @@ static void find_limit(const Course *course, Speeds *speeds, size_t s) {
     const WayPiece *piece = &course->way->pieces[course->way->stations[s].piece];
     size_t low = lower(piece, s), high = upper(piece, s);
     double bend = speeds->bend[s], sharpest = fabs(bend);
-    double bending = fabs(speeds->bend[high] - speeds->bend[low]) / length_between(course->way, low, high);
-    double before_it = s > piece->first ? length_between(course->way, s - 1, s) : 0;
-    double after_it = s < piece->last ? length_between(course->way, s, s + 1) : 0;
+    double bending = fabs(speeds->bend[high] - speeds->bend[low]) / length_between(speeds, low, high);
+    double before_it = s > piece->first ? length_between(speeds, s - 1, s) : 0;
+    double after_it = s < piece->last ? length_between(speeds, s, s + 1) : 0;
     double slope_before = before_it > 0 ? speeds_turn(speeds, s - 1, s) / before_it : 0;
     double slope_after = after_it > 0 ? speeds_turn(speeds, s, s + 1) / after_it : 0;
     sharpest = real_max(sharpest, real_max(fabs(slope_before), fabs(slope_after)));
@@ -157,8 +163,8 @@ static void find_limit(const Course *course, Speeds *speeds, size_t s) {
 /* Fills in the time and the cost of the step from station s to the next one. */
 static void count_step(const Course *course, Speeds *speeds, size_t s) {
     const WayPiece *piece = &course->way->pieces[course->way->stations[s].piece];
-    double step = vec2_distance(course->way->stations[s].at, course->way->stations[s + 1].at);
-    double time = 2 * step / real_max(speeds->speed[s] + speeds->speed[s + 1], 1e-6);
+    double step = step_length(course->way, s),
+           time = 2 * step / real_max(speeds->speed[s] + speeds->speed[s + 1], 1e-6);
     double clearance = real_min(speeds->clearance[s], speeds->clearance[s + 1]);
     double rough = 0, price = 0, weight = course->centring ? CENTRED_ROUGHNESS : ROUGHNESS;
     if (s > piece->first)
@@ -203,7 +209,7 @@ void speeds_run(const Course *course, const Speeds *from, Speeds *to, size_t beg
         size_t piece = way->stations[s].piece;
         double next = s == high ? s + 1 < count ? from->back[s + 1] : limit : to->back[s + 1];
         if (s < way->pieces[piece].last)
-            limit = real_min(limit, reachable(next, to->braking[s], length_between(way, s, s + 1)));
+            limit = real_min(limit, reachable(next, to->braking[s], real_max(step_length(way, s), SHORTEST)));
         to->back[s] = limit;
         if (s < low && limit == from->back[s])
             break;
@@ -218,7 +224,9 @@ void speeds_run(const Course *course, const Speeds *from, Speeds *to, size_t beg
         const WayPiece *piece = &way->pieces[way->stations[s].piece];
         double slower = s == *first ? s > 0 ? from->speed[s - 1] : 0 : to->speed[s - 1];
         to->speed[s] =
-            s > piece->first ? real_min(back, reachable(slower, to->starting[s], length_between(way, s - 1, s))) : back;
+            s > piece->first
+                ? real_min(back, reachable(slower, to->starting[s], real_max(step_length(way, s - 1), SHORTEST)))
+                : back;
         if (s > high && to->speed[s] == from->speed[s])
             break;
     }
@@ -248,6 +256,7 @@ static void copy_places(const Course *course, Speeds *to, const Speeds *from, si
     }
     memcpy(to->own + low, from->own + low, size);
     memcpy(to->width + low, from->width + low, size);
+    memcpy(to->length + low, from->length + low, size);
     memcpy(to->clearance + low, from->clearance + low, size);
     memcpy(to->heading + low, from->heading + low, size);
 }
@@ -295,6 +304,7 @@ bool speeds_look(const Course *course, const Speeds *from, Speeds *to, size_t be
         to->clearance[s] = to->own[s];
         if (s == way->pieces[way->stations[s].piece].last)
             continue;
+        to->length[s] = step_length(way, s);
         double least = real_min(to->own[s], to->own[s + 1]);
         int places = least < BETWEEN ? way_places(way, s) : 0;
         Place before_it = {0, to->own[s]};

@@ -26,6 +26,7 @@ typedef struct Speeds {
     double *clearance;            /* m, the least of the station and the step after it */
     double *left, *right;         /* m, of the station, while centring */
     double *width;                /* m, of the passage at the station, where that can limit the speed */
+    double *length;               /* m, of the step to the next station of its piece */
     double *heading;              /* rad */
     double *bend;                 /* rad/m, only about what speeds_run was asked for */
     double *braking, *starting;   /* m/s2, that the driver plans with */

@@ -19,7 +19,8 @@
  *   grown     one solid 1 cm larger on every side, if the answer is no.
  *
  * A different answer is counted apart when the case is at a limit: the body fits with a margin below AT_LIMIT, or it
- * passes when shrunk by SHRUNK but not when grown by as much. Times and changes of direction have no such excuse. */
+ * passes when shrunk by SHRUNK but not when grown by as much. Times and changes of direction have no such excuse; of
+ * those of houses with more room a share ABOVE may exceed the limit. */
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -33,6 +34,8 @@
 #define AT_LIMIT 0.005 /* m, least certain margin on every side */
 #define SHRUNK 0.0025  /* m, on every side */
 #define FAR 1000.0     /* m, largest shift in either direction */
+#define ABOVE                                                                                                          \
+    0.04 /* 1, of the cases: now and then a quicker way is found in the narrower house, and not in the wider */
 
 enum { DEFAULT_CASES = 24, COPIES = 3, DRAWINGS = 4, WIDENINGS = 3, ROOMIER = 2, WORST = 10 };
 
@@ -69,11 +72,11 @@ static const struct Limit {
     [DRAWING_ANSWER] = {"drawings: same answer", "differ", 1, 0, 0, true},
     [DRAWING_TIME] = {"drawings: time", "%", 100, 0.02, 0, false},
     [WIDENED_ANSWER] = {"widened: a yes stays", "no", 1, 0, 0, true},
-    [WIDENED_REVERSALS] = {"widened: reversals", "more", 1, 0, 0, false},
-    [WIDENED_TIME] = {"widened: time rises", "%", 100, 0.01, 0, false},
+    [WIDENED_REVERSALS] = {"widened: reversals", "more", 1, 0, ABOVE, false},
+    [WIDENED_TIME] = {"widened: time rises", "%", 100, 0.01, ABOVE, false},
     [ROOMIER_ANSWER] = {"roomier: a yes stays", "no", 1, 0, 0, true},
-    [ROOMIER_REVERSALS] = {"roomier: reversals", "more", 1, 0, 0, false},
-    [ROOMIER_TIME] = {"roomier: time rises", "%", 100, 0.01, 0, false},
+    [ROOMIER_REVERSALS] = {"roomier: reversals", "more", 1, 0, ABOVE, false},
+    [ROOMIER_TIME] = {"roomier: time rises", "%", 100, 0.01, ABOVE, false},
     [GROWN_ANSWER] = {"grown: a no stays", "yes", 1, 0, 0, true},
     [SWEPT] = {"swept at 1 mm: overlap", "mm", 1000, 0, 0, false},
 };
