@@ -132,7 +132,8 @@ check(fields(keys) and not any("typed" in line for line in fields(keys)), "what 
       fields(keys))
 keys.type("0.7")
 keys.keys("Tab")
-check([line for line in fields(keys) if "typed" in line] == ["length 0.700 m (typed)"], "what is typed is said to be", fields(keys))
+check({line for line in fields(keys) if "typed" in line} == {"length 0.700 m (typed)"}, "what is typed is said to be",
+      fields(keys))
 keys.keys("Return", "Escape", "Escape")
 check(keys.state()["undo_name"] == "Draw walls", "19: and Return draws it", keys.state()["undo_name"])
 keys.end()
