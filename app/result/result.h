@@ -92,8 +92,8 @@ size_t result_columns(const ResultTable *table, size_t *rows);
 /* True if the row's values stand to the right in a column. */
 bool result_is_number(const ResultRow *row);
 
-/* Returns value b - value a as a row, without a value where there is no difference. People read the difference of the
- * numbers as they are rounded for people, so that it agrees with both. `both`: both runs have succeeded. */
+/* Returns value b - value a as a row, without a value where it has none (ResultDifference). People read the difference
+ * of the numbers as they are rounded for people, so that it agrees with both. `both`: both runs have succeeded. */
 ResultRow result_difference(const ResultRow *a, const ResultRow *b, bool both);
 
 /* Two tables of the same kind of rows. The records of b are found by the text of their first row and, where `alike` is

@@ -17,9 +17,8 @@ const DangerLimit danger_limits[DANGER_LIMITS] = {
     {"thigh, knee", 220, 440, 50e3, "read second-hand", SPECIFICATION},
 };
 
-const char danger_caveat[] = "These are pain limits of healthy adults beside robots, and preliminary ones. Nobody who "
-                             "does not feel the own legs "
-                             "or hands is protected by them.";
+const char danger_caveat[] = "These are pain limits of healthy adults beside robots, and preliminary ones. They do "
+                             "not protect people who cannot feel their legs or hands.";
 
 const char *danger_word(double speed) {
     return speed >= DANGER_BLOW ? "blow" : speed >= DANGER_KNOCK ? "knock" : "touch";

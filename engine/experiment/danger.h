@@ -51,7 +51,7 @@ void danger_free(Danger *danger);
 /* Returns "touch", "knock" or "blow". */
 const char *danger_word(double speed);
 
-/* What a part of the body bears, as pain limits of healthy adults beside robots. */
+/* The pain limits of a part of the body, of healthy adults beside robots. */
 typedef struct DangerLimit {
     const char *part;     /* "hand", "forearm" */
     double still, impact; /* N, clamped and in an impact */
@@ -66,5 +66,5 @@ extern const DangerLimit danger_limits[DANGER_LIMITS];
 /* Returns the speed, m/s, at which a chair of a mass, kg, presses a clamped part with a force, N: m v^2 = F^2 / k. */
 double danger_clamp_speed(double force, double mass, double stiffness);
 
-/* What the limits say, and what they do not. */
+/* The sentence that stands beside the limits wherever they are shown. */
 extern const char danger_caveat[];

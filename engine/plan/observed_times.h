@@ -1,5 +1,5 @@
-/* What the measured runs of a route say: the mean, the deviation and the number of runs that its file gives, or those
- * of the times of the runs. Where a file gives both, they must agree to OBSERVED_ROUNDING, since a mean is rounded. */
+/* The measured runs of a route: the mean, the deviation and the number of runs that its file gives, or those of the
+ * times of the runs. Where a file gives both, they must agree to OBSERVED_ROUNDING, since a mean is rounded. */
 #pragma once
 
 #include <stdbool.h>

@@ -37,7 +37,7 @@ typedef struct Pose {
 
 #define ROUTE_EASED 0.03 /* m, clearance at the start of a route in the middle of a run */
 
-/* What is missing at a place. */
+/* The quantity that a blockage tells: a width between obstacles, or the strength of the driver. */
 typedef enum Lack { LACK_WIDTH, LACK_PUSH, LACK_MOMENT } Lack;
 
 /* Place and cause of a missing path. */

@@ -1,4 +1,4 @@
-/* What no speed cures: a driver who is too weak for a way.
+/* Tells the driver who is too weak for a path at any speed.
  *
  * On the level nothing holds a chair back but its inertia and, in a turn on the spot, the scrub of its tyres (the row
  * drive.scrub). Slopes and rolling resistance are not in the model. With m the mass, I that about the drive axle and

@@ -26,7 +26,7 @@ typedef struct RulePlace {
     const char *who;   /* the first one that is stopped, or NULL */
     Blockage blockage; /* of that one */
 
-    /* Of drivers of a population, if they were tried; all counts are 0 if not. */
+    /* Counts of the drivers of a population; all are 0 if no drivers were tried. */
     size_t drivers;  /* whose way leads here */
     size_t refused;  /* those of them whose chair cannot be driven through here */
     size_t out;      /* those who get out of the house */
