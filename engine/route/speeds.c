@@ -188,6 +188,7 @@ static void take_over(Speeds *to, const Speeds *from, size_t s) {
     to->left[s] = from->left[s];
     to->right[s] = from->right[s];
     to->width[s] = from->width[s];
+    to->length[s] = from->length[s];
     to->heading[s] = from->heading[s];
     to->braking[s] = from->braking[s];
     to->starting[s] = from->starting[s];
