@@ -33,6 +33,9 @@
 #define PIN_SHARE 0.95     /* 1, of a pin's radius, that is aimed at */
 #define SIGHT 0.16         /* m: faces within this clearance are looked at in an iteration */
 #define HEADING_STEP 0.02  /* rad, between the headings at which a turn on the spot is measured */
+#define LITTLE 5e-4        /* m */
+#define NEARLY 0.015       /* m: places with more than this above the margin have no term of their own */
+#define PART_ERROR 2e-3    /* 1, of a step, of its nearest places */
 #define HEADING_ERROR 1e-3 /* rad, of its tightest headings */
 #define ALMOST 0.8         /* 1, share of the margin that is enough: the last of it is expensive */
 #define SETTLED 1e-3       /* 1: relative gain of an iteration that is the last one of its stage; hasten.c goes on */
@@ -40,7 +43,15 @@
 /* 1: nearly undamped, since in a long straight corridor E changes little across, and damped steps do not converge. */
 #define FIRST_DAMPING 1e-10
 
-enum { SITE_FACES = 24, SPOTS = 8, BAND = 16, MOST_TRIALS = 6, OWN_TERMS = 4 };
+enum {
+    SITE_FACES = 24,
+    SPOTS = 8,
+    BAND = 16,
+    MOST_TRIALS = 6,
+    OWN_TERMS = 4,
+    DIP_PARTS = 24,
+    MOST_PLACES = WAY_MOST_BETWEEN + 3
+};
 
 typedef struct Stage {
     double weight;    /* mu */
@@ -80,7 +91,8 @@ typedef struct Relax {
     const Rectangle *body;
     double mu, comfort, margin, bending;
     Site *at;          /* (count) */
-    Site *middle;      /* (count x WAY_MOST_BETWEEN) of the step after each station */
+    Site *middle;      /* (count x MOST_PLACES) of the step after each station */
+    double *parts;     /* (count x MOST_PLACES) 1, of the step, where they are */
     int *places;       /* (count) how many of them are used */
     Site *spots;       /* (piece_count x SPOTS) */
     double *headings;  /* (piece_count x SPOTS) rad, of the spots */
@@ -135,6 +147,60 @@ static void look_on_spot(Relax *relax, size_t piece) {
     relax->spot_counts[piece] = count;
 }
 
+static double clearance_between(const Relax *relax, size_t s, double part) {
+    Station place = way_between(relax->way, s, part);
+    return freespace_clearance(relax->space, middle_of(relax, place.at, place.axis), place.axis,
+                               relax->body->half_length, relax->body->half_width, SIGHT, NULL);
+}
+
+/* True if the body does not come nearer than the margin between two parts of a step, where its clearances are known.
+ * While it moves straight ahead it does not; while it turns it comes nearer by no more than its corners move. */
+static bool stays_clear(const Relax *relax, size_t s, double from, double at_from, double to, double at_to) {
+    const Station *station = &relax->way->stations[s];
+    double turn = fabs(vec2_cross(station->axis, station[1].axis)) * (to - from);
+    double moved = turn * search_farthest(relax->body);
+    if (at_from + at_to - 2 * (relax->margin + NEARLY) >= moved || moved < LITTLE)
+        return true;
+    double middle = (from + to) / 2, clearance = clearance_between(relax, s, middle);
+    return clearance >= relax->margin + NEARLY && stays_clear(relax, s, from, at_from, middle, clearance) &&
+           stays_clear(relax, s, middle, clearance, to, at_to);
+}
+
+/* Returns the part of least clearance of a step between `low` and `high`, between which there is one minimum. */
+static double nearest_part(const Relax *relax, size_t s, double low, double high) {
+    while (high - low > PART_ERROR) {
+        double third = (high - low) / 3;
+        if (clearance_between(relax, s, low + third) < clearance_between(relax, s, high - third))
+            high -= third;
+        else
+            low += third;
+    }
+    return (low + high) / 2;
+}
+
+/* Chooses the places between a station and the next one: even parts of the step, and where a corner of the body that
+ * passes a corner of something comes nearer than the margin. Returns their number. */
+static int choose_places(const Relax *relax, size_t s) {
+    double *parts = &relax->parts[s * MOST_PLACES];
+    int count = way_places(relax->way, s);
+    for (int i = 0; i < count; i++)
+        parts[i] = (i + 1.0) / (count + 1);
+    double before = clearance_between(relax, s, 0);
+    if (stays_clear(relax, s, 0, before, 1, clearance_between(relax, s, 1)))
+        return count;
+    double here = before;
+    before = HUGE_VAL;
+    for (int part = 0; part <= DIP_PARTS && count < MOST_PLACES; part++) {
+        double at = (double)part / DIP_PARTS, step = 1.0 / DIP_PARTS;
+        double after = part < DIP_PARTS ? clearance_between(relax, s, at + step) : HUGE_VAL;
+        if (here < relax->margin + NEARLY && here < before && here <= after)
+            parts[count++] = nearest_part(relax, s, real_max(at - step, 0), real_min(at + step, 1));
+        before = here;
+        here = after;
+    }
+    return count;
+}
+
 /* Finds the faces near every placement, and gives each station its terms. */
 static void look_around(Relax *relax) {
     const Way *way = relax->way;
@@ -145,10 +211,11 @@ static void look_around(Relax *relax) {
         relax->starts[s] = terms;
         look(relax, &relax->at[s], station->at, station->axis);
         terms += OWN_TERMS + 2 * (size_t)relax->at[s].count;
-        relax->places[s] = s < piece->last ? way_places(way, s) : 0;
+        relax->places[s] = s < piece->last ? choose_places(relax, s) : 0;
         for (int i = 0; i < relax->places[s]; i++) {
-            Site *site = &relax->middle[s * WAY_MOST_BETWEEN + (size_t)i];
-            Station between = way_between(way, s, (i + 1.0) / (relax->places[s] + 1));
+            size_t place = s * MOST_PLACES + (size_t)i;
+            Site *site = &relax->middle[place];
+            Station between = way_between(way, s, relax->parts[place]);
             look(relax, site, between.at, between.axis);
             terms += 2 * (size_t)site->count;
         }
@@ -228,10 +295,11 @@ static void evaluate(const Relax *relax, size_t low, size_t high, const Station 
             face_terms(relax, &relax->at[s], station->at, station->axis, step, term);
         term += 2 * faces;
         for (int i = 0; i < relax->places[s]; i++) {
-            const Site *site = &relax->middle[s * WAY_MOST_BETWEEN + (size_t)i];
+            size_t place = s * MOST_PLACES + (size_t)i;
+            const Site *site = &relax->middle[place];
             if (!site->count)
                 continue;
-            Station between = way_between(way, s, (i + 1.0) / (relax->places[s] + 1));
+            Station between = way_between(way, s, relax->parts[place]);
             face_terms(relax, site, between.at, between.axis, step, term);
             term += 2 * site->count;
         }
@@ -459,7 +527,8 @@ static bool run_stage(Relax *relax, int iterations, const RelaxOptions *options)
 static void relax_reserve(Relax *relax) {
     size_t count = relax->way->count;
     relax->at = memory_zeroed(count, sizeof *relax->at);
-    relax->middle = memory_zeroed(count * WAY_MOST_BETWEEN, sizeof *relax->middle);
+    relax->middle = memory_zeroed(count * MOST_PLACES, sizeof *relax->middle);
+    relax->parts = memory_zeroed(count * MOST_PLACES, sizeof *relax->parts);
     relax->places = memory_zeroed(count, sizeof *relax->places);
     relax->spots = memory_zeroed(relax->way->piece_count * SPOTS, sizeof *relax->spots);
     relax->headings = memory_zeroed(relax->way->piece_count * SPOTS, sizeof *relax->headings);
@@ -470,6 +539,7 @@ static void relax_reserve(Relax *relax) {
 static void relax_release(Relax *relax) {
     memory_free(relax->at);
     memory_free(relax->middle);
+    memory_free(relax->parts);
     memory_free(relax->places);
     memory_free(relax->spots);
     memory_free(relax->headings);
