@@ -26,15 +26,26 @@ static TrackPoint *add_point(Track *track, size_t *capacity, TrackPoint point) {
     return &track->points[track->count++];
 }
 
-/* Lowers each width to the least within PACE_FORESIGHT. */
-static void look_ahead(Track *track) {
+/* Lowers each width to that of the passage within PACE_FORESIGHT; the paper's is the least of those that were measured
+ * at once. */
+static void look_ahead(Track *track, bool paper) {
     double *width = memory_zeroed(track->count, sizeof *width);
     for (size_t i = 0, first = 0; i < track->count; i++) {
-        while (track->points[first].s < track->points[i].s - PACE_FORESIGHT)
+        const TrackPoint *here = &track->points[i];
+        Vec2 axis = vec2_heading(here->heading);
+        double left = HUGE_VAL, right = HUGE_VAL;
+        while (track->points[first].s < here->s - PACE_FORESIGHT)
             first++;
         width[i] = HUGE_VAL;
-        for (size_t k = first; k < track->count && track->points[k].s <= track->points[i].s + PACE_FORESIGHT; k++)
-            width[i] = fmin(width[i], track->points[k].width);
+        for (size_t k = first; k < track->count && track->points[k].s <= here->s + PACE_FORESIGHT; k++) {
+            const TrackPoint *point = &track->points[k];
+            width[i] = fmin(width[i], point->width);
+            if (!paper && vec2_dot(axis, vec2_heading(point->heading)) > PACE_PARALLEL) {
+                left = fmin(left, point->room_left);
+                right = fmin(right, point->room_right);
+            }
+        }
+        width[i] = fmin(width[i], left + right);
     }
     for (size_t i = 0; i < track->count; i++)
         track->points[i].width = width[i];
@@ -286,7 +297,7 @@ void track_build_driver(Track *track, const House *house, const Inhabitant *pers
     const Profile *profile = person->profile;
     take_poses(track, profile, route);
     measure(track, house, profile->length / 2 - profile->axle);
-    look_ahead(track);
+    look_ahead(track, false);
     bend(track);
     Agility agility = pace_agility(profile);
     for (size_t i = 0; i < track->count; i++)
@@ -565,7 +576,7 @@ void track_build_miura(Track *track, const House *house, const Inhabitant *perso
     }
     memory_free(turnings);
     measure(track, house, 0);
-    look_ahead(track);
+    look_ahead(track, true);
     for (size_t i = 0; i < track->count; i++) {
         TrackPoint *point = &track->points[i];
         point->speed = pace_in_passage(person->profile, person->speed, point->width);

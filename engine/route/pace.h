@@ -25,7 +25,7 @@ Agility pace_agility(const Profile *profile);
 double pace_turning(const Profile *profile);
 
 /* Returns the speed, m/s, of a driver whose free speed is `free` m/s and who is as agile as `agility` says, where the
- * body has `clearance` m, the passage is `width` m wide across the body's middle, here and within PACE_FORESIGHT, the
+ * body has `clearance` m, the passage is `width` m wide (PACE_FORESIGHT), the
  * path's curvature is `curvature` rad/m and changes by `bending` rad/m2; `direction` is -1 backwards.
  *
  * Width: v = (W - w) / b, but no less than drive.creep. Clearance: in the middle of a straight passage the clearance
@@ -40,8 +40,12 @@ double pace_turning(const Profile *profile);
 double pace_at(const Profile *profile, const Agility *agility, double free, double clearance, double width,
                double curvature, double bending, int direction);
 
-/* m, assumed: a door's leaf or a corner slows a driver this far before and after it. */
+/* m, assumed: a door's leaf or a corner slows a driver this far before and after it. The width is that of the passage
+ * across the body's middle, the least within this distance, and where the body's axis stays parallel to 20 degrees
+ * (PACE_PARALLEL, a cosine) the least room on the left and the least on the right together: across a thin wall no ray
+ * of a body that passes askew meets both jambs of a door. */
 #define PACE_FORESIGHT 0.2
+#define PACE_PARALLEL 0.94
 
 /* Returns the speed, m/s, that the width W of the passage alone allows. */
 double pace_in_passage(const Profile *profile, double free, double width);

@@ -31,7 +31,7 @@
 #define SHORTEST 5e-3 /* m: steps are not taken as shorter, as on the way (track.c) */
 
 enum {
-    ROOMS = 15,
+    ROOMS = 16,
     SPAN = 2,         /* stations on either side of one over which its curvature is the mean */
     WIDTHS = 2 * SPAN /* stations on either side of one whose passage limits its speed: PACE_FORESIGHT */
 };
@@ -52,7 +52,8 @@ Speeds speeds_make(size_t count) {
                     room + 11 * count,
                     room + 12 * count,
                     room + 13 * count,
-                    room + 14 * count};
+                    room + 14 * count,
+                    room + 15 * count};
 }
 
 void speeds_free(Speeds *speeds) {
@@ -112,23 +113,28 @@ static size_t after(const Way *way, size_t station, size_t steps) {
     return station + steps < way->count ? station + steps : way->count - 1;
 }
 
-/* Returns the width of the passage at a station, m; infinite where the clearance tells that it does not limit the
- * speed.
- */
-static double find_width(const Course *course, const Station *station, double clearance) {
+/* Returns the room beside the middle of the body at a station, m; infinite where the clearance tells that it does not
+ * limit the speed. */
+static Passage find_room(const Course *course, const Station *station, double clearance) {
     const Profile *profile = course->profile;
     if (clearance >= pace_enough(profile))
-        return HUGE_VAL;
+        return (Passage){HUGE_VAL, HUGE_VAL};
     Vec2 middle = vec2_along(station->at, course->body->ahead, station->axis);
     return passage_within(course->space, middle, station->axis, profile->width / 2 + 2 * pace_enough(profile));
 }
 
-/* Returns the least width of the passage at a station and those near it. */
-static double least_width(const Course *course, const Speeds *speeds, size_t s) {
-    double least = speeds->width[s];
-    for (size_t k = before(s, WIDTHS); k <= after(course->way, s, WIDTHS); k++)
-        least = real_min(least, speeds->width[k]);
-    return least;
+/* Returns the width of the passage at a station (PACE_FORESIGHT), m. */
+static double find_width(const Course *course, const Speeds *speeds, size_t s) {
+    const Way *way = course->way;
+    double least = HUGE_VAL, left = HUGE_VAL, right = HUGE_VAL;
+    for (size_t k = before(s, WIDTHS); k <= after(way, s, WIDTHS); k++) {
+        least = real_min(least, speeds->room_left[k] + speeds->room_right[k]);
+        if (vec2_dot(way->stations[s].axis, way->stations[k].axis) > PACE_PARALLEL) {
+            left = real_min(left, speeds->room_left[k]);
+            right = real_min(right, speeds->room_right[k]);
+        }
+    }
+    return real_min(least, left + right);
 }
 
 /* Fills in what limits the speed at a station and on its way from and to it; the curvatures about it are known. */
@@ -156,8 +162,8 @@ static void find_limit(const Course *course, Speeds *speeds, size_t s) {
     double in_bend = pace_in_bend(course->agility.acceleration, bend);
     speeds->braking[s] = real_min(speeds->braking[s], in_bend);
     speeds->starting[s] = real_min(speeds->starting[s], in_bend);
-    speeds->limit[s] = pace_at(profile, &course->agility, profile->free_speed, clearance,
-                               least_width(course, speeds, s), sharpest, bending, piece->direction);
+    speeds->limit[s] = pace_at(profile, &course->agility, profile->free_speed, clearance, find_width(course, speeds, s),
+                               sharpest, bending, piece->direction);
 }
 
 /* Fills in the time and the cost of the step from station s to the next one. */
@@ -187,7 +193,8 @@ static void take_over(Speeds *to, const Speeds *from, size_t s) {
     to->clearance[s] = from->clearance[s];
     to->left[s] = from->left[s];
     to->right[s] = from->right[s];
-    to->width[s] = from->width[s];
+    to->room_left[s] = from->room_left[s];
+    to->room_right[s] = from->room_right[s];
     to->length[s] = from->length[s];
     to->heading[s] = from->heading[s];
     to->braking[s] = from->braking[s];
@@ -256,7 +263,8 @@ static void copy_places(const Course *course, Speeds *to, const Speeds *from, si
         memcpy(to->right + low, from->right + low, size);
     }
     memcpy(to->own + low, from->own + low, size);
-    memcpy(to->width + low, from->width + low, size);
+    memcpy(to->room_left + low, from->room_left + low, size);
+    memcpy(to->room_right + low, from->room_right + low, size);
     memcpy(to->length + low, from->length + low, size);
     memcpy(to->clearance + low, from->clearance + low, size);
     memcpy(to->heading + low, from->heading + low, size);
@@ -293,7 +301,9 @@ bool speeds_look(const Course *course, const Speeds *from, Speeds *to, size_t be
                          : body_clearance(course, station, course->sight);
         if (to->own[s] < course->margin)
             return false;
-        to->width[s] = find_width(course, station, to->own[s]);
+        Passage room = find_room(course, station, to->own[s]);
+        to->room_left[s] = room.left;
+        to->room_right[s] = room.right;
     }
     /* the farthest station whose limit changes takes headings and widths from 2 SPAN beyond it */
     size_t low = before(begin, 4 * SPAN), high = after(way, end, 4 * SPAN);

@@ -25,7 +25,8 @@ typedef struct Speeds {
     double *own;                  /* m, the clearance of the station */
     double *clearance;            /* m, the least of the station and the step after it */
     double *left, *right;         /* m, of the station, while centring */
-    double *width;                /* m, of the passage at the station, where that can limit the speed */
+    double *room_left;            /* m, of the passage at the station, where it can limit the speed */
+    double *room_right;           /* m */
     double *length;               /* m, of the step to the next station of its piece */
     double *heading;              /* rad */
     double *bend;                 /* rad/m, only about what speeds_run was asked for */

@@ -8,7 +8,7 @@ Passage passage_at(const Outline *outline, Vec2 at, Vec2 along) {
                      outline_ray(outline, at, vec2_scale(left, -1), PASSAGE_WIDEST, NULL)};
 }
 
-double passage_within(const FreeSpace *space, Vec2 at, Vec2 along, double half) {
+Passage passage_within(const FreeSpace *space, Vec2 at, Vec2 along, double half) {
     enum { MOST = 64 };
     const double hair = 1e-9; /* m */
     int faces[MOST];
@@ -27,7 +27,7 @@ double passage_within(const FreeSpace *space, Vec2 at, Vec2 along, double half) 
         else
             right = real_min(right, -beside);
     }
-    return left + right;
+    return (Passage){left, right};
 }
 
 double passage_across(const Outline *outline, Vec2 corner, Vec2 across) {

@@ -21,9 +21,8 @@ static inline double passage_width(Passage passage) {
     return passage.left + passage.right;
 }
 
-/* Returns the same width, m, with up to `half` m (at most FREESPACE_BUCKET_REACH) on either side, without the broad
- * phase. */
-double passage_within(const FreeSpace *space, Vec2 at, Vec2 along, double half);
+/* Measures the same, with up to `half` m (at most FREESPACE_BUCKET_REACH) on either side, without the broad phase. */
+Passage passage_within(const FreeSpace *space, Vec2 at, Vec2 along, double half);
 
 /* Returns the distance from a convex corner of an obstacle, starting 0.1 mm off it, to the opposite side: W1 or W2 of
  * the paper. `across` is the unit direction from the corner over the passage. */

@@ -85,7 +85,8 @@ static size_t wrong_numbers(const Course *course, const Speeds *now) {
     speeds_run(course, &whole, &whole, 0, count - 1, &first, &last);
     size_t wrong = different(now->own, whole.own, count) + different(now->clearance, whole.clearance, count) +
                    different(now->left, whole.left, count) + different(now->right, whole.right, count) +
-                   different(now->width, whole.width, count) + different(now->length, whole.length, count) +
+                   different(now->room_left, whole.room_left, count) +
+                   different(now->room_right, whole.room_right, count) + different(now->length, whole.length, count) +
                    different(now->heading, whole.heading, count) + different(now->braking, whole.braking, count) +
                    different(now->starting, whole.starting, count) + different(now->limit, whole.limit, count) +
                    different(now->speed, whole.speed, count) + different(now->time, whole.time, count) +

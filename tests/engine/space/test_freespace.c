@@ -270,7 +270,7 @@ TEST(a_passage_is_as_wide_as_rays_across_it_are_long) {
         const double half = 0.8; /* m */
         Passage rays = passage_at(&fixture.outline, at, along);
         double width = fmin(rays.left, half) + fmin(rays.right, half);
-        CHECK_NEAR(passage_within(&fixture.space, at, along, half), width, 1e-6);
+        CHECK_NEAR(passage_width(passage_within(&fixture.space, at, along, half)), width, 1e-6);
         narrow += width < 2 * half;
     }
     CHECK(narrow > 300);
