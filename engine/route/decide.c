@@ -28,7 +28,7 @@
 #define HAIR 5e-4            /* m */
 #define HARDLY 0.006         /* m, more relief than this is another body */
 
-enum { SWEEPS = 20, SURE = 2, ASK_WHETHER_IT_FITS = 2 };
+enum { SWEEPS = 20, PASSES = 4, SURE = 2, ASK_WHETHER_IT_FITS = 2 };
 
 static const SearchGrain coarse = {.cell = 0.10, .turn = M_PI / 18, .step = 0.15, .weight = 1.5, .most_nodes = 8000};
 static const SearchGrain middle = {.cell = 0.05, .turn = M_PI / 36, .step = 0.10, .weight = 1.5, .most_nodes = 24000};
@@ -124,12 +124,36 @@ static SearchAnswer propose(const Decide *decide, const Rung *rung, int least_re
                        most_reversals, track, NULL);
 }
 
+/* Makes a way that keeps a margin quicker, again and again while that is worth it: changes of direction move only as
+ * far as the steps beside them stay even, which those of stations that are spaced again are. The way and its time, s,
+ * stay as they are where the descent leads too near to something. Returns false if interrupted. */
+static bool hasten(const Decide *decide, Way *way, double margin, double *time) {
+    const RouteQuery *query = decide->query;
+    bool whole = true, gains = true;
+    Way quick = way_copy(way);
+    for (int pass = 0; pass < PASSES && gains; pass++) {
+        if (pass > 0)
+            way_resample(&quick, quick.pieces[0].step);
+        whole = hasten_way(&quick, query->space, decide->body, query->profile, margin * SWEPT, SWEEPS, query->stop);
+        double now = whole ? hasten_time(&quick, query->space, decide->body, query->profile) : HUGE_VAL;
+        bool good = whole && (pass == 0 || now < *time) &&
+                    way_swept(&quick, query->space, decide->body, margin * SWEPT * SWEPT);
+        gains = good && quick.piece_count > 1 && now < *time * (1 - ALIKE);
+        if (good) {
+            way_free(way);
+            *way = way_copy(&quick);
+            *time = now;
+        }
+    }
+    way_free(&quick);
+    return whole;
+}
+
 /* Makes a way that keeps a margin quicker, and keeps it if it is the best: one with the whole margin goes before one
  * that has hardly any. Takes the way over. Returns false if interrupted. */
 static bool improve(Decide *decide, Way *way, double margin) {
     const RouteQuery *query = decide->query;
-    const FreeSpace *space = query->space;
-    double time = hasten_time(way, space, decide->body, query->profile);
+    double time = hasten_time(way, query->space, decide->body, query->profile);
     bool whole = true;
     if (margin > decide->kept) {
         decide->time = HUGE_VAL;
@@ -137,17 +161,8 @@ static bool improve(Decide *decide, Way *way, double margin) {
         decide->latest = HUGE_VAL;
         decide->confirmed = 0;
     }
-    if (!decide->any && margin == decide->kept && time < WORTH_HASTENING * decide->time) {
-        Way quick = way_copy(way);
-        whole = hasten_way(&quick, space, decide->body, query->profile, margin * SWEPT, SWEEPS, query->stop);
-        if (whole && way_swept(&quick, space, decide->body, margin * SWEPT * SWEPT)) {
-            time = hasten_time(&quick, space, decide->body, query->profile);
-            Way slow = *way;
-            *way = quick;
-            quick = slow;
-        }
-        way_free(&quick);
-    }
+    if (!decide->any && margin == decide->kept && time < WORTH_HASTENING * decide->time)
+        whole = hasten(decide, way, margin, &time);
     if (whole && margin == decide->kept) {
         decide->latest = fmin(decide->latest, time);
         if (time < decide->time) {

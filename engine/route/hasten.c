@@ -33,7 +33,7 @@
 #define STRAIGHT 1e-3 /* 1/m */
 #define MIDDLE 1e-2   /* m */
 
-enum { LEVELS = 5, SHORTEST_BUMP = 2, REACHES = 4, LONG_RUN = 32, LEAST_CENTRING = 2 };
+enum { LEVELS = 7, SHORTEST_BUMP = 2, REACHES = 4, LONG_RUN = 32, LEAST_CENTRING = 2 };
 
 static const int joint_reaches[REACHES] = {2, 4, 8, 16};
 
