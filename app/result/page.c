@@ -2,6 +2,7 @@
 
 #include <ctype.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "result/names.h"
 
@@ -16,6 +17,17 @@ static const char *head_of(Document *document, const ResultRow *row, const char 
     return row->unit ? document_text(document, "%s, %s", head, row->unit) : head;
 }
 
+/* Returns a number's words, such as "5 % (2 to 11)", with spaces that keep them on one line. */
+static const char *unbroken(Document *document, const char *words) {
+    const char *kept = "";
+    for (const char *word = words; *word;) {
+        size_t length = strcspn(word, " ");
+        kept = document_text(document, "%s%.*s%s", kept, (int)length, word, word[length] ? "\u00a0" : "");
+        word += length + (word[length] != 0);
+    }
+    return kept;
+}
+
 /* Adds a table of `count` rows, of which the first names the record. */
 static void add_part(Document *document, const char *caption, const ResultTable *table, const size_t *rows,
                      size_t count) {
@@ -28,8 +40,11 @@ static void add_part(Document *document, const char *caption, const ResultTable 
     }
     document_add_table(document, caption, columns, count);
     for (size_t record = 0; record < table->record_count; record++) {
-        for (size_t c = 0; c < count; c++)
-            cells[c] = result_value(result_at(table, record, rows[c]), &document->arena);
+        for (size_t c = 0; c < count; c++) {
+            const ResultRow *row = result_at(table, record, rows[c]);
+            const char *value = result_value(row, &document->arena);
+            cells[c] = row->kind == RESULT_NUMBER && row->text ? unbroken(document, value) : value;
+        }
         document_add_row(document, cells);
         for (size_t c = 0; c < count; c++)
             if (result_at(table, record, rows[c])->role == ROLE_DIM_TEXT)
