@@ -45,6 +45,7 @@ TEST(a_corridor_of_0_80_m_is_driven_with_care) {
     Grade grade = grade_corridor(0.80);
     CHECK_NEAR(grade.letter, GRADE_B, 0);
     CHECK_NEAR(grade.tightness, 0.085, 0.005);
+    CHECK_TEXT(grade.what, "start, beside wall south"); /* only the body that was grown is inside it */
     CHECK(strcmp(grade_letter(GRADE_A), "A") == 0 && strcmp(grade_letter(GRADE_F), "F") == 0);
     CHECK(strcmp(grade_words(GRADE_E), "helper only") == 0);
 }
