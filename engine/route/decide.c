@@ -28,7 +28,7 @@
 #define HAIR 5e-4            /* m */
 #define HARDLY 0.006         /* m, more relief than this is another body */
 
-enum { SWEEPS = 20, PASSES = 4, SURE = 2, ASK_WHETHER_IT_FITS = 2 };
+enum { SWEEPS = 20, PASSES = 2, SURE = 2, ASK_WHETHER_IT_FITS = 2 };
 
 static const SearchGrain coarse = {.cell = 0.10, .turn = M_PI / 18, .step = 0.15, .weight = 1.5, .most_nodes = 8000};
 static const SearchGrain middle = {.cell = 0.05, .turn = M_PI / 36, .step = 0.10, .weight = 1.5, .most_nodes = 24000};

@@ -23,17 +23,18 @@
  * least at h (d - u) / (2 (u + d)), by (d - u)^2 / (8 (u + d)): that is the next step, or, if it gains next to nothing,
  * the place is left alone. Where something is in the way the step shrinks. */
 
-#define CENTRED 2e-3  /* 1, share of the time that the middle may cost */
-#define FIRST 0.01    /* m, first length of a trial */
-#define SHORTEST 2e-4 /* m: shorter ones are not tried */
-#define LONGEST 0.08  /* m */
-#define GAIN 1e-6     /* s */
-#define NOTHING 1e-5  /* s: places where less is to be gained are left alone */
-#define SHRINK 0.4    /* 1, of a step before an obstacle */
-#define STRAIGHT 1e-3 /* 1/m */
-#define MIDDLE 1e-2   /* m */
+#define CENTRED 2e-3   /* 1, share of the time that the middle may cost */
+#define FIRST 0.01     /* m, first length of a trial */
+#define SHORTEST 2e-4  /* m: shorter ones are not tried */
+#define LONGEST 0.08   /* m */
+#define GAIN 1e-6      /* s */
+#define LONG_GAIN 2e-3 /* s, by bumps longer than a metre: less is not worth that a straight way bends */
+#define NOTHING 1e-5   /* s: places where less is to be gained are left alone */
+#define SHRINK 0.4     /* 1, of a step before an obstacle */
+#define STRAIGHT 1e-3  /* 1/m */
+#define MIDDLE 1e-2    /* m */
 
-enum { LEVELS = 7, SHORTEST_BUMP = 2, REACHES = 4, LONG_RUN = 32, LEAST_CENTRING = 2 };
+enum { LEVELS = 7, SHORTEST_BUMP = 2, REACHES = 4, LONG_RUN = 32, LEAST_CENTRING = 2, LONG_LEVEL = 5 };
 
 static const int joint_reaches[REACHES] = {2, 4, 8, 16};
 
@@ -45,6 +46,7 @@ typedef struct Hasten {
     Station *kept; /* (count) */
     double sum;    /* s, of the costs */
     double spare;  /* s, by which the way may still become slower, while centring */
+    double worth;  /* s: trials that gain less are undone */
     double gained; /* s, by the latest trial; minus infinity if it was not possible */
 } Hasten;
 
@@ -76,7 +78,7 @@ static bool judge(Hasten *hasten, size_t low, size_t high, size_t joint, Joint j
         gain = speeds_sum(hasten->now.cost, first, last) - speeds_sum(hasten->tried.cost, first, last) + spots_before -
                spots;
         hasten->gained = gain;
-        good = gain > GAIN;
+        good = gain > hasten->worth;
     }
     double longer = 0; /* s, by which the trial makes the way slower */
     if (good && hasten->course.centring) {
@@ -264,8 +266,11 @@ typedef struct Steps {
 
 static void sweep_bumps(Hasten *hasten, Steps *steps, int round) {
     Way *way = hasten->way;
-    int least = hasten->course.centring ? LEAST_CENTRING : 0; /* short bumps hardly move the body's sides */
-    for (int level = LEVELS - 1; level >= least; level--) {
+    /* while centring, short bumps hardly move the body's sides, and sweep_shifts makes long moves */
+    bool centring = hasten->course.centring;
+    int least = centring ? LEAST_CENTRING : 0, most = centring ? LONG_LEVEL - 1 : LEVELS - 1;
+    for (int level = most; level >= least; level--) {
+        hasten->worth = level < LONG_LEVEL ? GAIN : LONG_GAIN;
         int half = SHORTEST_BUMP << level;
         size_t stride = (size_t)half / 2;
         for (size_t k = 0; k < way->piece_count; k++) {
@@ -284,6 +289,7 @@ static void sweep_bumps(Hasten *hasten, Steps *steps, int round) {
             }
         }
     }
+    hasten->worth = GAIN;
 }
 
 static void sweep_joints(Hasten *hasten, Steps *steps) {
@@ -341,7 +347,8 @@ static void hasten_begin(Hasten *hasten, Way *way, const FreeSpace *space, const
                                   .centring = centring},
                        .now = speeds_make(count),
                        .tried = speeds_make(count),
-                       .kept = memory_zeroed(count, sizeof(Station))};
+                       .kept = memory_zeroed(count, sizeof(Station)),
+                       .worth = GAIN};
     speeds_look(&hasten->course, &hasten->now, &hasten->now, 0, count - 1);
     speeds_run(&hasten->course, &hasten->now, &hasten->now, 0, count - 1, &first, &last);
     hasten->sum = speeds_sum(hasten->now.cost, 0, count - 1);
