@@ -28,7 +28,7 @@
 #define SHORTEST 2e-4  /* m: shorter ones are not tried */
 #define LONGEST 0.08   /* m */
 #define GAIN 1e-6      /* s */
-#define LONG_GAIN 2e-3 /* s, by bumps longer than a metre: less is not worth that a straight way bends */
+#define LONG_GAIN 0.02 /* s, by bumps longer than a metre: less is not worth that a straight way bends */
 #define NOTHING 1e-5   /* s: places where less is to be gained are left alone */
 #define SHRINK 0.4     /* 1, of a step before an obstacle */
 #define STRAIGHT 1e-3  /* 1/m */
