@@ -152,9 +152,9 @@ static void touches_twice_at_most(size_t driver, const Observation *observation)
 }
 
 /* Who has backed off aims at the plan: as far beside it as before, driver 91 touched the same post seven times and took
- * 83 s, and 56 five times, 80 s. */
+ * 83 s, and another five times, 80 s. Of 99 drivers these four touch most often or are known to have. */
 TEST(drivers_who_have_backed_off_do_not_run_into_the_same_post_again) {
-    drive_each("corner-1.00-1.00", NULL, 1, (const size_t[]){56, 91}, 2, touches_twice_at_most);
+    drive_each("corner-1.00-1.00", NULL, 1, (const size_t[]){63, 64, 83, 91}, 4, touches_twice_at_most);
 }
 
 static void both_get_out(size_t driver, const Observation *observation) {
