@@ -124,9 +124,9 @@ static SearchAnswer propose(const Decide *decide, const Rung *rung, int least_re
                        most_reversals, track, NULL);
 }
 
-/* Makes a way that keeps a margin quicker, again and again while that is worth it: changes of direction move only as
- * far as the steps beside them stay even, which those of stations that are spaced again are. The way and its time, s,
- * stay as they are where the descent leads too near to something. Returns false if interrupted. */
+/* Makes a way that keeps a margin quicker. Changes of direction move only as far as the steps beside them stay even: a
+ * way that has some is spaced again and made quicker once more, where the first pass was worth it. The way and its
+ * time, s, stay as they are where the descent leads too near to something. Returns false if interrupted. */
 static bool hasten(const Decide *decide, Way *way, double margin, double *time) {
     const RouteQuery *query = decide->query;
     bool whole = true, gains = true;

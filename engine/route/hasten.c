@@ -15,9 +15,10 @@
  * sum with it, but takes no more than CENTRED of the time. So the price chooses among ways that take the same time, and
  * how long a way takes, and whether more room can make it longer, does not depend on the price.
  *
- * A trial moves the stations about one of them along their normals (a bump), or a joint, or the end, all faded over
- * some stations; each place has its own length of step. A trial is kept when the sum falls and no clearance is below
- * the margin, at the stations and between them. The speeds are computed again only as far as they change.
+ * A trial moves the stations about one of them along their normals (a bump, of 0.1 m to a room's length), or a joint,
+ * or the end, all faded over some stations; each place has its own length of step. A trial is kept when the sum falls
+ * and no clearance is below the margin, at the stations and between them. The speeds are computed again only as far as
+ * they change.
  *
  * A step h that succeeds grows. Where the sum rises by u and d with h and -h, the parabola through the three sums is
  * least at h (d - u) / (2 (u + d)), by (d - u)^2 / (8 (u + d)): that is the next step, or, if it gains next to nothing,

@@ -13,9 +13,10 @@
  *     k   curvature at a station, 1/m          h   step, m
  *     l   length of a step, m                 m   the margin with an allowance, m
  *     C   RELAX_COMFORT
- *     d   signed clearance of the body from one face, at each station, between it and the next one, and at the
- *         tightest headings of a turn on the spot. There is one term for every face, since between two opposite
- *         contacts the nearest alone would jump from one to the other.
+ *     d   signed clearance of the body from one face, at each station, at even parts of the step to the next one and
+ *         where that comes nearest to something, and at the tightest headings of a turn on the spot. There is one
+ *         term for every face, since between two opposite contacts the nearest alone would jump from one to the
+ *         other.
  *
  * by Gauss and Newton's method with Levenberg's damping. Unknowns: a displacement along the normal for each inner
  * station; for each joint one along and one across the way, and its heading, or both headings if it turns on the spot;
@@ -33,7 +34,6 @@
 #define PIN_SHARE 0.95     /* 1, of a pin's radius, that is aimed at */
 #define SIGHT 0.16         /* m: faces within this clearance are looked at in an iteration */
 #define HEADING_STEP 0.02  /* rad, between the headings at which a turn on the spot is measured */
-#define LITTLE 5e-4        /* m */
 #define NEARLY 0.015       /* m: places with more than this above the margin have no term of their own */
 #define PART_ERROR 2e-3    /* 1, of a step, of its nearest places */
 #define HEADING_ERROR 1e-3 /* rad, of its tightest headings */
@@ -116,14 +116,21 @@ static double spot_clearance(const Relax *relax, Vec2 at, double heading) {
     return search_clearance(relax->space, relax->body, at, heading, SIGHT, NULL);
 }
 
-/* Returns the heading of least clearance between `low` and `high`, between which there is one minimum. */
-static double tightest(const Relax *relax, Vec2 at, double low, double high) {
-    while (fabs(high - low) > HEADING_ERROR) {
-        double third = (high - low) / 3;
-        if (spot_clearance(relax, at, low + third) < spot_clearance(relax, at, high - third))
-            high -= third;
+static double clearance_between(const Relax *relax, size_t s, double part) {
+    return way_clearance_between(relax->way, s, part, relax->space, relax->body, SIGHT);
+}
+
+/* Returns the part of least clearance of the step from a station, or, where `spot` is not NULL, the heading of least
+ * clearance in a turn there, between `low` and `high`, between which there is one minimum. */
+static double nearest(const Relax *relax, size_t s, const Vec2 *spot, double low, double high, double error) {
+    while (fabs(high - low) > error) {
+        double third = (high - low) / 3, a = low + third, b = high - third;
+        double at_a = spot ? spot_clearance(relax, *spot, a) : clearance_between(relax, s, a);
+        double at_b = spot ? spot_clearance(relax, *spot, b) : clearance_between(relax, s, b);
+        if (at_a < at_b)
+            high = b;
         else
-            low += third;
+            low = a;
     }
     return (low + high) / 2;
 }
@@ -138,44 +145,14 @@ static void look_on_spot(Relax *relax, size_t piece) {
         double heading = joint->in + part * step, after = spot_clearance(relax, at, heading + step);
         if (here < SIGHT && here <= before && here <= after) {
             size_t spot = piece * SPOTS + (size_t)count++;
-            relax->headings[spot] = part ? tightest(relax, at, heading - step, heading + step) : heading;
+            relax->headings[spot] =
+                part ? nearest(relax, 0, &at, heading - step, heading + step, HEADING_ERROR) : heading;
             look(relax, &relax->spots[spot], at, vec2_heading(relax->headings[spot]));
         }
         before = here;
         here = after;
     }
     relax->spot_counts[piece] = count;
-}
-
-static double clearance_between(const Relax *relax, size_t s, double part) {
-    Station place = way_between(relax->way, s, part);
-    return freespace_clearance(relax->space, middle_of(relax, place.at, place.axis), place.axis,
-                               relax->body->half_length, relax->body->half_width, SIGHT, NULL);
-}
-
-/* True if the body does not come nearer than the margin between two parts of a step, where its clearances are known.
- * While it moves straight ahead it does not; while it turns it comes nearer by no more than its corners move. */
-static bool stays_clear(const Relax *relax, size_t s, double from, double at_from, double to, double at_to) {
-    const Station *station = &relax->way->stations[s];
-    double turn = fabs(vec2_cross(station->axis, station[1].axis)) * (to - from);
-    double moved = turn * search_farthest(relax->body);
-    if (at_from + at_to - 2 * (relax->margin + NEARLY) >= moved || moved < LITTLE)
-        return true;
-    double middle = (from + to) / 2, clearance = clearance_between(relax, s, middle);
-    return clearance >= relax->margin + NEARLY && stays_clear(relax, s, from, at_from, middle, clearance) &&
-           stays_clear(relax, s, middle, clearance, to, at_to);
-}
-
-/* Returns the part of least clearance of a step between `low` and `high`, between which there is one minimum. */
-static double nearest_part(const Relax *relax, size_t s, double low, double high) {
-    while (high - low > PART_ERROR) {
-        double third = (high - low) / 3;
-        if (clearance_between(relax, s, low + third) < clearance_between(relax, s, high - third))
-            high -= third;
-        else
-            low += third;
-    }
-    return (low + high) / 2;
 }
 
 /* Chooses the places between a station and the next one: even parts of the step, and where a corner of the body that
@@ -185,16 +162,15 @@ static int choose_places(const Relax *relax, size_t s) {
     int count = way_places(relax->way, s);
     for (int i = 0; i < count; i++)
         parts[i] = (i + 1.0) / (count + 1);
-    double before = clearance_between(relax, s, 0);
-    if (stays_clear(relax, s, 0, before, 1, clearance_between(relax, s, 1)))
+    double before = HUGE_VAL, here = clearance_between(relax, s, 0), sought = relax->margin + NEARLY;
+    WayPlace from = {0, here}, to = {1, clearance_between(relax, s, 1)};
+    if (way_stays_clear(relax->way, s, relax->space, relax->body, from, to, sought, SIGHT))
         return count;
-    double here = before;
-    before = HUGE_VAL;
     for (int part = 0; part <= DIP_PARTS && count < MOST_PLACES; part++) {
         double at = (double)part / DIP_PARTS, step = 1.0 / DIP_PARTS;
         double after = part < DIP_PARTS ? clearance_between(relax, s, at + step) : HUGE_VAL;
-        if (here < relax->margin + NEARLY && here < before && here <= after)
-            parts[count++] = nearest_part(relax, s, real_max(at - step, 0), real_min(at + step, 1));
+        if (here < sought && here < before && here <= after)
+            parts[count++] = nearest(relax, s, NULL, real_max(at - step, 0), real_min(at + step, 1), PART_ERROR);
         before = here;
         here = after;
     }

@@ -27,7 +27,6 @@
 #define CENTRED_ROUGHNESS 100.0
 #define BETWEEN 0.06  /* m: with more clearance than this at both ends the motion between is not looked at */
 #define DIP 0.85      /* 1, share of the margin that is kept between the places that are looked at */
-#define LITTLE 5e-4   /* m */
 #define SHORTEST 5e-3 /* m: steps are not taken as shorter, as on the way (track.c) */
 
 enum {
@@ -270,26 +269,6 @@ static void copy_places(const Course *course, Speeds *to, const Speeds *from, si
     memcpy(to->heading + low, from->heading + low, size);
 }
 
-/* A place on the step from a station to the next one. */
-typedef struct Place {
-    double part;      /* 1, of the step */
-    double clearance; /* m */
-} Place;
-
-/* True if the body does not come nearer to anything between two places of a step than at both by more than DIP allows.
- * While it moves straight ahead it does not; while it turns it comes nearer by no more than its corners move. */
-static bool stays_clear(const Course *course, size_t s, Place a, Place b) {
-    const Station *from = &course->way->stations[s];
-    double turn = fabs(vec2_cross(from->axis, from[1].axis)) * (b.part - a.part);
-    double moved = turn * search_farthest(course->body), least = DIP * course->margin;
-    if (a.clearance + b.clearance - 2 * least >= moved || moved < LITTLE)
-        return true;
-    double part = (a.part + b.part) / 2;
-    Station station = way_between(course->way, s, part);
-    Place middle = {part, body_clearance(course, &station, BETWEEN)};
-    return middle.clearance >= least && stays_clear(course, s, a, middle) && stays_clear(course, s, middle, b);
-}
-
 bool speeds_look(const Course *course, const Speeds *from, Speeds *to, size_t begin, size_t end) {
     const Way *way = course->way;
     for (size_t s = begin; s <= end; s++) {
@@ -318,15 +297,14 @@ bool speeds_look(const Course *course, const Speeds *from, Speeds *to, size_t be
         to->length[s] = step_length(way, s);
         double least = real_min(to->own[s], to->own[s + 1]);
         int places = least < BETWEEN ? way_places(way, s) : 0;
-        Place before_it = {0, to->own[s]};
+        WayPlace before_it = {0, to->own[s]};
         for (int i = 1; i <= places + (places > 0); i++) {
-            Place here = {(double)i / (places + 1), to->own[s + 1]};
-            if (i <= places) {
-                Station middle = way_between(way, s, here.part);
-                here.clearance = body_clearance(course, &middle, BETWEEN);
-            }
+            WayPlace here = {(double)i / (places + 1), to->own[s + 1]};
+            if (i <= places)
+                here.clearance = way_clearance_between(way, s, here.part, course->space, course->body, BETWEEN);
             least = real_min(least, here.clearance);
-            if (least < course->margin || !stays_clear(course, s, before_it, here))
+            if (least < course->margin ||
+                !way_stays_clear(way, s, course->space, course->body, before_it, here, DIP * course->margin, BETWEEN))
                 return false;
             before_it = here;
         }

@@ -11,6 +11,7 @@
 #define SPOT_STEP radians(5) /* rad, between poses on the spot */
 #define SPOT_FINEST 0.002    /* rad, least step between the headings at which a turn on the spot is measured */
 #define SHORTEST_MOTION 1e-6 /* m: a motion that is not worth a piece */
+#define LITTLE 5e-4          /* m: a body that turns and moves by less comes no nearer */
 #define LITTLE_TURN 0.012    /* rad, which moves a corner of the body by a centimetre */
 #define MOST_TURN 0.25       /* rad, of a step */
 #define LEAST_STEP 0.4       /* 1, of the piece's step */
@@ -270,6 +271,25 @@ void way_exit_range(const Way *way, double *low, double *high) {
 static double clearance_at(const FreeSpace *space, const Rectangle *body, Vec2 at, Vec2 axis, double reach) {
     return freespace_clearance(space, vec2_along(at, body->ahead, axis), axis, body->half_length, body->half_width,
                                reach, NULL);
+}
+
+double way_clearance_between(const Way *way, size_t station, double part, const FreeSpace *space, const Rectangle *body,
+                             double reach) {
+    Station place = way_between(way, station, part);
+    return clearance_at(space, body, place.at, place.axis, reach);
+}
+
+bool way_stays_clear(const Way *way, size_t station, const FreeSpace *space, const Rectangle *body, WayPlace from,
+                     WayPlace to, double least, double reach) {
+    const Station *begin = &way->stations[station];
+    double turn = fabs(vec2_cross(begin->axis, begin[1].axis)) * (to.part - from.part);
+    double moved = turn * search_farthest(body);
+    if (from.clearance + to.clearance - 2 * least >= moved || moved < LITTLE)
+        return true;
+    double part = (from.part + to.part) / 2;
+    WayPlace middle = {part, way_clearance_between(way, station, part, space, body, reach)};
+    return middle.clearance >= least && way_stays_clear(way, station, space, body, from, middle, least, reach) &&
+           way_stays_clear(way, station, space, body, middle, to, least, reach);
 }
 
 double way_clearance(const Way *way, const FreeSpace *space, const Rectangle *body, double reach) {

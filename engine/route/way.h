@@ -78,6 +78,21 @@ int way_places(const Way *way, size_t station);
 
 enum { WAY_MOST_BETWEEN = 6 };
 
+/* A place on the step from a station to the next one of its piece. */
+typedef struct WayPlace {
+    double part;      /* 1, of the step */
+    double clearance; /* m, of the body, up to some reach */
+} WayPlace;
+
+/* Returns the clearance of the body, m, up to `reach`, at `part` of the step from a station to the next one. */
+double way_clearance_between(const Way *way, size_t station, double part, const FreeSpace *space, const Rectangle *body,
+                             double reach);
+
+/* True if the body does not come nearer than `least` m to anything between two places of a step, to half a millimetre:
+ * while it moves straight ahead it comes no nearer than at both, and while it turns no nearer than its corners move. */
+bool way_stays_clear(const Way *way, size_t station, const FreeSpace *space, const Rectangle *body, WayPlace from,
+                     WayPlace to, double least, double reach);
+
 /* Returns the number of changes of direction. */
 int way_reversals(const Way *way);
 
