@@ -176,7 +176,7 @@ class Run:
         self.files = {str(p.relative_to(self.folder)): hashlib.sha256(self.content(p)).hexdigest()
                       for p in sorted(self.folder.rglob("*")) if p.is_file()}
         self.bytes = {f: (self.folder / f).read_bytes() for f in self.files
-                      if f.endswith((".csv", ".html", ".json", ".pdf", ".png", ".svg"))}
+                      if f.endswith((".csv", ".html", ".json", ".mp4", ".pdf", ".png", ".svg"))}
         self.summary = self.bytes.get("summary.json")
         shutil.rmtree(self.folder)
 
@@ -297,6 +297,18 @@ def png_ends_well(data):
     return kind == b"IEND" and at == len(data)
 
 
+def film_ends_well(data):
+    """True of boxes one after the other to the end of the file, the description of the film among them."""
+    at, kinds = 0, []
+    while at + 8 <= len(data):
+        size = int.from_bytes(data[at:at + 4], "big")
+        kinds.append(data[at + 4:at + 8])
+        if size < 8:
+            return False
+        at += size
+    return at == len(data) and b"moov" in kinds and b"mdat" in kinds
+
+
 def pdf_ends_well(data):
     found = re.search(rb"startxref\s+(\d+)\s+%%EOF\s*$", data)
     return data.startswith(b"%PDF-") and found is not None and re.match(rb"xref|\d+ \d+ obj", data[int(found[1]):]) is not None
@@ -406,6 +418,7 @@ def draws_less(file, run):
     data = run.bytes.get(file, b"")
     return DRAWS.match(run.failed_in) and (file.endswith(".png") and png_ends_well(data) or
                                            file.endswith(".pdf") and pdf_ends_well(data) or
+                                           file.endswith(".mp4") and film_ends_well(data) or
                                            file.endswith((".svg", ".html")) and data.rstrip().endswith((b"</svg>", b"</html>")))
 
 
