@@ -2,10 +2,11 @@
 
     inject.py PROGRAM LIBRARY [--full] [--only WORD]
 
-PROGRAM is built with -Dinject=true, LIBRARY is tests/support/failing.c. An interrupted verb says so with exit code 1, or
+PROGRAM is tests/clearance-interrupting of a build folder, LIBRARY its tests/failing.so. An interrupted verb says so with exit code 1, or
 gives the complete answer to the bit; it never says a no that the complete answer does not say. A verb that lacks memory
 or room on the disk says so with exit code 2 or 3, or gives the complete answer; under its final name no file is damaged.
-Without --full the points are the first and the last ones, and others at a stride."""
+Without --full the points are the first and the last ones, and others at a stride, and the paper's page, which takes
+minutes, is left out."""
 
 import concurrent.futures
 import hashlib
@@ -25,7 +26,6 @@ full = "--full" in sys.argv
 only = sys.argv[sys.argv.index("--only") + 1] if "--only" in sys.argv else ""
 source = pathlib.Path(os.environ.get("CLEARANCE_SOURCE", ".")).resolve()
 scratch = pathlib.Path(tempfile.mkdtemp())
-jobs = os.cpu_count() or 1
 failures = []
 
 
@@ -426,21 +426,12 @@ def points(name, count, ends, between):
     """All points up to `count`, or the first and last `ends` and `between` others at a stride; and the stride."""
     if full:
         ends, between = 40 * ends, 40 * between
-    if name == "paper" and not full:
-        return [1, 2, 1000, 10000, count // 50], count // 50  # the page takes long, so that it is not tried to its end
     if count <= 2 * ends + between:
         return list(range(1, count + 1)), 1
     stride = max(1, (count - 2 * ends) // (between + 1))
     chosen = {*range(1, ends + 1), *range(count - ends + 1, count + 1),
               *list(range(ends + stride, count - ends, stride))[:between]}
     return sorted(chosen), stride
-
-
-def try_all(kind, name, words, whole, chosen, judge, environment):
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        for n, run in zip(chosen[0], pool.map(lambda n: Run(words, **environment(n)), chosen[0])):
-            judge(name, n if kind == "poll" else f"{kind} {n}", run, whole)
-    return len(chosen[0])
 
 
 plan = written("plan.wkt", "POLYGON ((0 0, 6 0, 6 3, 0 3, 0 0))")
@@ -462,36 +453,41 @@ def budget(kind, name):
     return (1, 2) if few else (3, 5)
 
 
-def main():
-    totals = {kind: 0 for kind in KINDS}
-    for name, words in verbs.items():
-        if only not in name:
+def try_verb(name):
+    """Returns how many points of each kind were tried."""
+    words, counted, tried = verbs[name], {}, {}
+    for kind, (variable, word, more, _) in KINDS.items():
+        counted[kind] = Run(words, **more, **{variable: f"{word}:count"})
+    again = counted["poll"]  # counting changes nothing, but for what is said of the counts
+    whole = Run(words)
+    if whole.code not in (0, 1) or whole.out != again.out:
+        fail(name, "twice", f"exit code {whole.code}, or another answer the second time", whole)
+    whole.partial_files = {f for f in whole.files if whole.files[f] != again.files.get(f)}
+    said = []
+    for kind in counted:
+        variable, word, more, judge = KINDS[kind]
+        found = re.search(rf"{kind}s: (\d+)", counted[kind].err)
+        if not found:
+            fail(name, kind, "is not counted", counted[kind])
             continue
-        brief = name == "paper" and not full
-        whole = Run(words)
-        again = whole if brief else Run(words)
-        if whole.code not in (0, 1) or whole.out != again.out:
-            fail(name, "twice", f"exit code {whole.code}, or another answer the second time", whole)
-        whole.partial_files = {f for f in whole.files if whole.files[f] != again.files.get(f)}
-        tried = []
-        for kind, (variable, word, more, judge) in KINDS.items():
-            if brief and kind != "poll":
-                continue
-            counted = Run(words, **more, **{variable: f"{word}:count"})
-            found = re.search(rf"{kind}s: (\d+)", counted.err)
-            if not found:
-                fail(name, kind, "is not counted", counted)
-                continue
-            count = int(found[1])
-            if not count and (kind != "poll" or name not in computes_nothing):
-                fail(name, kind, "has no point", counted)
-            chosen = points(name, count, *budget(kind, name))
-            totals[kind] += try_all(kind, name, words, whole, chosen, judge,
-                                    lambda n: {**more, variable: f"{word}:{n}"})
-            tried.append(f"{len(chosen[0])} of {count} {kind}s, stride {chosen[1]}")
-        print(f"{name}: {'; '.join(tried)}", flush=True)
+        count = int(found[1])
+        if not count and (kind != "poll" or name not in computes_nothing):
+            fail(name, kind, "has no point", counted[kind])
+        chosen, stride = points(name, count, *budget(kind, name))
+        for n in chosen:
+            judge(name, n if kind == "poll" else f"{kind} {n}", Run(words, **more, **{variable: f"{word}:{n}"}), whole)
+        tried[kind] = len(chosen)
+        said.append(f"{len(chosen)} of {count} {kind}s, stride {stride}")
+    print(f"{name}: {'; '.join(said)}", flush=True)
+    return tried
+
+
+def main():
+    chosen = [name for name in verbs if only in name and (full or name != "paper")]
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        tried = list(pool.map(try_verb, chosen))
     shutil.rmtree(scratch)
-    print(f"{len(verbs)} verbs: " + ", ".join(f"{n} {kind}s" for kind, n in totals.items()) +
+    print(f"{len(chosen)} verbs: " + ", ".join(f"{sum(t.get(kind, 0) for t in tried)} {kind}s" for kind in KINDS) +
           f" in {sum(os.times()[:4]):.0f} CPU seconds")
     print(f"{len(failures)} failures")
     sys.exit(bool(failures))

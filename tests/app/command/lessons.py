@@ -42,19 +42,19 @@ with tempfile.TemporaryDirectory() as folder:
     # A script that expects what is not so is found out.
     copy = folder / "lessons"
     shutil.copytree(source / "assets/lessons", copy)
-    script = copy / "legal-no-way.script"
+    (folder / "beams").symlink_to(source / "assets/beams")
+    script = copy / "twice-the-push.script"
     script.write_text(script.read_text().replace("lesson.goal no", "lesson.goal yes", 1))
-    expect(1, "lesson", "check", str(copy / "legal-no-way.json"), says="lesson.goal is \"no\", expected yes")
+    expect(1, "lesson", "check", str(copy / "twice-the-push.json"), says="lesson.goal is \"no\", expected yes")
     script.write_text("key PageDown\n")
-    expect(1, "lesson", "check", str(copy / "legal-no-way.json"), says="no attempt at the task of step 4 fails")
+    expect(1, "lesson", "check", str(copy / "twice-the-push.json"), says="no attempt at the task of step 4 fails")
 
     # A right option or a sentence that a number no longer supports is found out.
-    told = json.loads((copy / "legal-no-way.json").read_text())
-    enough = next(number for number in told["numbers"] if number["name"] == "enough")
-    enough["set"] = "door.d3.width=0.79"
-    (copy / "legal-no-way.json").write_text(json.dumps(told))
-    expect(1, "lesson", "check", str(copy / "legal-no-way.json"),
-           says="the number \"enough\" is 0; the lesson holds only if it is at least 1")
+    told = json.loads((copy / "twice-the-push.json").read_text())
+    alone = next(number for number in told["numbers"] if number["name"] == "alone")
+    alone["high"] = 1.5
+    (copy / "twice-the-push.json").write_text(json.dumps(told))
+    expect(1, "lesson", "check", str(copy / "twice-the-push.json"), says="the lesson holds only if it is at most 1.5")
 
 # A script that changes what the lesson has locked is found out.
 with tempfile.TemporaryDirectory() as folder:

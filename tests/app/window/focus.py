@@ -62,7 +62,7 @@ check(found[0]["focus"] == "panel" and (found[0]["focus_help"] or "").startswith
       "7: Return on a selection goes to its first number or text", (found[0]["focus"], found[0]["focus_help"]))
 
 # a benchmark tells how busy the machine was, and takes no picture in which nothing moves for a moving one
-done = subprocess.run([stage.program, "open", stage.house("corner-0.90-0.90"), "--benchmark-window", "0.2"], text=True,
+done = subprocess.run([stage.program, "open", stage.house("corner-1.20-1.20"), "--benchmark-window", "0.2"], text=True,
                       capture_output=True, timeout=600,
                       env=stage.environment(stage.folder / "busy", SDL_VIDEODRIVER="offscreen"))
 check(re.search(r"used [0-9.]+ of [0-9]+ processors, load [0-9.]+$", done.stdout.strip()), "a benchmark says how busy the machine was",
@@ -77,7 +77,7 @@ name = "profile.manual-chair.width"
 for words in ("abc", "9e99", "-1", "", "1e400", "1,2,3", "nan", "0.6 kg"):
     found = act("number-" + "".join(c for c in words if c.isalnum()), "until complete", "pause", "key Tab", "wait 2", "key Return", "wait 2", "state STATE", "key Return", "wait 2", "key Ctrl+A",
                 f'type "{words}"' if words else "key Delete", "wait 2", "key Return", "wait 3", "state STATE", "picture FOLDER/wrong.png", "key Escape", "wait 2",
-                "key Escape", "wait 2", "state STATE", arguments=[stage.house("corner-0.90-0.90")])
+                "key Escape", "wait 2", "state STATE", arguments=[stage.house("corner-1.20-1.20")])
     check(found[1]["parameters"] == found[0]["parameters"], f"{words!r} is no number: nothing has changed")
     check(not found[2]["types"], f"{words!r}: Escape takes it back")
 

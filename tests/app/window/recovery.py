@@ -68,7 +68,7 @@ def edit_and_kill(writes, seconds):
     window.wait()
 
 
-turns, whole, found = 8, 0, 0
+turns, whole, found = 5, 0, 0
 for turn in range(turns):
     edit_and_kill(turn % 3 + 1, random.uniform(0, 0.5))
     for path in left():
