@@ -149,10 +149,21 @@ static bool hasten(const Decide *decide, Way *way, double margin, double *time) 
     return whole;
 }
 
+static bool turns_on_spot(const Way *way) {
+    bool turns = false;
+    for (size_t k = 0; k < way->piece_count; k++)
+        turns |= way->joints[k].turns;
+    return turns;
+}
+
 /* Makes a way that keeps a margin quicker, and keeps it if it is the best: one with the whole margin goes before one
  * that has hardly any. Takes the way over. Returns false if interrupted. */
 static bool improve(Decide *decide, Way *way, double margin) {
     const RouteQuery *query = decide->query;
+    if (query->rolls && turns_on_spot(way)) {
+        way_free(way);
+        return true;
+    }
     double time = hasten_time(way, query->space, decide->body, query->profile);
     bool whole = true;
     if (margin > decide->kept) {
@@ -386,7 +397,7 @@ static DecideAnswer decide_fresh(const RouteQuery *query, const Rectangle *body,
     if (whole && decide.confirmed == 0 && result == DECIDE_NONE) {
         SearchAnswer answer = search_truly(&decide, &proposal, pins);
         whole = answer != SEARCH_INTERRUPTED && (answer != SEARCH_FOUND || realise(&decide, &proposal));
-        if (whole && answer == SEARCH_FOUND && decide.confirmed == 0) {
+        if (whole && answer == SEARCH_FOUND && decide.confirmed == 0 && !query->rolls) {
             search_track_clear(track);
             *track = proposal;
             proposal = (SearchTrack){0};

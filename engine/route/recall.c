@@ -161,6 +161,7 @@ static Bytes make_key(const RecallQuestion *question) {
                               question->coarsely,
                               query->any,
                               query->whether,
+                              query->rolls,
                               query->most_reversals,
                               query->at.x,
                               query->at.y,

@@ -14,7 +14,7 @@
  *     l   length of a step, m                 m   the margin with an allowance, m
  *     C   RELAX_COMFORT
  *     d   signed clearance of the body from one face, at each station, at even parts of the step to the next one and
- *         where that comes nearest to something, and at the tightest headings of a turn on the spot. There is one
+ *         where that comes nearest to something, and at the tight headings of a turn on the spot. There is one
  *         term for every face, since between two opposite contacts the nearest alone would jump from one to the
  *         other.
  *
@@ -45,9 +45,9 @@
 
 enum {
     SITE_FACES = 24,
-    SPOTS = 8,
+    SPOTS = 48,
     BAND = 16,
-    MOST_TRIALS = 6,
+    MOST_TRIALS = 9,
     OWN_TERMS = 4,
     DIP_PARTS = 24,
     MOST_PLACES = WAY_MOST_BETWEEN + 3
@@ -135,7 +135,8 @@ static double nearest(const Relax *relax, size_t s, const Vec2 *spot, double low
     return (low + high) / 2;
 }
 
-/* Finds the headings of a turn on the spot at which the clearance has a local minimum. */
+/* Finds the headings of a turn on the spot at which the clearance has a local minimum, and some at which it is hardly
+ * more than the margin: else a step lowers those minima, and finds others in their place. */
 static void look_on_spot(Relax *relax, size_t piece) {
     const Joint *joint = &relax->way->joints[piece];
     Vec2 at = relax->way->stations[relax->way->pieces[piece].first].at;
@@ -143,10 +144,11 @@ static void look_on_spot(Relax *relax, size_t piece) {
     double step = (joint->out - joint->in) / parts, before = SIGHT, here = spot_clearance(relax, at, joint->in);
     for (int part = 0; part < parts && count < SPOTS; part++) {
         double heading = joint->in + part * step, after = spot_clearance(relax, at, heading + step);
-        if (here < SIGHT && here <= before && here <= after) {
+        bool least = here < SIGHT && here <= before && here <= after;
+        if (least || (part % 2 == 0 && here < relax->margin + NEARLY)) {
             size_t spot = piece * SPOTS + (size_t)count++;
             relax->headings[spot] =
-                part ? nearest(relax, 0, &at, heading - step, heading + step, HEADING_ERROR) : heading;
+                part && least ? nearest(relax, 0, &at, heading - step, heading + step, HEADING_ERROR) : heading;
             look(relax, &relax->spots[spot], at, vec2_heading(relax->headings[spot]));
         }
         before = here;

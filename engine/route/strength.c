@@ -87,26 +87,42 @@ void strength_test(Route *route, const Profile *profile, bool round) {
     *route = (Route){.answer = ROUTE_TOO_WEAK, .fits = true, .exit = exit, .blockage = worst};
 }
 
-/* Returns the way of somebody as strong as it takes. */
-static Route with_turns(const RouteQuery *query) {
+/* Returns the way of somebody as strong as it takes; `rolls`: one without a turn on the spot. */
+static Route with_turns(const RouteQuery *query, bool rolls) {
     Profile able = *query->profile;
     RouteQuery other = *query;
     strength_suffice(&able);
     other.profile = &able;
+    other.rolls = rolls;
     return route_drive(&other);
+}
+
+/* Puts in the place of a way with turns on the spot one that bends where a search with turns does turn, if the driver
+ * is strong enough for that. */
+static void bend_instead(Route *route, const RouteQuery *query) {
+    Route bending = with_turns(query, true);
+    strength_test(&bending, query->profile, false);
+    if (bending.answer == ROUTE_FOUND || bending.answer == ROUTE_INTERRUPTED) {
+        route_free(route);
+        *route = bending;
+    } else {
+        route_free(&bending);
+    }
 }
 
 Route strength_drive(const RouteQuery *query) {
     RouteQuery whether = *query;
     whether.any = whether.whether = true;
-    bool turns = query->profile->turning_moment >= pace_spot_moment(query->profile);
+    bool turns = query->profile->turning_moment >= pace_spot_moment(query->profile), bends = turns;
     Route route = turns ? route_drive(query) : route_drive(&whether);
     if (!turns && route.answer != ROUTE_INTERRUPTED && route.answer != ROUTE_NO_EXIT) {
-        bool bends = route.answer == ROUTE_FOUND;
+        bends = route.answer == ROUTE_FOUND;
         route_free(&route);
-        route = bends ? route_drive(query) : with_turns(query);
+        route = bends ? route_drive(query) : with_turns(query, false);
     }
     strength_test(&route, query->profile, false);
+    if (route.answer == ROUTE_TOO_WEAK && !bends)
+        bend_instead(&route, query);
     if (route.answer == ROUTE_TOO_WEAK && query->any) { /* the first way takes more than the quickest one */
         RouteQuery quickest = *query;
         quickest.any = false;
