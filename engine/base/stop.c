@@ -1,7 +1,5 @@
 #include "base/stop.h"
 
-#include <stddef.h>
-
 bool stop_requested(const Stop *stop) {
     return stop && __atomic_load_n(&stop->requested, __ATOMIC_RELAXED);
 }

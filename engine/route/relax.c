@@ -45,7 +45,8 @@
 
 enum {
     SITE_FACES = 24,
-    SPOTS = 48,
+    SPOTS = 96,      /* of a turn by half a circle all of which is tight, with its minima */
+    TIGHT_EVERY = 2, /* headings that are measured, of the tight ones one has terms */
     BAND = 16,
     MOST_TRIALS = 9,
     OWN_TERMS = 4,
@@ -145,7 +146,7 @@ static void look_on_spot(Relax *relax, size_t piece) {
     for (int part = 0; part < parts && count < SPOTS; part++) {
         double heading = joint->in + part * step, after = spot_clearance(relax, at, heading + step);
         bool least = here < SIGHT && here <= before && here <= after;
-        if (least || (part % 2 == 0 && here < relax->margin + NEARLY)) {
+        if (least || (part % TIGHT_EVERY == 0 && here < relax->margin + NEARLY)) {
             size_t spot = piece * SPOTS + (size_t)count++;
             relax->headings[spot] =
                 part && least ? nearest(relax, 0, &at, heading - step, heading + step, HEADING_ERROR) : heading;

@@ -341,10 +341,10 @@ static void search_drive(Route *route, const RouteQuery *query, const Legs *legs
         break;
     case DECIDE_NONE:
         route->fits = true;
-        whole = query->whether || explain_drive(route, query, legs, body, &tightest);
+        whole = query->whether || query->rolls || explain_drive(route, query, legs, body, &tightest);
         break;
     case DECIDE_TOO_NARROW:
-        whole = query->whether || explain_drive(route, query, legs, body, &tightest);
+        whole = query->whether || query->rolls || explain_drive(route, query, legs, body, &tightest);
         break;
     case DECIDE_INTERRUPTED:
         whole = false;

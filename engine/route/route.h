@@ -102,8 +102,8 @@ typedef struct RouteQuery {
     bool whether; /* True with `any` if only the yes or no matters: a way is the first one that is free, before it gets
                      comfortable, and a missing one has no blockage. A yes has a way that is swept free, also where
                      `any` alone would not have ended with it */
-    bool
-        rolls; /* True if the way must not turn on the spot; the search proposes such turns, for bends in their place */
+    bool rolls;   /* True if the way must not turn on the spot: what turns in the search has to become a bend. A missing
+                     way has no blockage */
     const Stop *stop;         /* requested: end with ROUTE_INTERRUPTED; NULL: never */
     Fields *fields;           /* cache shared with other queries; NULL: none, with the same result */
     struct Recall *recall;    /* answers of other houses, which may still hold (recall.h); NULL: none, with the same

@@ -17,8 +17,8 @@
 #include "route/route.h"
 
 /* Returns the way of a driver, as route_drive does, but ROUTE_TOO_WEAK where there is one for others alone: for a
- * driver who cannot turn on the spot it is searched without such turns. The blockage then has the place that lacks most
- * of what it needs. */
+ * driver who cannot turn on the spot it is searched without such turns, and then with turns that have to become bends.
+ * The blockage then has the place that lacks most of what it needs. */
 Route strength_drive(const RouteQuery *query);
 
 /* The same for a round body, as route_round does, which needs no moment. */

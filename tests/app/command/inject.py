@@ -2,11 +2,11 @@
 
     inject.py PROGRAM LIBRARY [--full] [--only WORD]
 
-PROGRAM is tests/clearance-interrupting of a build folder, LIBRARY its tests/failing.so. An interrupted verb says so with exit code 1, or
-gives the complete answer to the bit; it never says a no that the complete answer does not say. A verb that lacks memory
-or room on the disk says so with exit code 2 or 3, or gives the complete answer; under its final name no file is damaged.
-Without --full the points are the first and the last ones, and others at a stride, and the paper's page, which takes
-minutes, is left out."""
+PROGRAM is tests/clearance-interrupting of a build folder, LIBRARY its tests/failing.so. An interrupted verb says so with
+exit code 1, or gives the complete answer to the bit; it never says a no that the complete answer does not say. A verb
+that lacks memory or room on the disk says so with exit code 2 or 3, or gives the complete answer; under its final name no
+file is damaged. Without --full the points are the first and the last ones, and others at a stride, and the paper's page,
+which takes minutes, is left out."""
 
 import concurrent.futures
 import hashlib
