@@ -62,9 +62,25 @@ size_t house_file_drivers(const Options *options, const Plan *plan) {
     return (size_t)(options->drivers ? options->drivers : plan->drivers.count);
 }
 
+/* True if the house has people of a profile. */
+static bool has_people_of(const Plan *plan, const char *profile) {
+    bool any = false;
+    for (size_t p = 0; p < plan->person_count; p++)
+        any |= strcmp(plan->people[p].profile, profile) == 0;
+    for (size_t c = 0; c < plan->crowd_count; c++)
+        any |= strcmp(plan->crowds[c].profile, profile) == 0;
+    return any;
+}
+
 bool house_file_population(Population *population, const Options *options, const Plan *plan, Fault *fault) {
     PlanDrivers drivers = plan->drivers;
     if (options->population)
         drivers = (PlanDrivers){.population = options->population, .place = "clearance: "};
-    return shipped_population_read(population, &drivers, options->population ? NULL : plan->path, fault);
+    if (!shipped_population_read(population, &drivers, options->population ? NULL : plan->path, fault))
+        return false;
+    if (has_people_of(plan, population->profile))
+        return true;
+    fault_add(fault, "%sthe population %s varies the profile \"%s\", which nobody in this house has",
+              drivers.place ? drivers.place : "clearance: ", population->id, population->profile);
+    return false;
 }

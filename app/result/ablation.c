@@ -28,6 +28,11 @@ static int base_of(int variant) {
     return variant > ABLATION_PAPER ? ABLATION_PAPER : ABLATION_WHOLE;
 }
 
+/* True if the driver has a way to begin with. */
+static bool sets_off(const DriverRun *run) {
+    return !observation_reason_is_planned(run->reason) && run->reason != REASON_NO_EXIT;
+}
+
 static Tally tally_of(const Ablation *ablation, int variant, size_t person) {
     size_t count = ablation->drivers[variant].count;
     double *numbers = memory_zeroed(3 * count, sizeof *numbers);
@@ -41,7 +46,7 @@ static Tally tally_of(const Ablation *ablation, int variant, size_t person) {
         tally.back += run->varies ? run->back_length : 0;
         numbers[k] = run->varies && run->completed ? run->time : (double)NAN;
         numbers[count + k] = run->varies && run->contacts > 0 ? run->impact : (double)NAN;
-        numbers[2 * count + k] = run->varies ? run->narrowest : (double)NAN;
+        numbers[2 * count + k] = run->varies && sets_off(run) ? run->narrowest : (double)NAN;
     }
     tally.back /= (double)tally.all;
     tally.time = montecarlo_distribution(numbers, count);
@@ -172,7 +177,8 @@ static void say_touches(Text *text, const Tally *with, const Tally *without) {
 
 static void say_time(Text *text, const Pairing *pairing) {
     if (!isfinite(pairing->low))
-        text_add(text, "too few get out of both to compare times");
+        text_add(text, pairing->both ? "one driver gets out of both, too few for an interval of times"
+                                     : "nobody gets out of both, so that times are not compared");
     else if (fmax(fabs(pairing->low), fabs(pairing->high)) < SAME)
         text_add(text, "the same times to 0.01 s");
     else if (pairing->low <= 0 && pairing->high >= 0)

@@ -373,7 +373,7 @@ static void add_route(ResultTable *table, const House *house, const Observation 
     result_add(table, (ResultRow){.key = "deviation",
                                   .label = "deviation (b)",
                                   .kind = RESULT_NUMBER,
-                                  .number = measured ? observed.deviation : NAN,
+                                  .number = observed.runs > 1 ? observed.deviation : NAN,
                                   .unit = "s",
                                   .decimals = 2});
     result_add(table, (ResultRow){.key = "simulation",

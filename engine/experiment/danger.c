@@ -33,6 +33,7 @@ typedef struct Run {
     const Touch *touches; /* (count) */
     size_t count;
     bool hands; /* True if the driver has hands at the rims */
+    size_t driver;
 } Run;
 
 /* A place while it gathers touches. */
@@ -46,7 +47,7 @@ typedef struct Gathering {
     const House *house;
     Gathered *of; /* (count) */
     size_t count, capacity;
-    size_t run_count;
+    size_t run_count, driver_count;
 } Gathering;
 
 static Gathered *find_place(Gathering *gathering, const Touch *touch) {
@@ -58,7 +59,10 @@ static Gathered *find_place(Gathering *gathering, const Touch *touch) {
     }
     gathering->of = memory_reserve(gathering->of, &gathering->capacity, gathering->count + 1, sizeof *gathering->of);
     Gathered *new = &gathering->of[gathering->count++];
-    *new = (Gathered){.place = {.at = touch->at, .part = touch->part, .fastest = -1},
+    *new = (Gathered){.place = {.at = touch->at,
+                                .part = touch->part,
+                                .fastest = -1,
+                                .by = memory_zeroed(gathering->driver_count, sizeof *new->place.by)},
                       .speeds = memory_zeroed(gathering->run_count, sizeof *new->speeds)};
     for (size_t r = 0; r < gathering->run_count; r++)
         new->speeds[r] = (double)NAN;
@@ -72,11 +76,12 @@ static void name_place(const House *house, DangerPlace *place, const Touch *touc
         outline_place_name(&house->outline, &house->plan, touch->at, place->what, sizeof place->what);
 }
 
-static void gather(Gathering *gathering, size_t run, const Touch *touch) {
+static void gather(Gathering *gathering, size_t run, size_t driver, const Touch *touch) {
     Gathered *gathered = find_place(gathering, touch);
     DangerPlace *place = &gathered->place;
     bool first = isnan(gathered->speeds[run]);
     gathered->touched += first;
+    place->by[driver] = true;
     gathered->speeds[run] = first ? touch->speed : fmax(gathered->speeds[run], touch->speed);
     place->energy += touch->energy;
     place->impulse = fmax(place->impulse, touch->impulse);
@@ -102,13 +107,13 @@ static int by_danger(const void *a, const void *b) {
     return hands ? hands : energy ? energy : share ? share : speed;
 }
 
-static Danger rank(const House *house, const Run *runs, size_t count) {
-    Gathering gathering = {.house = house, .run_count = count};
+static Danger rank(const House *house, const Run *runs, size_t count, size_t drivers) {
+    Gathering gathering = {.house = house, .run_count = count, .driver_count = drivers};
     size_t with_hands = 0, met = 0;
     for (size_t r = 0; r < count; r++) {
         bool meets = false;
         for (size_t t = 0; t < runs[r].count; t++) {
-            gather(&gathering, r, &runs[r].touches[t]);
+            gather(&gathering, r, runs[r].driver, &runs[r].touches[t]);
             meets |= runs[r].touches[t].part == PART_HAND;
         }
         with_hands += runs[r].hands;
@@ -136,8 +141,9 @@ Danger danger_of_drivers(const House *house, const Drivers *drivers, size_t pers
     Run *runs = memory_zeroed(all, sizeof *runs);
     for (size_t r = 0; r < all; r++)
         if (drivers->runs[r].varies && (person == SIZE_MAX || r % drivers->person_count == person))
-            runs[count++] = (Run){drivers->touches[r], drivers->touch_counts[r], drivers->runs[r].hands};
-    Danger danger = rank(house, runs, count);
+            runs[count++] =
+                (Run){drivers->touches[r], drivers->touch_counts[r], drivers->runs[r].hands, r / drivers->person_count};
+    Danger danger = rank(house, runs, count, drivers->count);
     memory_free(runs);
     return danger;
 }
@@ -148,12 +154,14 @@ Danger danger_of_run(const House *house, const Observation *observation, size_t 
     for (size_t t = 0; t < observation->touch_count; t++)
         if (observation->touches[t].person == person)
             own[run.count++] = observation->touches[t];
-    Danger danger = rank(house, &run, 1);
+    Danger danger = rank(house, &run, 1, 1);
     memory_free(own);
     return danger;
 }
 
 void danger_free(Danger *danger) {
+    for (size_t p = 0; p < danger->count; p++)
+        memory_free(danger->places[p].by);
     memory_free(danger->places);
     *danger = (Danger){0};
 }

@@ -7,6 +7,7 @@
  * its own. */
 #pragma once
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "experiment/drivers.h"
@@ -25,6 +26,7 @@ typedef struct DangerPlace {
     double energy;  /* J, expected in a run */
     double impulse; /* N s, greatest of a touch */
     double squeeze; /* N, greatest */
+    bool *by;       /* (number of drivers) True for the drivers, of whichever person, who touch here */
 } DangerPlace;
 
 typedef struct Danger {

@@ -103,7 +103,8 @@ static bool is_free(const House *house, const Profile *profile, Vec2 at, double 
 /* Moves a person's start as far as the walls allow. */
 static void move_start(const House *house, Inhabitant *person, PopulationStart start) {
     for (double share = 1; share > 0.05; share /= 2) {
-        Vec2 at = vec2_along(person->at, share, vec2(start.x, start.y));
+        Vec2 moved = vec2_turn(vec2(start.x, start.y), vec2_heading(person->heading));
+        Vec2 at = vec2_along(person->at, share, moved);
         double heading = person->heading + share * start.heading;
         if (is_free(house, person->profile, at, heading)) {
             person->at = at;

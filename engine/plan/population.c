@@ -12,9 +12,28 @@
 static const char *const start_rows[] = {"start.x", "start.y", "start.heading"};
 enum { STARTS = sizeof start_rows / sizeof *start_rows };
 
-static const int primes[] = {2,  3,  5,  7,  11, 13, 17, 19, 23, 29, 31,  37,  41,  43,  47,
-                             53, 59, 61, 67, 71, 73, 79, 83, 89, 97, 101, 103, 107, 109, 113};
-enum { MOST_ROWS = sizeof primes / sizeof *primes };
+enum { MOST_ROWS = 30, GROUP_STREAM = MOST_ROWS - 1 };
+
+/* The rows and levels with the first streams, by which the sequence is spread best; all others follow them. */
+static const struct {
+    const char *name, *level;
+} first_streams[] = {{"body.width", "person"},
+                     {"body.length", "person"},
+                     {"body.hands", "person"},
+                     {"drive.free_speed", "person"},
+                     {"drive.free_speed", "run"},
+                     {"drive.steering_time", "person"},
+                     {"drive.steering_time", "run"},
+                     {"drive.caution", "person"},
+                     {"drive.turn_rate", "person"},
+                     {"drive.acceleration", "person"},
+                     {"drive.deceleration", "person"},
+                     {"drive.push", "person"},
+                     {"drive.turning_moment", "person"},
+                     {"drive.reaction", "person"},
+                     {"start.x", "run"},
+                     {"start.y", "run"},
+                     {"start.heading", "run"}};
 
 /* 1: neither end of a distribution is ever drawn. */
 static const double NEAREST_END = 1e-9;
@@ -78,6 +97,11 @@ static void read_row(Population *population, const JsonNode *node, Fault *fault)
         json_fault(node, fault, "a row has no \"provenance\" (where its numbers come from)");
     if (!(row->spread >= 0) || (row->law == LAW_LOGNORMAL && !(row->middle > 0)))
         json_fault(node, fault, "%s has no spread of at least 0, or no median above 0", row->name);
+    if (row->low > row->high)
+        json_fault(node, fault, "low is %g, must be at most high, %g", row->low, row->high);
+    for (const PopulationRow *other = population->rows; other < row; other++)
+        if (strcmp(other->name, row->name) == 0 && strcmp(other->level, row->level) == 0)
+            json_fault(node, fault, "%s has a second row of the level \"%s\"", row->name, row->level);
 }
 
 bool population_read(Population *population, const char *path, Fault *fault) {
@@ -124,11 +148,36 @@ void population_free(Population *population) {
     *population = (Population){0};
 }
 
+/* Returns the place of a row's stream in the sequence, which does not depend on the other rows of the file. */
+static size_t stream_of(const PopulationRow *row) {
+    size_t level = strcmp(row->level, "run") == 0, own = profile_table()->count;
+    for (size_t s = 0; s < sizeof first_streams / sizeof *first_streams; s++)
+        if (strcmp(first_streams[s].name, row->name) == 0 && strcmp(first_streams[s].level, row->level) == 0)
+            return s;
+    for (size_t s = 0; s < STARTS && !row->profile; s++)
+        own += strcmp(start_rows[s], row->name) == 0 ? s : 0;
+    if (row->profile)
+        own = (size_t)(row->profile - profile_table()->rows);
+    return MOST_ROWS + 2 * own + level;
+}
+
+/* Returns p_j, the j-th prime, from 0 on. */
+static int prime(size_t j) {
+    int number = 2;
+    for (size_t found = 0;; number++) {
+        bool divides = false;
+        for (int d = 2; d * d <= number && !divides; d++)
+            divides = number % d == 0;
+        if (!divides && found++ == j)
+            return number;
+    }
+}
+
 /* Returns the normal number of a stream, by its name and its place in the sequence. */
 static double drawn(const char *name, const char *level, size_t place, size_t driver, uint64_t seed) {
     uint64_t digest = digest_text(digest_text(digest_mix(DIGEST_START, (double)seed), name), level);
     double begin = (double)(digest >> 11) / 9007199254740992.0; /* 2^53 */
-    double at = begin + (double)driver * sqrt(primes[place % MOST_ROWS]);
+    double at = begin + (double)driver * sqrt(prime(place));
     return normal_quantile(real_clamp(at - floor(at), NEAREST_END, 1 - NEAREST_END));
 }
 
@@ -142,19 +191,25 @@ static double value_of(const PopulationRow *row, double z, double present) {
     return row->profile ? real_clamp(value, row->profile->low, row->profile->high) : value;
 }
 
+static void draw_row(const Population *population, const PopulationRow *row, size_t driver, uint64_t seed,
+                     Profile *profile, PopulationStart *start) {
+    double z = drawn(row->name, row->level, stream_of(row), driver, seed);
+    if (row->group)
+        z = sqrt(1 - population->correlation) * z +
+            sqrt(population->correlation) * drawn(row->group, "group", GROUP_STREAM, driver, seed);
+    double *field = row->profile                        ? (double *)((char *)profile + row->profile->offset)
+                    : strcmp(row->name, "start.x") == 0 ? &start->x
+                    : strcmp(row->name, "start.y") == 0 ? &start->y
+                                                        : &start->heading;
+    *field = value_of(row, z, *field);
+}
+
 PopulationStart population_draw(const Population *population, size_t driver, uint64_t seed, Profile *profile) {
+    static const char *const levels[] = {"person", "run"};
     PopulationStart start = {0};
-    for (size_t r = 0; r < population->count && driver > 0; r++) {
-        const PopulationRow *row = &population->rows[r];
-        double z = drawn(row->name, row->level, r, driver, seed);
-        if (row->group)
-            z = sqrt(1 - population->correlation) * z +
-                sqrt(population->correlation) * drawn(row->group, "group", MOST_ROWS - 1, driver, seed);
-        double *field = row->profile                        ? (double *)((char *)profile + row->profile->offset)
-                        : strcmp(row->name, "start.x") == 0 ? &start.x
-                        : strcmp(row->name, "start.y") == 0 ? &start.y
-                                                            : &start.heading;
-        *field = value_of(row, z, *field);
-    }
+    for (int l = 0; l < 2 && driver > 0; l++)
+        for (size_t r = 0; r < population->count; r++)
+            if (strcmp(population->rows[r].level, levels[l]) == 0)
+                draw_row(population, &population->rows[r], driver, seed, profile, &start);
     return start;
 }

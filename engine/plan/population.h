@@ -3,7 +3,7 @@
  *
  * Driver k of a seed takes, in the row with the j-th prime p_j, the quantile at frac(u + k sqrt(p_j)), u a number of
  * the seed and the row's name (Richtmyer's sequence): the first ten of a hundred are the ten, they are spread already,
- * and a row more disturbs no other. Rows of one group are correlated: z = sqrt(rho) z_group + sqrt(1 - rho) z_row.
+ * and neither a row more nor their order disturbs any other. Rows of one group are correlated: z = sqrt(rho) z_group + sqrt(1 - rho) z_row.
  * Driver 0 is the profile itself. */
 #pragma once
 
@@ -17,7 +17,7 @@ enum { DRIVERS_MOST = 10000 /* the streams of chance of the people of a house ar
 typedef enum PopulationLaw { LAW_LOGNORMAL, LAW_NORMAL, LAW_FACTOR } PopulationLaw;
 
 /* A row draws a value: lognormal(median, sigma of the logarithm), normal(mean, deviation), or a factor, lognormal(1,
- * sigma), on what the rows before it and the profile say. */
+ * sigma), on the profile's value or that of the row of the same name at the level "person". */
 typedef struct PopulationRow {
     const char *name;         /* "drive.free_speed", or a row of the start: "start.x", "start.y", "start.heading" */
     const Parameter *profile; /* the profile's row; NULL: of the start */
@@ -40,7 +40,7 @@ typedef struct Population {
 
 /* What a driver has of their own at the start of a run. */
 typedef struct PopulationStart {
-    double x, y;    /* m, added to the start */
+    double x, y;    /* m, ahead and to the left, in the frame of the chair at its start */
     double heading; /* rad, added to it */
 } PopulationStart;
 

@@ -257,7 +257,7 @@ static void inspect_space(Inspecting *inspecting, const RuleSet *set, const Rule
     bool latch = rule->what == RULE_LATCH_SPACE;
     double depth = latch ? LATCH_DEPTH : rule->least, beyond = latch ? rule->least : rule->beyond;
     DoorwaySpace space = doorway_space(inspecting->house, doorway, side, depth, beyond, rule->at_hinge);
-    bool deep = verdict_of(space.depth, depth) == RULE_PASSES, before = space.beyond > 0;
+    bool deep = verdict_of(space.depth, depth) == RULE_PASSES, before = space.beyond > INSPECTION_TOLERANCE;
     Finding finding = begin_finding(set, rule, inspecting->inspection->first_door + doorway->door);
     bool beside = latch || (!deep && before && beyond > 0);
     finding.requires = beside ? beyond : depth;

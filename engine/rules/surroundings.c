@@ -38,7 +38,8 @@ double surroundings_ray(const Surroundings *near, Vec2 from, Vec2 along, double 
         if (across == 0)
             continue;
         double s = vec2_cross(to, line) / across, t = vec2_cross(to, along) / across;
-        if (t >= 0 && t <= 1 && s > HAIR && s < best)
+        double beside = HAIR / vec2_length(line); /* 1: a ray at a joint of two faces meets one of them */
+        if (t >= -beside && t <= 1 + beside && s > HAIR && s < best)
             best = s;
     }
     return best;

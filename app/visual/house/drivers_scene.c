@@ -24,8 +24,9 @@ static const char *const letters[] = {"F", "S", "T", "H"}; /* of the body's part
 /* All places of one name. */
 typedef struct TouchRow {
     const char *name;
-    size_t touches;
+    bool *by;       /* (number of drivers) True for those who touch there, shared with its first place */
     double energy;  /* J, expected in a run */
+    double speed95; /* m/s, the greatest of its places */
     double fastest; /* m/s */
     int part;       /* BodyPart, of the fastest */
 } TouchRow;
@@ -42,14 +43,17 @@ static int by_energy(const void *a, const void *b) {
 
 /* Adds a place to the list, or to the row of its name: both jambs of a door are one thing, but hands stand apart.
  * Returns the new number of rows. */
-static size_t list_place(Scene *scene, const House *house, const DangerPlace *place, TouchRow *rows, size_t count) {
+static size_t list_place(Scene *scene, const House *house, const DangerPlace *place, size_t drivers, TouchRow *rows,
+                         size_t count) {
     const char *name = names_thing(house, place->what, place->at, &scene->arena);
     size_t r = 0;
     while (r < count && (strcmp(rows[r].name, name) != 0 || (rows[r].part == PART_HAND) != (place->part == PART_HAND)))
         r++;
     if (r == count)
-        rows[count++] = (TouchRow){.name = name, .part = place->part};
-    rows[r].touches += place->share.good;
+        rows[count++] = (TouchRow){.name = name, .by = place->by, .part = place->part};
+    for (size_t k = 0; k < drivers; k++)
+        rows[r].by[k] |= place->by[k];
+    rows[r].speed95 = fmax(rows[r].speed95, place->speed95);
     rows[r].energy += place->energy;
     if (place->fastest > rows[r].fastest) {
         rows[r].fastest = place->fastest;
@@ -58,13 +62,16 @@ static size_t list_place(Scene *scene, const House *house, const DangerPlace *pl
     return count;
 }
 
-/* Shows a row next to the plan: its name, its fastest impact, its share. */
+/* Shows a row next to the plan: its name, the speed below which 95 % of its impacts stay, its share of the drivers. */
 static void show_row(Scene *scene, const TouchRow *listed, size_t drivers) {
     SceneRow *row = scene_add_row(scene, ROW_DISC, listed->name);
     row->role = role_of(listed->fastest);
     row->mark = letters[listed->part];
-    row->cells[1] = scene_text(scene, "%.2f m/s", listed->fastest);
-    row->cells[2] = scene_text(scene, "%.0f %%", 100 * (double)listed->touches / (double)drivers);
+    size_t touching = 0;
+    for (size_t k = 0; k < drivers; k++)
+        touching += listed->by[k];
+    row->cells[1] = scene_text(scene, "%.2f m/s", listed->speed95);
+    row->cells[2] = scene_text(scene, "%.0f %%", 100 * (double)touching / (double)drivers);
 }
 
 void drivers_scene_add(Scene *scene, const House *house, const Drivers *drivers) {
@@ -77,7 +84,7 @@ void drivers_scene_add(Scene *scene, const House *house, const Drivers *drivers)
         const DangerPlace *place = &danger.places[p];
         double share = (double)place->share.good / (double)drivers->count;
         double radius = fmax(LARGEST * sqrt(fmin(share, 1)), SMALLEST);
-        row_count = list_place(scene, house, place, rows, row_count);
+        row_count = list_place(scene, house, place, drivers->count, rows, row_count);
         if (place->part == PART_HAND)
             continue;
         scene_add_discs(scene, role_of(place->fastest), radius, &place->at, 1);

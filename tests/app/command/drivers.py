@@ -96,6 +96,54 @@ def check_rest(place):
             check(nearest <= (0.8 - rest - 0.63) / 2 + 1e-6, "the chair sees the rest", nearest)
 
 
+def turned(plan, angle):
+    """Returns a house turned about the origin by an angle in degrees."""
+    cosine, sine = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+
+    def at(point):
+        return [cosine * point[0] - sine * point[1], sine * point[0] + cosine * point[1]]
+
+    for wall in plan["walls"]:
+        wall["points"] = [at(point) for point in wall["points"]]
+    for room in plan["rooms"]:
+        room["outline"] = [at(point) for point in room["outline"]]
+    for piece in plan["furniture"]:
+        piece.update(centre=at(piece["centre"]), angle=piece.get("angle", 0) + angle)
+    for person in plan["people"]:
+        person.update(at=at(person["at"]), heading=person.get("heading", 0) + angle)
+    for way_out in plan["exits"]:
+        way_out.update({"from": at(way_out["from"]), "to": at(way_out["to"])})
+    return plan
+
+
+def check_turned_rules(place):
+    """The verdicts of houses with spaces beside hinges, and with rays that end at joints of walls, do not turn with them."""
+    for name, angle, code in (("flat-0.910-module", 30, 1), ("flat-0.910-module", 210, 1), ("ube-techno-house", 30, 1)):
+        path = pathlib.Path(place, "turned.json")
+        path.write_text(json.dumps(turned(json.loads(pathlib.Path(house(name)).read_text()), angle)))
+
+        def findings(file):
+            return [((found["place"], found["rule"], found["verdict"]), found.get("has") or 0)
+                    for found in ask("rules", file, code=code)["findings"]]
+
+        straight, askew = findings(house(name)), findings(str(path))
+        same = [one[0] == other[0] and abs(one[1] - other[1]) < 0.002 for one, other in zip(straight, askew)]
+        check(len(straight) == len(askew) and all(same), f"{name} turned by {angle} degrees has the same findings")
+
+
+def check_populations(place):
+    """A population that fits nobody in the house is refused; a driver's draws do not depend on the order of the rows."""
+    population = json.loads((pathlib.Path(house("x")).parent.parent / "assets/populations/manual-jp.json").read_text())
+    electric, reverse = pathlib.Path(place, "electric.json"), pathlib.Path(place, "reverse.json")
+    electric.write_text(json.dumps({**population, "profile": "electric-chair"}))
+    expect(2, "run", house("straight-corridor"), "--drivers", "2", "--population", str(electric),
+           says='varies the profile "electric-chair", which nobody in this house has')
+    reverse.write_text(json.dumps({**population, "rows": population["rows"][::-1]}))
+    first, second = (ask("run", house("straight-corridor"), "--drivers", "3", *more)["drivers"]["people"]
+                     for more in ((), ("--population", str(reverse))))
+    check(first == second, "the order of the rows changes no driver")
+
+
 def check_loci(place):
     """The locus of a chair with other numbers tells them: speeds along the way tell the acceleration, too.
 
@@ -132,7 +180,7 @@ def check_loci(place):
 
 
 with tempfile.TemporaryDirectory() as folder:
-    for test in (check_asked, check_measured, check_rules, check_rest, check_loci):
+    for test in (check_asked, check_measured, check_rules, check_rest, check_turned_rules, check_populations, check_loci):
         where = pathlib.Path(folder, test.__name__)
         where.mkdir()
         test(str(where))

@@ -82,6 +82,37 @@ TEST(as_many_chairs_fit_round_a_corner_as_were_counted) {
     profile_free(&chair);
 }
 
+/* Rows in the opposite order, and a row that changes nothing, leave each driver as it is. */
+TEST(a_row_disturbs_no_other) {
+    Profile chair = manual_chair();
+    Population population = shipped("manual-jp"), changed = shipped("manual-jp");
+    PopulationRow *rows = memory_zeroed(population.count + 1, sizeof *rows);
+    rows[0] = population.rows[0];
+    rows[0].name = "body.mass";
+    for (size_t r = 0; r < profile_table()->count; r++)
+        if (strcmp(profile_table()->rows[r].name, "body.mass") == 0)
+            rows[0].profile = &profile_table()->rows[r];
+    rows[0].law = LAW_FACTOR;
+    rows[0].middle = 1;
+    rows[0].spread = 0;
+    rows[0].low = -HUGE_VAL;
+    rows[0].high = HUGE_VAL;
+    for (size_t r = 0; r < population.count; r++)
+        rows[population.count - r] = population.rows[r];
+    memory_free(changed.rows);
+    changed.rows = rows;
+    changed.count = population.count + 1;
+    for (size_t k = 1; k <= 50; k++) {
+        Profile one = chair, other = chair;
+        PopulationStart start = population_draw(&population, k, 1, &one);
+        PopulationStart moved = population_draw(&changed, k, 1, &other);
+        CHECK(memcmp(&one, &other, sizeof one) == 0 && memcmp(&start, &moved, sizeof start) == 0);
+    }
+    population_free(&changed);
+    population_free(&population);
+    profile_free(&chair);
+}
+
 TEST(bad_populations_are_told_with_their_places) {
     Population population = {0};
     Fault fault = {0};
@@ -91,7 +122,8 @@ TEST(bad_populations_are_told_with_their_places) {
     CHECK(!population_read(&population, scratch_source("tests/data/bad/populations/rows.json"), &fault));
     static const char *const told[] = {"no \"profile\"",     "row is \"body.breadth\"", "law is \"uniform\"",
                                        "level is \"crowd\"", "mean must be a number",   "no spread of at least 0",
-                                       "\"spread\"",         "no \"provenance\"",       "a row must be an object"};
+                                       "\"spread\"",         "no \"provenance\"",       "a row must be an object",
+                                       "a second row",       "low is 80, must be"};
     for (size_t t = 0; t < sizeof told / sizeof *told; t++) {
         bool found = false;
         for (size_t f = 0; f < fault.count; f++)
