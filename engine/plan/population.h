@@ -3,7 +3,8 @@
  *
  * Driver k of a seed takes, in the row with the j-th prime p_j, the quantile at frac(u + k sqrt(p_j)), u a number of
  * the seed and the row's name (Richtmyer's sequence): the first ten of a hundred are the ten, they are spread already,
- * and neither a row more nor their order disturbs any other. Rows of one group are correlated: z = sqrt(rho) z_group + sqrt(1 - rho) z_row.
+ * and neither a row more nor the order of the rows disturbs any other. Rows of one group are correlated:
+ * z = sqrt(rho) z_group + sqrt(1 - rho) z_row.
  * Driver 0 is the profile itself. */
 #pragma once
 
