@@ -19,14 +19,15 @@ json_t *answer_house(const House *house, const Observation *observation) {
     Census census = census_make(house, observation);
     bool unknown = observation->interrupted && !observation->completed;
     json_t *answer = json_pack(
-        "{s:s, s:s, s:s, s:I, s:f, s:I, s:o*, s:o, s:o, s:o, s:o, s:o, s:s}", "kind", "house", "house",
+        "{s:s, s:s, s:s, s:I, s:f, s:I, s:o*, s:o, s:o, s:o, s:o, s:o, s:o, s:s}", "kind", "house", "house",
         house->plan.name, "note", house->plan.note, "seed", (json_int_t)house->seed, "dt", observation->dt, "steps",
         (json_int_t)observation->steps, "completed", unknown ? NULL : json_boolean(observation->completed), "time",
         isfinite(observation->time) ? json_real(round(observation->time * 1e6) / 1e6) : json_null(), "people",
         result_json_take_list(result_house_people(house, observation)), "crowds",
         result_json_take_list(result_house_parties(house, &census, true)), "routes",
         result_json_take_list(result_house_routes(house, observation)), "hazards",
-        result_json_take_list(result_house_hazards(observation)), "digest", digest);
+        result_json_take_list(result_house_hazards(observation)), "hindrances",
+        result_json_take_list(result_house_hindrances(house, observation)), "digest", digest);
     census_clear(&census);
     answer_mark_interrupted(answer, observation->interrupted);
     return answer;
@@ -67,10 +68,10 @@ static void add_stuck(Text *text, const House *house, const Observation *observa
         text_format(text, "and %zu more\n", stuck - listed);
 }
 
-void answer_text_add(Text *text, const House *house, const Observation *observation) {
+void answer_text_add(Text *text, const House *house, const Observation *observation, const char *more) {
     Arena arena = {0};
     Census census = census_make(house, observation);
-    text_format(text, "%s\n", headline_sentence(house, observation, &arena));
+    text_format(text, "%s%s%s\n", headline_sentence(house, observation, &arena), *more ? "; " : "", more);
     text_format(text, *house->plan.note ? "%s: %s\n" : "%s\n", house->plan.name, house->plan.note);
     if (census.people > CENSUS_ROWS) {
         result_text_take(text, "", result_house_parties(house, &census, false));
@@ -79,14 +80,14 @@ void answer_text_add(Text *text, const House *house, const Observation *observat
         result_text_take(text, "", result_house_people(house, observation));
     }
     result_text_take(text, "", result_house_routes(house, observation));
-    result_text_take(text, "", result_house_hazards(observation));
+    result_text_take(text, "", result_house_hindrances(house, observation));
     census_clear(&census);
     arena_clear(&arena);
 }
 
-void answer_text_print(const House *house, const Observation *observation) {
+void answer_text_print(const House *house, const Observation *observation, const char *more) {
     Text text = {0};
-    answer_text_add(&text, house, observation);
+    answer_text_add(&text, house, observation, more);
     output_text(&text);
     memory_free(text.text);
 }

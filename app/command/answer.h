@@ -20,8 +20,9 @@ void answer_print(json_t *answer);
 /* Writes it as summary.json is written, beside and renamed. 0, or errno. */
 int answer_write(const json_t *answer, const char *path);
 
-/* Adds answer, people (of many the sums, and some of those who are not out), routes and dangerous points. */
-void answer_text_add(Text *text, const House *house, const Observation *observation);
+/* Adds the answer, followed by `more` unless that is "", people (of many the sums, and some of those who are not out),
+ * routes and tight places. */
+void answer_text_add(Text *text, const House *house, const Observation *observation, const char *more);
 
 /* Prints the same on standard output. */
-void answer_text_print(const House *house, const Observation *observation);
+void answer_text_print(const House *house, const Observation *observation, const char *more);

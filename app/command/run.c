@@ -136,10 +136,21 @@ static void print_drivers(const House *house, const Observation *observation, co
     memory_free(text.text);
 }
 
-static void print_grades(const House *house, const Grade *grades) {
+static void print_answer(const House *house, const Observation *observation, ReportedDrivers fleets) {
+    Arena arena = {0};
+    answer_text_print(house, observation, result_drivers_headline(house, fleets.drivers, fleets.grades, &arena));
+    arena_clear(&arena);
+}
+
+static void print_grades(const House *house, const Drivers *drivers, const Grade *grades) {
     Text text = {0};
     result_text_take(&text, "how tight the ways are\n", result_check_grades(house, grades));
     result_text_take(&text, "", result_check_grade_places(house, grades));
+    Text contradictions = {0};
+    result_drivers_say_grades(&contradictions, house, drivers, grades);
+    if (contradictions.used)
+        text_format(&text, "\n%s", contradictions.text);
+    memory_free(contradictions.text);
     if (text.text)
         output_text(&text);
     memory_free(text.text);
@@ -212,11 +223,11 @@ int command_run(const Options *options) {
     if (options->json)
         print_json(&house, &observation, fleets, interrupted);
     else
-        answer_text_print(&house, &observation);
+        print_answer(&house, &observation, fleets);
     if (drivers.count && !options->json)
         print_drivers(&house, &observation, &drivers, &population);
     if (fleets.grades && !options->json)
-        print_grades(&house, fleets.grades);
+        print_grades(&house, &drivers, fleets.grades);
     if (options->out && written && !options->json)
         printf(options->report ? "\nreport.html, report.pdf, pictures and data are in %s\n"
                                : "\npictures and data are in %s\n",

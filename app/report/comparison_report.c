@@ -114,12 +114,12 @@ static void add_routes(Document *document, const Reported runs[2]) {
 /* The rest --------------------------------------------------------------------------------------------------------- */
 
 static void add_hazards(Document *document, const Reported runs[2]) {
-    document_add_heading(document, 2, "Dangerous points");
+    document_add_heading(document, 2, "Tight places");
     for (int r = 0; r < 2; r++)
         if (runs[r].observation->hazard_count)
             report_places_add_table(
                 document, runs[r].house, runs[r].observation,
-                document_text(document, "%s: %s, worst first", names[r], house_report_name(runs[r].house)));
+                document_text(document, "%s: %s, by the time lost", names[r], house_report_name(runs[r].house)));
         else
             document_add_paragraph(
                 document,

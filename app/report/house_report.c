@@ -27,7 +27,7 @@ static const char *caption_of(Document *document, const Reported *run) {
     return document_text(document,
                          moved ? "%s, seen from above, with the routes that people took.%s%s%s%s"
                                : "%s, seen from above.%s%s%s%s",
-                         house_report_name(run->house), observation->hazard_count ? " Numbers: dangerous points." : "",
+                         house_report_name(run->house), observation->hazard_count ? " Numbers: tight places." : "",
                          rings ? " Dashed outlines: personal space, thick where it is compressed." : "",
                          crowd ? " Grey discs: starts of people on foot; coloured lines: chairs, by profile." : "",
                          !crowd || observation->completed ? ""

@@ -163,6 +163,11 @@ void report_drivers_add(Document *document, const char *name, const Reported *ru
                                          "A (easy) to F (impossible), are assumed.");
     }
     result_page_take_named(document, NULL, house, grades);
+    Text contradictions = {0};
+    result_drivers_say_grades(&contradictions, house, of->drivers, of->grades);
+    if (contradictions.used)
+        document_add_paragraph(document, document_text(document, "%s", contradictions.text));
+    memory_free(contradictions.text);
     ResultTable places = result_check_grade_places(house, of->grades);
     if (places.record_count)
         document_add_paragraph(document,

@@ -9,6 +9,7 @@
 #include "result/house.h"
 #include "result/names.h"
 #include "result/page.h"
+#include "result/tight.h"
 
 #define DETAIL_WIDTH 3.2 /* m, across a picture of a place */
 #define DETAIL_HEIGHT 2.5
@@ -82,7 +83,7 @@ void report_places_add_stops(Document *document, const House *house, const Obser
     census_clear(&census);
 }
 
-/* Dangerous points ------------------------------------------------------------------------------------------------- */
+/* Tight places ----------------------------------------------------------------------------------------------------- */
 
 static void add_text(Text *text, const char *label) {
     text_add(text, text->used ? "; " : "");
@@ -123,10 +124,12 @@ static const char *format_hazard(Document *document, const House *house, const H
 
 void report_places_add_table(Document *document, const House *house, const Observation *observation,
                              const char *caption) {
-    ResultTable table = result_house_hazards(observation);
-    for (size_t h = 0; h < table.record_count; h++) {
-        const Hazard *hazard = &observation->hazards[h];
-        ((ResultRow *)result_find(&table, h, "what"))->text =
+    ResultTable table = result_house_hindrances(house, observation);
+    Tight places[HAZARDS_MOST];
+    tight_all(house, observation, places);
+    for (size_t i = 0; i < table.record_count; i++) {
+        const Hazard *hazard = &observation->hazards[places[i].hazard];
+        ((ResultRow *)result_find(&table, i, "what"))->text =
             names_thing(house, hazard->what, hazard->at, &table.arena);
     }
     result_page_take(document, caption, table);
@@ -134,7 +137,7 @@ void report_places_add_table(Document *document, const House *house, const Obser
 
 void report_places_add_hazards(Document *document, const House *house, const Observation *observation) {
     const RunSettings *run = &house->plan.run;
-    document_add_heading(document, 2, "Dangerous points");
+    document_add_heading(document, 2, "Tight places");
     if (observation->time <= 0) {
         document_add_paragraph(document, "None is known: nobody could start.");
         return;
@@ -151,15 +154,19 @@ void report_places_add_hazards(Document *document, const House *house, const Obs
         document, house, observation,
         document_text(
             document,
-            "Worst first. The clearance is that of the route that is driven: a body may pass close to an obstacle "
-            "although there is room. The score adds the missing clearance relative to %g m, "
-            "the force relative to %g N and the lost time relative to %g s; reaching one of these levels counts as 1. "
-            "Lost time: sum over all people who pass.",
+            "Listed by the time lost by all people who pass. The clearance is that of the route that is driven: a body "
+            "may pass close to an obstacle although there is room. A place is listed from a clearance below %g m, a "
+            "contact above %g N or %g s of lost time on.",
             run->clearance_warning, run->force_warning, run->loss_warning));
-    for (size_t h = 0; h < observation->hazard_count && h < PICTURES_MOST; h++) {
-        const Hazard *hazard = &observation->hazards[h];
-        add_detail(document, house, observation, h, hazard->at, format_hazard(document, house, hazard, h + 1),
-                   document_text(document, "Detail of the plan round dangerous point %zu, %s", h + 1,
-                                 names_thing(house, hazard->what, hazard->at, &document->arena)));
+    Tight places[HAZARDS_MOST];
+    size_t count = tight_all(house, observation, places);
+    for (size_t i = 0; i < count && i < PICTURES_MOST; i++) {
+        Hazard hazard = observation->hazards[places[i].hazard];
+        hazard.clearance = places[i].clearance;
+        hazard.peak_force = places[i].peak_force;
+        hazard.lost_time = places[i].lost_time;
+        add_detail(document, house, observation, i, hazard.at, format_hazard(document, house, &hazard, i + 1),
+                   document_text(document, "Detail of the plan round tight place %zu, %s", i + 1,
+                                 names_thing(house, hazard.what, hazard.at, &document->arena)));
     }
 }

@@ -1,4 +1,4 @@
-/* The part of a report about places: where people are stopped, and the dangerous points, each with a picture. */
+/* The part of a report about places: where people are stopped, and the tight places, each with a picture. */
 #pragma once
 
 #include "document/document.h"
@@ -7,6 +7,6 @@
 void report_places_add_stops(Document *document, const House *house, const Observation *observation);
 void report_places_add_hazards(Document *document, const House *house, const Observation *observation);
 
-/* Adds a table of all hazards. */
+/* Adds a table of all tight places. */
 void report_places_add_table(Document *document, const House *house, const Observation *observation,
                              const char *caption);

@@ -468,15 +468,37 @@ static const char *from_to(double low, double high, Arena *arena) {
     return text_in_arena(arena, high - low < 0.5 ? "%.0f" : "%.0f to %.0f", low, high);
 }
 
+/* 1: from this share of touches on, a grade that does not expect them is contradicted. */
+static const double CONTRADICTED = 0.10;
+
+/* True if the drivers of a person touch more often than the grade of the person's way says. */
+static bool contradicts(const Fleet *fleet, const Grade *grade) {
+    return fleet->count > 0 && grade->letter <= GRADE_C && fleet->touch.value >= CONTRADICTED;
+}
+
+void result_drivers_say_grades(Text *text, const House *house, const Drivers *drivers, const Grade *grades) {
+    for (size_t i = 0; i < drivers->person_count && drivers->count; i++) {
+        Fleet fleet = fleet_of(house, drivers, i);
+        if (contradicts(&fleet, &grades[i]))
+            text_format(text,
+                        "%s  grade %s, %s, is that of the room alone: %.0f %% of the drivers touch something (%.0f to "
+                        "%.0f)\n",
+                        house->people[i].id, grade_letter(grades[i].letter), grade_words(grades[i].letter),
+                        100 * fleet.touch.value, 100 * fleet.touch.low, 100 * fleet.touch.high);
+    }
+}
+
 const char *result_drivers_headline(const House *house, const Drivers *drivers, const Grade *grades, Arena *arena) {
     Text text = {0};
     size_t people = 0;
     double out[2] = {HUGE_VAL, 0}, touch[2] = {HUGE_VAL, 0}, count = 0;
     Fleet fleet = {.count = 0};
+    bool contradicted = false;
     for (size_t i = 0; i < drivers->person_count && drivers->count; i++) {
         Fleet next = fleet_of(house, drivers, i);
         if (!next.count)
             continue;
+        contradicted |= grades && contradicts(&next, &grades[i]);
         fleet = next;
         people++;
         count = (double)fleet.count;
@@ -494,8 +516,8 @@ const char *result_drivers_headline(const House *house, const Drivers *drivers, 
     for (size_t i = 0; grades && i < house->person_count; i++)
         worst = grades[i].letter > worst ? grades[i].letter : worst;
     if (worst >= 0)
-        text_format(&text, "%s%s %s", people ? ", " : "", house->person_count > 1 ? "worst grade" : "grade",
-                    grade_letter(worst));
+        text_format(&text, "%s%s %s%s", people ? ", " : "", house->person_count > 1 ? "worst grade" : "grade",
+                    grade_letter(worst), contradicted ? " by room alone" : "");
     const char *said = text_in_arena(arena, "%s", text.text ? text.text : "");
     memory_free(text.text);
     return said;

@@ -37,8 +37,13 @@ void result_drivers_paired_say(Text *text, const House houses[2], const Drivers 
 const char *result_drivers_brief(const House *house, const Drivers *drivers, size_t person, Arena *arena);
 
 /* Returns what the drivers add to the nominal answer, "65 of 100 drivers get out, 32 % touch something, 28.9 s in the
- * mean, grade D", in the arena; "": no drivers, and `grades` (person_count) is NULL. */
+ * mean, grade D", in the arena; "": no drivers, and `grades` (person_count) is NULL. A grade that the drivers
+ * contradict reads "grade C by room alone". */
 const char *result_drivers_headline(const House *house, const Drivers *drivers, const Grade *grades, Arena *arena);
+
+/* Adds a sentence for each person whose grade is C or better though at least 10 % of the drivers touch something;
+ * `grades` is (person_count). */
+void result_drivers_say_grades(Text *text, const House *house, const Drivers *drivers, const Grade *grades);
 
 /* Adds a sentence for each person: "p-a  13.0 s; 9 of 10 drivers 11.9 to 15.2 s; 97 of 100 out; 12 % touch (7 to 20)".
  */

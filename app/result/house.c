@@ -5,6 +5,7 @@
 #include "house/touch.h"
 #include "plan/observed_times.h"
 #include "result/census.h"
+#include "result/tight.h"
 
 static const char *exit_id(const House *house, size_t exit) {
     return exit < house->plan.exit_count ? house->plan.exits[exit].id : NULL;
@@ -406,47 +407,67 @@ ResultTable result_house_routes(const House *house, const Observation *observati
     return table;
 }
 
-/* Dangerous points --------------------------------------------------------------------------------------------------
+/* Tight places and dangerous points
+ * --------------------------------------------------------------------------------------------------
  */
 
-static void add_hazard(ResultTable *table, const Observation *observation, size_t h) {
-    const Hazard *hazard = &observation->hazards[h];
-    const char *at = text_in_arena(&table->arena, "(%.2f, %.2f)", hazard->at.x, hazard->at.y);
-    result_add(table, (ResultRow){.label = "rank", .text = text_in_arena(&table->arena, "%zu", h + 1)});
-    result_add(table, (ResultRow){.key = "x", .kind = RESULT_NUMBER, .number = hazard->at.x});
-    result_add(table, (ResultRow){.key = "y", .kind = RESULT_NUMBER, .number = hazard->at.y});
-    result_add(table, (ResultRow){.key = "what", .label = "dangerous point", .text = hazard->what});
-    result_add(table, (ResultRow){.label = "at", .text = at, .unit = "m"});
-    result_add(
-        table,
-        (ResultRow){.key = "score", .label = "score", .kind = RESULT_NUMBER, .number = hazard->score, .decimals = 1});
+static void add_costs(ResultTable *table, double clearance, double peak_force, double lost_time) {
     result_add(table, (ResultRow){.key = "clearance",
                                   .label = "clearance",
                                   .kind = RESULT_NUMBER,
-                                  .number = hazard->clearance,
+                                  .number = clearance,
                                   .unit = "m",
                                   .decimals = 3});
     result_add(table, (ResultRow){.key = "peak_force",
                                   .label = "hardest contact",
                                   .head = "hardest",
                                   .kind = RESULT_NUMBER,
-                                  .number = hazard->peak_force,
+                                  .number = peak_force,
                                   .unit = "N",
-                                  .unknown = !(hazard->peak_force > 0)});
+                                  .unknown = !(peak_force > 0)});
     result_add(table, (ResultRow){.key = "lost_time",
                                   .label = "lost time",
                                   .head = "lost",
                                   .kind = RESULT_NUMBER,
-                                  .number = hazard->lost_time,
+                                  .number = lost_time,
                                   .unit = "s",
                                   .decimals = 1});
+}
+
+static void add_hindrance(ResultTable *table, const Observation *observation, size_t rank, const Tight *tight) {
+    const Hazard *hazard = &observation->hazards[tight->hazard];
+    const char *at = text_in_arena(&table->arena, "(%.2f, %.2f)", hazard->at.x, hazard->at.y);
+    result_add(table, (ResultRow){.label = "rank", .text = text_in_arena(&table->arena, "%zu", rank)});
+    result_add(table, (ResultRow){.key = "x", .kind = RESULT_NUMBER, .number = hazard->at.x});
+    result_add(table, (ResultRow){.key = "y", .kind = RESULT_NUMBER, .number = hazard->at.y});
+    result_add(table, (ResultRow){.key = "what", .label = "tight place", .text = hazard->what});
+    result_add(table, (ResultRow){.label = "at", .text = at, .unit = "m"});
+    add_costs(table, tight->clearance, tight->peak_force, tight->lost_time);
+    result_end(table);
+}
+
+ResultTable result_house_hindrances(const House *house, const Observation *observation) {
+    ResultTable table = {0};
+    Tight places[HAZARDS_MOST];
+    size_t count = tight_all(house, observation, places);
+    for (size_t i = 0; i < count; i++)
+        add_hindrance(&table, observation, i + 1, &places[i]);
+    return table;
+}
+
+static void add_hazard(ResultTable *table, const Hazard *hazard) {
+    result_add(table, (ResultRow){.key = "x", .kind = RESULT_NUMBER, .number = hazard->at.x});
+    result_add(table, (ResultRow){.key = "y", .kind = RESULT_NUMBER, .number = hazard->at.y});
+    result_add(table, (ResultRow){.key = "what", .text = hazard->what});
+    result_add(table, (ResultRow){.key = "score", .kind = RESULT_NUMBER, .number = hazard->score, .decimals = 1});
+    add_costs(table, hazard->clearance, hazard->peak_force, hazard->lost_time);
     result_end(table);
 }
 
 ResultTable result_house_hazards(const Observation *observation) {
     ResultTable table = {0};
     for (size_t h = 0; h < observation->hazard_count; h++)
-        add_hazard(&table, observation, h);
+        add_hazard(&table, &observation->hazards[h]);
     return table;
 }
 

@@ -17,6 +17,10 @@ ResultTable result_house_parties(const House *house, const Census *census, bool 
  * ((c) - (a)) / (a). */
 ResultTable result_house_routes(const House *house, const Observation *observation);
 
+/* A record for each tight place (tight.h) of a run, whichever costs most time first: all hindrances. Touches are ranked
+ * apart (danger.h). */
+ResultTable result_house_hindrances(const House *house, const Observation *observation);
+
 /* A record for each dangerous point, the worst first. */
 ResultTable result_house_hazards(const Observation *observation);
 

@@ -42,10 +42,15 @@ static size_t gather(const House *house, const Observation *observation, Tight a
     return count;
 }
 
+size_t tight_all(const House *house, const Observation *observation, Tight places[HAZARDS_MOST]) {
+    size_t count = gather(house, observation, places);
+    qsort(places, count, sizeof *places, compare);
+    return count;
+}
+
 size_t tight_places(const House *house, const Observation *observation, Tight places[TIGHT_MOST]) {
     Tight all[HAZARDS_MOST];
-    size_t count = gather(house, observation, all);
-    qsort(all, count, sizeof *all, compare);
+    size_t count = tight_all(house, observation, all);
     count = count < TIGHT_MOST ? count : TIGHT_MOST;
     memcpy(places, all, count * sizeof *all);
     return count;

@@ -1,5 +1,5 @@
-/* The tight places of a run in the order in which pictures and the window list them: one for each thing, whichever
- * costs most time first. In a crowd a wall along several rooms is one place for each room. */
+/* The tight places of a run in the order in which pictures, tables and the window list them: one for each thing,
+ * whichever costs most time first. In a crowd a wall along several rooms is one place for each room. */
 #pragma once
 
 #include "base/memory.h"
@@ -16,6 +16,9 @@ typedef struct Tight {
 
 /* Writes the places that are listed, the first ones first; returns their number. */
 size_t tight_places(const House *house, const Observation *observation, Tight places[TIGHT_MOST]);
+
+/* Writes all places in the same order; returns their number. */
+size_t tight_all(const House *house, const Observation *observation, Tight places[HAZARDS_MOST]);
 
 /* Returns the number of all places, also of those that are not listed. */
 size_t tight_count(const House *house, const Observation *observation);

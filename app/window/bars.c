@@ -183,7 +183,7 @@ static double show_place_button(Window *window, Tab *tab, Box bar, bool stale) {
         return bar.high.x - MARGIN;
     double left = bar.high.x - MARGIN - width, y = middle_of(bar).y, half = fmin(SHOW_HEIGHT, box_height(bar) - 8) / 2;
     ui_at(window->ui, (Box){{left, y - half}, {left + width, y + half}});
-    UiButton button = {.label = label, .help = "Show place: Select the most dangerous point and go to 2 s before it"};
+    UiButton button = {.label = label, .help = "Show place: Select the tightest place and go to 2 s before it"};
     if (ui_button(window->ui, &button))
         act_show_place(window);
     return left - GAP;

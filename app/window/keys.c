@@ -47,7 +47,7 @@ static const KeyRow table[] = {
     {ACTION_EDIT_NUMBERS, KEY_VIEW, "Return", MENU_EDIT, "Numbers", "Edit the numbers of the selection", NULL},
     {ACTION_USE_CURSOR, KEY_PLOT, "Return", MENU_NONE, "Set corner", "Set a corner of the zoom box", NULL},
     {ACTION_NEXT_THING, KEY_VIEW, "Tab", MENU_EDIT, "Next object",
-     "Select the next person, dangerous point, door, piece of furniture, wall or exit", "objects"},
+     "Select the next person, tight place, door, piece of furniture, wall or exit", "objects"},
     {ACTION_PREVIOUS_THING, KEY_VIEW, "Shift+Tab", MENU_EDIT, "Previous object", "Select the previous object", NULL},
     {ACTION_KEEP, KEY_CANVAS, "K", MENU_EDIT, "Save for comparison",
      "Save this run and show it behind the following ones", "compare"},

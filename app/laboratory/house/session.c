@@ -466,7 +466,7 @@ static const char *const layer_meanings[LAYERS] = {
     [LAYER_LOCI] = "The paths so far, with a tick for each second and earlier outlines of the bodies.",
     [LAYER_GHOST] = "The saved run, or the other driving model.",
     [LAYER_DANGER] =
-        "Dangerous points, as discs with their rank, and the names of impassable places; without these and the "
+        "Tight places, as discs with their rank, and the names of impassable places; without these and the "
         "paths, nothing of the result is drawn.",
     [LAYER_WIDTHS] = "The planned routes, and the widths W1 and W2 before and after each corner.",
     [LAYER_GRID] = "Lines a metre apart.",

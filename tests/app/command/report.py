@@ -101,10 +101,10 @@ def check_run():
     root, words, paper = report(0, "run", house("ube-techno-house"))
     for person, row in zip(answer["people"], rows_of(root, "Who is out")[1:], strict=True):
         check(row[0] == person["route"] and row[5] == f"{person['time']:.2f}", "times are those of the answer", row)
-    hazards = rows_of(root, "Dangerous points")[1:]
+    hazards = rows_of(root, "Tight places")[1:]
     names = {"door d7": "washroom door"}  # as the window names it
-    check([row[1] for row in hazards] == [names.get(h["what"], h["what"]) for h in answer["hazards"]],
-          "dangerous points are those of the answer, by their names")
+    check([row[1] for row in hazards] == [names.get(h["what"], h["what"]) for h in answer["hindrances"]],
+          "tight places are those of the answer, by their names")
     check("washroom door is door d7" in words and "door d7:" not in words, "the names are explained once")
     check(answer["digest"] in words, "the digest is that of the answer")
     numbers = {row[0]: row for row in rows_of(root, "Profile manual-chair (driver)")[1:]}

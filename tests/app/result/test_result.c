@@ -224,19 +224,19 @@ static void check_house(const char *name, size_t least) {
     Observation observation = case_run(&house, 1);
     Text text = {0};
     Document document = document_begin("clearance 9");
-    answer_text_add(&text, &house, &observation);
+    answer_text_add(&text, &house, &observation, "");
     result_page_take(&document, NULL, result_house_people(&house, &observation));
     json_t *answer = answer_house(&house, &observation);
     ResultTable people = result_house_people(&house, &observation);
     pens_check_facts(&people, least, text.text, json_array_get(json_object_get(answer, "people"), 0), &document);
     result_clear(&people);
     document_clear(&document);
-    ResultTable hazards = result_house_hazards(&observation);
+    ResultTable places = result_house_hindrances(&house, &observation);
     document = document_begin("clearance 9");
-    result_page_take(&document, NULL, result_house_hazards(&observation));
-    if (hazards.record_count)
-        pens_check_facts(&hazards, 5, text.text, json_array_get(json_object_get(answer, "hazards"), 0), &document);
-    result_clear(&hazards);
+    result_page_take(&document, NULL, result_house_hindrances(&house, &observation));
+    if (places.record_count)
+        pens_check_facts(&places, 5, text.text, json_array_get(json_object_get(answer, "hindrances"), 0), &document);
+    result_clear(&places);
     document_clear(&document);
     json_decref(answer);
     memory_free(text.text);
