@@ -76,7 +76,8 @@ static json_t *make_answer(const House houses[2], const Observation observations
 }
 
 /* Writes the pictures of B, with the paths in A as "before", and the report on both. */
-static bool write_results(const House houses[2], const Observation observations[2], const Options *options) {
+static bool write_results(const House houses[2], const Observation observations[2], const PairedDrivers *drivers,
+                          const Options *options) {
     if (options->out) {
         Scene scene = {0};
         house_scene_make_compared(&scene, &houses[1], &observations[1],
@@ -86,34 +87,38 @@ static bool write_results(const House houses[2], const Observation observations[
         if (!written)
             return false;
     }
-    return report_files_write_comparison(houses, observations, options) &&
+    return report_files_write_comparison(houses, observations, drivers, options) &&
            (!frames_wanted(options) ||
             frames_write(&houses[1], &observations[1], (Before){.house = &houses[0], .observation = &observations[0]},
                          NULL, options));
 }
 
-/* Runs the same drivers through both houses and adds or prints their differences. Returns false if interrupted. */
-static bool compare_drivers(const House houses[2], const Population *population, size_t count, const Options *options,
-                            json_t *answer) {
-    Drivers drivers[2];
+/* Runs the same drivers through both houses. Returns false if interrupted. */
+static bool run_drivers(PairedDrivers *drivers, const House houses[2], size_t count, const Options *options) {
     for (int h = 0; h < 2; h++)
-        drivers_run(&drivers[h], &houses[h], population, count, SIZE_MAX, options->jobs, &progress_stop);
-    bool whole = !drivers[0].interrupted && !drivers[1].interrupted;
-    if (whole && answer) {
+        drivers_run(&drivers->of[h], &houses[h], drivers->population, count, SIZE_MAX, options->jobs, &progress_stop);
+    if (!drivers->of[0].interrupted && !drivers->of[1].interrupted)
+        return true;
+    for (int h = 0; h < 2; h++)
+        drivers_free(&drivers->of[h]);
+    return false;
+}
+
+/* Adds the differences of the drivers to the answer, or prints them. */
+static void tell_drivers(const House houses[2], const PairedDrivers *drivers, json_t *answer) {
+    const char *population = drivers->population->id;
+    if (answer) {
         json_object_set_new(answer, "drivers",
-                            json_pack("{s:s, s:o}", "population", population->id, "people",
-                                      result_json_take_list(result_drivers_paired(houses, drivers))));
-    } else if (whole) {
-        Text text = {0};
-        text_format(&text, "\nthe same %zu drivers of the population %s in both:\n", count, population->id);
-        result_drivers_paired_say(&text, houses, drivers);
-        result_text_take(&text, "", result_drivers_paired(houses, drivers));
-        output_text(&text);
-        memory_free(text.text);
+                            json_pack("{s:s, s:o}", "population", population, "people",
+                                      result_json_take_list(result_drivers_paired(houses, drivers->of))));
+        return;
     }
-    for (int h = 0; h < 2; h++)
-        drivers_free(&drivers[h]);
-    return whole;
+    Text text = {0};
+    text_format(&text, "\nthe same %zu drivers of the population %s in both:\n", drivers->of[0].count, population);
+    result_drivers_paired_say(&text, houses, drivers->of);
+    result_text_take(&text, "", result_drivers_paired(houses, drivers->of));
+    output_text(&text);
+    memory_free(text.text);
 }
 
 int command_compare(const Options *options) {
@@ -139,17 +144,17 @@ int command_compare(const Options *options) {
     bool told = is_interrupted(observations);
     if (told)
         fprintf(stderr, "clearance: interrupted; nothing is compared or written\n");
-    bool written = told || write_results(houses, observations, options);
-    bool interrupted = output_tell_interrupted(told);
+    PairedDrivers drivers = {.population = &population};
+    bool undriven = count && !told && !run_drivers(&drivers, houses, count, options);
+    if (undriven)
+        fprintf(stderr, "clearance: interrupted before all drivers had run; they are not compared\n");
+    bool written = told || write_results(houses, observations, &drivers, options);
+    bool interrupted = output_tell_interrupted(told || undriven);
     json_t *answer = options->json ? make_answer(houses, observations, interrupted) : NULL;
     if (!answer)
         print_comparison(houses, observations);
-    if (count && !interrupted && !compare_drivers(houses, &population, count, options, answer)) {
-        fprintf(stderr, "clearance: interrupted before all drivers had run; they are not compared\n");
-        interrupted = true;
-        if (answer)
-            answer_mark_interrupted(answer, true);
-    }
+    if (drivers.of[0].count)
+        tell_drivers(houses, &drivers, answer);
     if (answer)
         answer_print(answer);
     population_free(&population);
@@ -157,6 +162,7 @@ int command_compare(const Options *options) {
         printf("\npictures are in %s\n", options->out);
     bool all = observations[0].completed && observations[1].completed && !interrupted;
     for (int h = 0; h < 2; h++) {
+        drivers_free(&drivers.of[h]);
         observation_free(&observations[h]);
         house_free(&houses[h]);
     }

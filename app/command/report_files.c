@@ -171,13 +171,14 @@ bool report_files_write_run(const House *house, const Observation *observation, 
     return written;
 }
 
-bool report_files_write_comparison(const House houses[2], const Observation observations[2], const Options *options) {
+bool report_files_write_comparison(const House houses[2], const Observation observations[2],
+                                   const PairedDrivers *drivers, const Options *options) {
     if (!options->report)
         return true;
     char *command = report_files_command(options);
     const Making making = report_files_making(options, command);
     const Reported runs[2] = {{&houses[0], &observations[0]}, {&houses[1], &observations[1]}};
-    Document document = comparison_report_make(runs, &making);
+    Document document = comparison_report_make(runs, drivers, &making);
     bool written = report_files_write(&document, "report", options);
     document_clear(&document);
     memory_free(command);

@@ -18,7 +18,8 @@ bool report_files_read_observed(ObservedLoci *observed, const House *house, cons
  * was printed. */
 bool report_files_write_run(const House *house, const Observation *observation, const ObservedLoci *observed,
                             const ReportedDrivers *drivers, const Options *options, size_t route);
-bool report_files_write_comparison(const House houses[2], const Observation observations[2], const Options *options);
+bool report_files_write_comparison(const House houses[2], const Observation observations[2],
+                                   const PairedDrivers *drivers, const Options *options);
 
 /* Returns the command line as text that a shell reads back; memory_free it. */
 char *report_files_command(const Options *options);

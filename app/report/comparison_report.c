@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "base/text.h"
+#include "result/drivers.h"
 #include "result/house.h"
 #include "result/page.h"
 #include "visual/house/house_scene.h"
@@ -111,6 +113,26 @@ static void add_routes(Document *document, const Reported runs[2]) {
     result_clear(&b);
 }
 
+/* Adds how the same drivers do in both houses. */
+static void add_drivers(Document *document, const Reported runs[2], const PairedDrivers *drivers) {
+    if (!drivers->of[0].count)
+        return;
+    const House houses[2] = {*runs[0].house, *runs[1].house};
+    document_add_heading(document, 2, "The same drivers in both");
+    document_add_paragraph(
+        document,
+        document_text(document,
+                      "%zu drivers of the population %s (%s) take the same starts in A and B. The answer above is that "
+                      "of the nominal driver alone. Differences of times are of the drivers who get out of both.",
+                      drivers->of[0].count, drivers->population->id, drivers->population->title));
+    Text said = {0};
+    result_drivers_paired_say(&said, houses, drivers->of);
+    if (said.used)
+        document_add_paragraph(document, document_text(document, "%s", said.text));
+    memory_free(said.text);
+    result_page_take_named(document, NULL, runs[1].house, result_drivers_paired(houses, drivers->of));
+}
+
 /* The rest --------------------------------------------------------------------------------------------------------- */
 
 static void add_hazards(Document *document, const Reported runs[2]) {
@@ -155,7 +177,7 @@ static void add_basis(Document *document, const Reported runs[2]) {
             report_basis_add_profile(document, runs[1].house, &runs[1].house->profiles[p]);
 }
 
-Document comparison_report_make(const Reported runs[2], const Making *making) {
+Document comparison_report_make(const Reported runs[2], const PairedDrivers *drivers, const Making *making) {
     Census census[2];
     Document document = document_begin(making->program);
     for (int r = 0; r < 2; r++)
@@ -176,6 +198,7 @@ Document comparison_report_make(const Reported runs[2], const Making *making) {
     else
         add_people(&document, runs);
     add_routes(&document, runs);
+    add_drivers(&document, runs, drivers);
     add_hazards(&document, runs);
     if (runs[1].observation->time > 0) {
         document_add_heading(&document, 2, "Motion in B, and in A before");

@@ -4,4 +4,4 @@
 #include "report/house_report.h"
 
 /* document_clear releases the document. */
-Document comparison_report_make(const Reported runs[2], const Making *making);
+Document comparison_report_make(const Reported runs[2], const PairedDrivers *drivers, const Making *making);

@@ -14,5 +14,11 @@ typedef struct ReportedDrivers {
     const Grade *grades; /* (person_count) or NULL */
 } ReportedDrivers;
 
+/* The same drivers in both houses. */
+typedef struct PairedDrivers {
+    Drivers of[2]; /* count 0: none */
+    const Population *population;
+} PairedDrivers;
+
 /* Adds sections for the drivers and for the grades, as far as there are any; `name` of the house. */
 void report_drivers_add(Document *document, const char *name, const Reported *run, const ReportedDrivers *of);

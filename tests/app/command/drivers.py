@@ -35,7 +35,8 @@ def check_asked(place):
     other = ask("run", asking, "--drivers", "2", "--population", "whm")["drivers"]
     check(other["count"] == 2 and other["population"] == "whm", "the command line overrides the house", other)
     check("drivers" not in ask("run", asking, "--set", "drivers.count=0"), "a house can be run without its drivers")
-    pair = ask("compare", write(place, "plain.json"), asking)
+    pair = ask("compare", write(place, "plain.json"), asking, "--report", "--out", place)
+    check("The same drivers in both" in pathlib.Path(place, "report.html").read_text(), "and its report tells them")
     check(pair["drivers"]["people"][0]["drivers"] == 4, "compare takes them through both houses", pair["drivers"])
     study = ask("study", asking, "--vary", "profile.manual-chair.width=0.60:0.63:2")
     check(study == {**ask("study", asking, "--vary", "profile.manual-chair.width=0.60:0.63:2", "--drivers", "4")},
