@@ -498,6 +498,8 @@ static void add_verdicts(Text *text, const Study *study) {
 
 void study_text_add(Text *text, const Study *study, const char *file) {
     SummaryCount count = summary_count(study);
+    if (count.done < study_room(study))
+        text_format(text, "interrupted after %zu of %zu runs; only these are told\n", count.done, study_room(study));
     add_question(text, study, file);
     if (study->axis_count == 0)
         add_share(text, study);

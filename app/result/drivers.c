@@ -73,7 +73,7 @@ static Fleet fleet_of(const House *house, const Drivers *drivers, size_t person)
 }
 
 static bool has_band(const Fleet *fleet) {
-    return fleet->time.count >= RESULT_DRIVERS_BAND;
+    return fleet->time.count >= MONTECARLO_BAND;
 }
 
 static void add_share(ResultTable *table, const char *const *keys, const char *label, const Share *share) {

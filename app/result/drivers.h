@@ -7,9 +7,6 @@
 #include "result/result.h"
 #include "study/montecarlo.h"
 
-/* Below this number of drivers who get out a range is from the least to the greatest, from it on from 5 to 95 %. */
-enum { RESULT_DRIVERS_BAND = 40 };
-
 /* `nominal` is the observation of the nominal driver. */
 ResultTable result_drivers_table(const House *house, const Observation *nominal, const Drivers *drivers);
 

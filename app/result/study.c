@@ -228,6 +228,11 @@ static void add_run(ResultTable *table, const Study *study, size_t pass, size_t 
     }
 }
 
+/* True if each point has runs enough for quantiles of 5 and 95 %. */
+static bool has_band(const Study *study) {
+    return study->runs >= MONTECARLO_BAND;
+}
+
 static void add_runs(ResultTable *table, const Study *study, size_t pass, size_t i) {
     const Experiment *experiment = study->experiment;
     const Observable *measure = &experiment->observables[experiment->measure];
@@ -236,8 +241,11 @@ static void add_runs(ResultTable *table, const Study *study, size_t pass, size_t
     const struct {
         const char *name;
         double number;
-    } columns[] = {
-        {NULL, d->mean}, {"deviation", d->deviation}, {"5 %", d->low}, {"50 %", d->median}, {"95 %", d->high}};
+    } columns[] = {{NULL, d->mean},
+                   {"deviation", d->deviation},
+                   {has_band(study) ? "5 %" : "least", has_band(study) ? d->low : d->least},
+                   {"50 %", d->median},
+                   {has_band(study) ? "95 %" : "greatest", has_band(study) ? d->high : d->greatest}};
     result_add(table, (ResultRow){.label = result_study_state(experiment, SUMMARY_REGULAR),
                                   .kind = RESULT_NUMBER,
                                   .number = point.share,
@@ -316,9 +324,9 @@ ResultTable result_study_distributions(const Study *study) {
         add_number(&table, "mean", "mean", d->mean);
         add_number(&table, "deviation", "deviation", d->deviation);
         add_number(&table, "standard_error", "std error", d->error);
-        add_number(&table, "q05", "5 %", d->low);
+        add_number(&table, "q05", has_band(study) ? "5 %" : NULL, d->low);
         add_number(&table, "q50", "50 %", d->median);
-        add_number(&table, "q95", "95 %", d->high);
+        add_number(&table, "q95", has_band(study) ? "95 %" : NULL, d->high);
         add_number(&table, "least", "least", d->least);
         add_number(&table, "greatest", "greatest", d->greatest);
         result_end(&table);

@@ -15,6 +15,9 @@ typedef struct Distribution {
     double least, greatest;
 } Distribution;
 
+/* Below this number of values a range is told from the least to the greatest, from it on from 5 to 95 %. */
+enum { MONTECARLO_BAND = 40 };
+
 typedef struct MontecarloPoint {
     size_t done;    /* runs */
     size_t faults;  /* runs that were impossible with their values */

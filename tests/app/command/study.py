@@ -117,11 +117,12 @@ def check_going_on(folder):
                  "profile.manual-chair.free_speed=0.05"]
     expect(0, "study", *arguments, "--out", whole)
     for seconds in (0.7, 2, 5, 10):  # a busy machine needs longer to complete the first run
-        code, _, error = interrupt([*arguments, "--out", parts, "--jobs", "1"], seconds)
+        code, words, error = interrupt([*arguments, "--out", parts, "--jobs", "1"], seconds)
         before = summary(parts)
         if before["done"]:
             break
     check(code == 1 and "interrupted after" in error and "the same command continues" in error, "interrupted", error)
+    check("only these are told" in words, "the words say so", words)
     check(0 < before["done"] < 183, f"what is complete is kept: {before['done']} of 183")
     with open(os.path.join(parts, "study.csv")) as file:
         check(len(file.readlines()) == 1 + before["done"], "study.csv of an interrupted study")
