@@ -50,10 +50,30 @@ static const char *contacts(const Census *census, Arena *arena) {
                          census->contacts, census->peak_force);
 }
 
+/* m, assumed: so long a way backwards is told, and a shorter one where it crosses the exit. */
+static const double BACKED = 1;
+
+const char *headline_backwards(const House *house, const Observation *observation, Arena *arena) {
+    const PersonObservation *farthest = NULL;
+    for (size_t i = 0; i < observation->person_count; i++) {
+        const PersonObservation *person = &observation->people[i];
+        bool backs = person->took_part && (person->back_length >= BACKED || person->back_out);
+        if (backs && (!farthest || person->back_length > farthest->back_length))
+            farthest = person;
+    }
+    if (!farthest)
+        return "";
+    const char *who = house->people[farthest - observation->people].id;
+    return text_in_arena(arena, ", %s%sbacks %.1f m%s", observation->person_count > 1 ? who : "",
+                         observation->person_count > 1 ? " " : "", farthest->back_length,
+                         farthest->back_out ? ", over the exit" : "");
+}
+
 /* Returns "narrowest 0.06 m at door d2, 3 contacts, at most a knock at 0.21 m/s". */
 static const char *findings(const House *house, const Observation *observation, const Census *census, Arena *arena) {
     size_t narrowest = census_narrowest(house, observation);
-    const char *touched = contacts(census, arena);
+    const char *touched =
+        text_in_arena(arena, "%s%s", contacts(census, arena), headline_backwards(house, observation, arena));
     if (narrowest == SIZE_MAX)
         return text_in_arena(arena, "nothing entered a personal space, %s", touched);
     const PersonObservation *person = &observation->people[narrowest];
@@ -102,6 +122,9 @@ static Headline all_out(const House *house, const Observation *observation, cons
         headline.sentence = text_in_arena(arena, "All %zu out, each route alone, in at most %.1f s", people, time);
         headline.detail = text_in_arena(arena, "each route alone, %s", detail);
     }
+    if (people <= CENSUS_FEW)
+        headline.sentence =
+            text_in_arena(arena, "%s%s", headline.sentence, headline_backwards(house, observation, arena));
     return headline;
 }
 

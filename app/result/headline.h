@@ -20,6 +20,10 @@ Headline headline_make(const House *house, const Observation *observation, const
 /* Returns only the sentence. */
 const char *headline_sentence(const House *house, const Observation *observation, Arena *arena);
 
+/* Returns ", backs 2.1 m" or ", p-c backs 4.0 m, over the exit", of the person who goes farthest backwards; "": nobody
+ * goes far, or over the exit. */
+const char *headline_backwards(const House *house, const Observation *observation, Arena *arena);
+
 /* Returns "0.26 m", "0.064 m" below a decimetre, or "touches" from 0 down. */
 const char *headline_clearance(double clearance, Arena *arena);
 

@@ -99,7 +99,8 @@ static void format_answer(Scene *scene, const House *house, const Observation *o
                              names_text(house, headline.detail, &scene->arena))
         : alone ? scene_text(scene, "each alone, slowest %s \u00b7 %s",
                              headline_duration(observation->time, &scene->arena), most_lost(scene, house, observation))
-                : most_lost(scene, house, observation);
+                : scene_text(scene, "%s%s", most_lost(scene, house, observation),
+                             names_text(house, headline_backwards(house, observation, &scene->arena), &scene->arena));
     scene->title_role = headline.role;
     if (is_crowd(census))
         format_crowd(scene, house, observation, census);
