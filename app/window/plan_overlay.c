@@ -26,7 +26,7 @@
 #define ASIDE 14.0 /* from the pointer */
 #define HAND 30.0  /* from the pointer to the middle of what a click does */
 
-enum { LABELS_MOST = 64, PLACES = 5 /* that a label tries */ };
+enum { LABELS_MOST = 96, PLACES = 5 /* that a label tries */ };
 
 /* Boxes of the labels placed so far, and of the picture's tags; no label covers another. */
 typedef struct Labels {
@@ -96,10 +96,14 @@ static bool hides_tag(const Window *window, const ViewLayers *layers, const Edit
     return false;
 }
 
+/* Steps down from a label's middle to its places, in heights of the label. */
+static const double near_steps[PLACES] = {0, 1, -1, 2, -2};
+static const double pointer_steps[PLACES] = {0, -1, -2, 3, 4}; /* but the places under the pointer */
+
 /* Places a label at its middle, or above or below that if another label is there. Returns false if one is everywhere:
  * then the box is the last one that was tried. */
-static bool place_label(const Window *window, const Labels *labels, Vec2 middle, Vec2 size, Box *box) {
-    static const double steps[PLACES] = {0, 1, -1, 2, -2};
+static bool place_label(const Window *window, const Labels *labels, Vec2 middle, const double steps[PLACES], Vec2 size,
+                        Box *box) {
     Vec2 half = vec2_scale(size, 0.5);
     for (int i = 0; i < PLACES; i++) {
         Vec2 at = vec2_add(middle, vec2(0, steps[i] * (size.y + 2)));
@@ -122,7 +126,7 @@ static void write_in(Window *window, Box box, Role ground, const char *text) {
 /* Writes a label unless others are everywhere about its place. */
 static void write_label(Window *window, Labels *labels, Vec2 middle, Role ground, const char *text) {
     Box box;
-    if (!place_label(window, labels, middle, label_size(window, text), &box))
+    if (!place_label(window, labels, middle, near_steps, label_size(window, text), &box))
         return;
     claim(labels, box);
     write_in(window, box, ground, text);
@@ -450,11 +454,11 @@ void plan_overlay_show(Window *window) {
     words = words ? words : name ? window->hovered : NULL; /* a copy: other names are asked for below */
     Vec2 above = vec2_add(vec2_scale(window->mouse, 1 / window->unit), vec2(0, -HAND)); /* never under the pointer */
     Box box = box_empty();
+    claim_tags(window, &tab->view_layers, &labels); /* first, so that no exit or person is hidden by a name */
     if (words) {
-        place_label(window, &labels, above, label_size(window, words), &box);
+        place_label(window, &labels, above, pointer_steps, label_size(window, words), &box);
         claim(&labels, box);
     }
-    claim_tags(window, &tab->view_layers, &labels);
     bool tagged = name && hovered.kind == selected.kind && hovered.index == selected.index;
     if (!gesture->active && !window->present && editor_tool(editor) == TOOL_SELECT && !tagged)
         selected_name_show(window);

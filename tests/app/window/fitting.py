@@ -11,6 +11,7 @@ from stage import check
 FILES = {"house": stage.house("ube-techno-house"), "blocked": stage.house("flat-0.910-module"),
          "beam": stage.beam("ibs"), "crank": stage.CRANK}
 FINE = 1.5  # pixels
+PAD = 5  # pixels beside the words of a tag
 EMPTY = 0.2  # of a line: boxes are as high as lines, with empty edges
 
 
@@ -88,6 +89,14 @@ name = state["hovered"]
 tags = [t for t in texts if t["string"] == name and t["box"][2] < state["frame"]["view"][2] and t["box"][1] < 298]
 check(name and len(tags) == 1, "the tag at the pointer has the name of a selected door, which stands once",
       (name, [t["string"] for t in texts][:20]))
+
+# the name of the person under the pointer does not hide an exit
+texts, state = stage.act("beside-exit", "until answered", "pause", "seek 1.5", "mouse 655 390", "wait 6", "texts STATE",
+                         "state STATE", arguments=[FILES["house"], "--size", "1280x720"])
+name = [t["box"] for t in texts if t["string"] == "C, wheelchair" and t["box"][2] < state["frame"]["view"][2]]
+sign = [t["box"] for t in state["text_in_view"] if t["string"] == "EXIT porch"]
+check(len(name) == len(sign) == 1 and (name[0][2] + PAD < sign[0][0] or name[0][3] < sign[0][1] or sign[0][3] < name[0][1]),
+      "the name of a person under the pointer hides no exit", (name, sign))
 
 # the tool tip of a button in the view is next to it
 texts = stage.act("tip", "until answered", "pause", "wait 3", "mouse 50 118", *["wait 100", "texts STATE"] * 3,
