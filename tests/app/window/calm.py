@@ -299,4 +299,12 @@ for name in HOUSES[:3]:
                     arguments=[stage.house(name), "--size", size])[0]
         check(width(state["frame"]["panel"]) == 0 and state["frame"]["menu"][3] == 0, f"26: {name}, {size}: only the picture")
         check(all(t["size"] >= (22 if t["kind"] == "name" and size == "1280x720" else 16) for t in state["text_in_view"]), f"26: {name}, {size}: letters can be read")
+state = act("present-beam", "until answered", "pause", "key F6", "key F5", "wait 5", "picture FOLDER/shot.png",
+            "state STATE", arguments=[stage.beam("ibs"), "--size", "1280x720"])[0]
+notes = [t["string"] for t in state["text_in_view"] if t["string"].startswith(("stops", "deflection", "beam "))]
+check(state["text_in_view"] and not notes and all(14 <= t["box"][0] and t["box"][2] <= 1266 for t in state["text_in_view"]),
+      "26: a machine has no notes, and its words keep off the edges", (notes, state["text_in_view"]))
+view = state["frame"]["view"]
+edge = stage.colours(stage.folder / "present-beam" / "shot.png", [view[0], view[1] + 20, view[0] + 6, view[3] - 20])
+check(state["focus"] == "view" and len(edge) == 1, "26: the picture has no frame of the focus", (state["focus"], edge))
 stage.end()
