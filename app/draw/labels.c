@@ -304,7 +304,8 @@ void labels_place(Layout *layout, const Layout *under, const Scene *scene) {
     Places places = {.layout = layout, .under = under};
     size_t fixed = layout->caption_count;
     for (size_t i = 0; i < scene->count; i++)
-        if (scene->primitives[i].kind == PRIMITIVE_LABEL && scene->primitives[i].fixed)
+        if (scene->primitives[i].kind == PRIMITIVE_LABEL && scene->primitives[i].fixed &&
+            !(scene->quiet && scene->primitives[i].note))
             place_fixed(&places, &scene->primitives[i]);
     if (!has_free_labels(scene))
         return;

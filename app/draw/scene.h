@@ -102,6 +102,7 @@ typedef struct Primitive {
                       With more points, next to points[1] towards points[2], or next to points[3] towards points[4],
                       and so on: the first place that is free */
     bool optional; /* labels: left out rather than put over something */
+    bool note;     /* labels: says how the picture is made; left out of a quiet scene */
     bool level;    /* labels: never turned */
     bool close;    /* labels: left out where there is no room within the outline, or right next to the point */
     Box apart;     /* labels with several places, m: the label lies inside or outside, not across the edge; empty: no
@@ -149,6 +150,7 @@ typedef struct Scene {
     Camera camera;       /* the viewpoint; zero: the plan */
     bool bare;           /* only the scale around it: a detail of another picture */
     bool unscaled;       /* without a scale bar: the picture states its own size */
+    bool quiet;          /* without notes: for a presentation */
     bool keyed;          /* with a key at the foot, which the scale bar keeps off: */
     double key_end;      /* m, its right end */
     int panels;          /* pictures next to it, for instance plots, instead of the rows; at most SCENE_PANELS */

@@ -111,7 +111,8 @@ typedef struct UiPane {
     Box box;
     Role ground; /* ROLE_PANEL, ROLE_PAPER; ROLE_COUNT: none, transparent */
     bool scrolls, modal, stop;
-    bool clear; /* a modal pane that does not dim the others: a menu */
+    bool clear;    /* a modal pane that does not dim the others: a menu */
+    bool unframed; /* no frame while the pane itself has the focus */
 } UiPane;
 
 void ui_pane_begin(Ui *ui, const UiPane *pane);

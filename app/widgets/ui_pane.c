@@ -122,6 +122,7 @@ void ui_pane_begin(Ui *ui, const UiPane *pane) {
     place->box = pane->box;
     place->made = true;
     place->modal = pane->modal;
+    place->unframed = pane->unframed;
     place->stop = pane->stop;
     place->scrolls = pane->scrolls;
     place->order = ui->order++;
@@ -216,7 +217,8 @@ void ui_pane_end(Ui *ui) {
     if (ui->focus_pane == place->id && ui->focus_made) {
         if (ui->reveal && place->scrolls && ui->focus != place->id)
             bring_into_view(ui, place);
-        ui_stop_draw(ui);
+        if (!place->unframed || ui->focus != place->id)
+            ui_stop_draw(ui);
     }
     handle_change(ui, place, content);
     ui_painter_unclip(ui->painter);

@@ -73,7 +73,7 @@ typedef struct UiPlace {
     UiId id;
     char *name;
     Box box;
-    bool made, modal, stop, scrolls;
+    bool made, modal, stop, scrolls, unframed;
     int order;                           /* among the panes of a frame */
     double scroll, content, seen_scroll; /* design points */
     UiId anchor;                         /* the stop that is in use, */

@@ -210,6 +210,9 @@ static void escape(Window *window, Tab *tab) {
     else if (!notice_dismiss(window) && tab->session) {
         bool chosen = tab->laboratory->selected(tab->session).kind, taught = lesson_is_shown(window);
         tab_select(tab, (Item){0});
+        if (window->narrowing)
+            ui_focus(window->ui, "view"); /* the width that had it is gone */
+        window->narrowing = NARROWING_NONE;
         if (!chosen && window->present)
             window->present = false;
         else if (!chosen && taught)

@@ -400,7 +400,9 @@ static void show_trial(Window *window, Tab *tab) {
 
 static void show_view(Window *window, Tab *tab) {
     Box view = window->frame.view;
-    ui_pane_begin(window->ui, &(UiPane){.name = "view", .box = view, .ground = ROLE_COUNT, .stop = true});
+    ui_pane_begin(
+        window->ui,
+        &(UiPane){.name = "view", .box = view, .ground = ROLE_COUNT, .stop = true, .unframed = window->present});
     if (tab->session) {
         trace_image_show(window);
         use_mouse(window, tab);

@@ -26,7 +26,7 @@
 #define ASIDE 14.0 /* from the pointer */
 #define HAND 30.0  /* from the pointer to the middle of what a click does */
 
-enum { LABELS_MOST = 64, PLACES = 5 /* that a label tries */ };
+enum { LABELS_MOST = 96, PLACES = 5 /* that a label tries */ };
 
 /* Boxes of the labels placed so far, and of the picture's tags; no label covers another. */
 typedef struct Labels {
@@ -85,6 +85,30 @@ static void claim_tags(const Window *window, const ViewLayers *layers, Labels *l
         }
 }
 
+/* Claims the box round what is being dragged: the lengths stand about it. */
+static void claim_dragged(const Window *window, const Tab *tab, const GestureView *gesture, Labels *labels) {
+    Vec2 points[LABORATORY_MARK_POINTS];
+    Box box = box_empty();
+    for (size_t i = 0; i < gesture->mark_count && gesture->active; i++) {
+        const EditMark *mark = &gesture->marks[i];
+        size_t count = mark->kind == MARK_OUTLINE ? points_of(window, tab, mark, points) : 0;
+        for (size_t p = 0; p < count; p++)
+            box = box_include(box, points[p]);
+    }
+    if (box_width(box) >= 0)
+        claim(labels, box_expand(box, HANDLE));
+}
+
+/* True if the picture has a name there, without a ground of its own. */
+static bool hides_name(const Window *window, const ViewLayers *layers, Box box) {
+    const Layout *layout = &layers->still;
+    Box in_view = {vec2_sub(box.low, window->frame.view.low), vec2_sub(box.high, window->frame.view.low)};
+    for (size_t i = 0; i < layout->caption_count && layers->painted; i++)
+        if (layout->captions[i].shape == LABEL_BARE && overlap(in_view, caption_box(&layout->captions[i])))
+            return true;
+    return false;
+}
+
 /* True if a handle would hide letters of a tag, such as why somebody cannot pass; what is held is always seen. */
 static bool hides_tag(const Window *window, const ViewLayers *layers, const EditMark *mark, Vec2 at) {
     const Layout *layouts[] = {&layers->still, &layers->moving};
@@ -96,10 +120,14 @@ static bool hides_tag(const Window *window, const ViewLayers *layers, const Edit
     return false;
 }
 
+/* Steps down from a label's middle to its places, in heights of the label. */
+static const double near_steps[PLACES] = {0, 1, -1, 2, -2};
+static const double pointer_steps[PLACES] = {0, -1, -2, 3, 4}; /* but the places under the pointer */
+
 /* Places a label at its middle, or above or below that if another label is there. Returns false if one is everywhere:
  * then the box is the last one that was tried. */
-static bool place_label(const Window *window, const Labels *labels, Vec2 middle, Vec2 size, Box *box) {
-    static const double steps[PLACES] = {0, 1, -1, 2, -2};
+static bool place_label(const Window *window, const Labels *labels, Vec2 middle, const double steps[PLACES], Vec2 size,
+                        Box *box) {
     Vec2 half = vec2_scale(size, 0.5);
     for (int i = 0; i < PLACES; i++) {
         Vec2 at = vec2_add(middle, vec2(0, steps[i] * (size.y + 2)));
@@ -122,7 +150,7 @@ static void write_in(Window *window, Box box, Role ground, const char *text) {
 /* Writes a label unless others are everywhere about its place. */
 static void write_label(Window *window, Labels *labels, Vec2 middle, Role ground, const char *text) {
     Box box;
-    if (!place_label(window, labels, middle, label_size(window, text), &box))
+    if (!place_label(window, labels, middle, near_steps, label_size(window, text), &box))
         return;
     claim(labels, box);
     write_in(window, box, ground, text);
@@ -262,11 +290,51 @@ static Vec2 beside(Vec2 a, Vec2 b, double half) {
     return vec2(across.x * half, across.y * ASIDE * 1.3);
 }
 
-static void write_mark(Window *window, Labels *labels, const EditMark *mark, const Vec2 *points, size_t count) {
+static Box around(Vec2 middle, Vec2 size) {
+    Vec2 half = vec2_scale(size, 0.5);
+    return (Box){vec2_sub(middle, half), vec2_add(middle, half)};
+}
+
+/* Writes the length of a line on either side of it or about its far end where no name stands, else at the nearest free
+ * place, else over a name. */
+static void write_length(Window *window, const Tab *tab, Labels *labels, const Vec2 *line, const char *text) {
+    Vec2 size = label_size(window, text), way = vec2_unit(vec2_sub(line[1], line[0]));
+    Vec2 middle = vec2_scale(vec2_add(line[0], line[1]), 0.5), off = beside(line[0], line[1], size.x / 2 + 2);
+    Vec2 above = vec2_add(middle, off), below = vec2_sub(middle, off);
+    Vec2 beyond = vec2_along(line[1], (fabs(way.x) * size.x + fabs(way.y) * size.y) / 2 + TICK, way);
+    Vec2 aside = vec2_scale(vec2_left(way), (fabs(way.x) * size.y + fabs(way.y) * size.x) / 2);
+    const Box places[] = {around(above, size), around(below, size), around(beyond, size),
+                          around(vec2_add(beyond, aside), size), around(vec2_sub(beyond, aside), size)};
+    enum { COUNT = sizeof places / sizeof *places };
+    Box view = box_expand(window->frame.view, -EDGE), box;
+    bool is_open[COUNT], placed = false;
+    for (int i = 0; i < COUNT; i++) {
+        is_open[i] = box_holds(view, places[i].low) && box_holds(view, places[i].high) && is_free(labels, places[i]);
+        if (!placed && is_open[i] && !hides_name(window, &tab->view_layers, places[i])) {
+            box = places[i];
+            placed = true;
+        }
+    }
+    placed = placed || place_label(window, labels, above, near_steps, size, &box);
+    for (int i = 0; i < COUNT && !placed; i++)
+        if (is_open[i]) {
+            box = places[i];
+            placed = true;
+        }
+    if (!placed)
+        return;
+    claim(labels, box);
+    write_in(window, box, ROLE_TEXT, text);
+}
+
+static void write_mark(Window *window, const Tab *tab, Labels *labels, const EditMark *mark, const Vec2 *points,
+                       size_t count) {
+    if (mark->kind == MARK_DIMENSION && count == 2) {
+        write_length(window, tab, labels, points, mark->text);
+        return;
+    }
     double width = ui_extent(window->ui, UI_BOLD, mark->text).x;
     Vec2 middle = vec2_scale(vec2_add(points[(count - 1) / 2], points[count / 2]), 0.5);
-    if (mark->kind == MARK_DIMENSION && count > 1)
-        middle = vec2_add(middle, beside(points[0], points[count - 1], width / 2 + PAD + 2));
     if (mark->kind == MARK_SNAP || mark->kind == MARK_HANDLE)
         middle = vec2_add(points[0], vec2(width / 2 + PAD + ASIDE, -ASIDE));
     if (mark->kind == MARK_RING)
@@ -289,7 +357,7 @@ static void show_marks(Window *window, Tab *tab, const GestureView *gesture, Lab
             if (pass < 2 && !hides_tag(window, &tab->view_layers, mark, points[0]))
                 draw_mark(window, mark, points, count, is_wrong(gesture));
             else if (pass == 2)
-                write_mark(window, labels, mark, points, count);
+                write_mark(window, tab, labels, mark, points, count);
         }
 }
 
@@ -450,14 +518,16 @@ void plan_overlay_show(Window *window) {
     words = words ? words : name ? window->hovered : NULL; /* a copy: other names are asked for below */
     Vec2 above = vec2_add(vec2_scale(window->mouse, 1 / window->unit), vec2(0, -HAND)); /* never under the pointer */
     Box box = box_empty();
+    claim_tags(window, &tab->view_layers, &labels); /* first, so that no exit or person is hidden by a name */
     if (words) {
-        place_label(window, &labels, above, label_size(window, words), &box);
+        place_label(window, &labels, above, pointer_steps, label_size(window, words), &box);
         claim(&labels, box);
     }
-    claim_tags(window, &tab->view_layers, &labels);
     bool tagged = name && hovered.kind == selected.kind && hovered.index == selected.index;
     if (!gesture->active && !window->present && editor_tool(editor) == TOOL_SELECT && !tagged)
         selected_name_show(window);
+    if (editor_tool(editor) == TOOL_SELECT)
+        claim_dragged(window, tab, gesture, &labels);
     show_marks(window, tab, gesture, &labels);
     if (words)
         write_in(window, box, is_wrong(gesture) ? ROLE_ERROR : ROLE_TEXT, words);

@@ -15,7 +15,7 @@
 
 #define END 12.0 /* of a shifted label, over the thing */
 
-enum { SHIFTS = 5, PLACES_MOST = 3 * SHIFTS + 2, OTHERS_MOST = 64 };
+enum { SHIFTS = 9, BRIEFS = 4 /* shorter forms of a name */, PLACES_MOST = 3 * SHIFTS + 2, OTHERS_MOST = 64 };
 
 static bool overlap(Box a, Box b) {
     return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
@@ -96,7 +96,7 @@ static bool is_nearest(Box label, Vec2 own, const Vec2 *others, size_t count) {
 /* Lists places for a label, `gap` from the thing: beside it where it is long, over its middle last; above and below
  * also shifted, so that only the label's end stands there. Returns their number. */
 static size_t list_places(Box thing, double gap, Vec2 size, Vec2 places[PLACES_MOST]) {
-    static const double shifts[SHIFTS] = {0, 1, -1, 0.5, -0.5};
+    static const double shifts[SHIFTS] = {0, 1, -1, 0.5, -0.5, 0.25, -0.25, 0.75, -0.75};
     Vec2 middle = vec2_scale(vec2_add(thing.low, thing.high), 0.5), half = vec2_scale(size, 0.5);
     bool tall = box_height(thing) > box_width(thing);
     double shift = fmax(half.x - END, 0);
@@ -140,11 +140,36 @@ static bool show_name(Window *window, Tab *tab, Item item, Box thing, const char
     return false;
 }
 
-/* Returns the beginning of a name that stands for it where there is little room: "washroom door" of "washroom door to
- * corridor", "washing machine" of "washing machine (f3)". */
-static const char *brief_of(Window *window, const char *name) {
-    const char *to = strstr(name, " to "), *id = strstr(name, " ("), *end = to ? to : id;
-    return end ? text_in_arena(&window->arena, "%.*s", (int)(end - name), name) : NULL;
+/* Returns a name without the numbers in it: "bedroom door" of "bedroom 1 door". */
+static const char *without_numbers(Window *window, const char *name) {
+    char *text = arena_allocate(&window->arena, strlen(name) + 1), *to = text;
+    while (*name) {
+        size_t digits = *name == ' ' ? strspn(name + 1, "0123456789") : 0;
+        if (digits && (name[digits + 1] == ' ' || !name[digits + 1]))
+            name += digits + 1;
+        else
+            *to++ = *name++;
+    }
+    return text;
+}
+
+/* Lists shorter names for where there is little room: "washroom door", "bath door" and "door" of "washroom door to
+ * bath", "washing machine" of "washing machine (f3)". Returns their number. */
+static size_t list_briefs(Window *window, const char *name, const char *briefs[BRIEFS]) {
+    static const char door[] = " door to ";
+    const char *to = strstr(name, door), *id = strstr(name, " (");
+    size_t count = 0;
+    if (to) {
+        briefs[count++] = text_in_arena(&window->arena, "%.*s door", (int)(to - name), name);
+        briefs[count++] = text_in_arena(&window->arena, "%s door", to + strlen(door));
+    } else if (id) {
+        briefs[count++] = text_in_arena(&window->arena, "%.*s", (int)(id - name), name);
+    }
+    briefs[count] = without_numbers(window, count ? briefs[count - 1] : name);
+    count++;
+    if (strstr(name, " door"))
+        briefs[count++] = "door";
+    return count;
 }
 
 void selected_name_show(Window *window) {
@@ -157,7 +182,9 @@ void selected_name_show(Window *window) {
     Box thing = selected_box(window, tab, item);
     if (!*name || !(box_width(thing) >= 0) || is_written(window, &tab->view_layers, thing, name))
         return;
-    const char *brief = brief_of(window, name);
-    if (!show_name(window, tab, item, thing, name) && brief)
-        show_name(window, tab, item, thing, brief);
+    const char *briefs[BRIEFS];
+    size_t count = list_briefs(window, name, briefs);
+    bool shown = show_name(window, tab, item, thing, name);
+    for (size_t i = 0; i < count && !shown; i++)
+        shown = show_name(window, tab, item, thing, briefs[i]);
 }

@@ -97,6 +97,7 @@ static void select_door(Window *window, Tab *tab) {
     }
     tab_select(tab, chosen);
     window->panel = true;
+    window->narrowing = NARROWING_OPEN;
     ui_focus_number(window->ui, "panel");
 }
 
@@ -120,6 +121,19 @@ static void note_done(Window *window, const Tab *tab) {
         *tried |= TRY_NARROW;
     if (*editor_shake_result(tab_editor(tab)))
         *tried |= TRY_SHAKE;
+}
+
+/* Gives the focus back to the view, where Shift+T is a key, once a width was typed or dragged. Arrow keys keep it,
+ * since they may go on. */
+static void end_narrowing(Window *window) {
+    bool busy = ui_types(window->ui) || window->input.down[SDL_WINDOW_EVENT_LEFT];
+    if (window->narrowing == NARROWING_OPEN && busy)
+        window->narrowing = NARROWING_CHANGED;
+    if (window->narrowing != NARROWING_CHANGED || busy || !(window->settings.state.tried & TRY_NARROW))
+        return;
+    window->narrowing = NARROWING_NONE;
+    if (strcmp(ui_focus_pane(window->ui), "panel") == 0)
+        ui_focus(window->ui, "view");
 }
 
 void tries_show(Window *window) {
@@ -150,4 +164,5 @@ void tries_show(Window *window) {
         window->settings.state.tried = TRY_ALL;
     ui_pane_end(window->ui);
     note_done(window, tab);
+    end_narrowing(window);
 }

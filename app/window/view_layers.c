@@ -47,6 +47,7 @@ static void lay_over(ViewLayers *view_layers, Layout *layout, const Scene *scene
 static void paint_still(ViewLayers *view_layers, const Scene *scene) {
     Scene shown = *scene;
     shown.unscaled |= view_layers->plain;
+    shown.quiet = view_layers->plain;
     shown.grid = view_layers->plain ? 0 : shown.grid;
     layout_clear(&view_layers->still);
     layout_make(&view_layers->still, &shown,

@@ -85,6 +85,10 @@ typedef struct Watch {
 /* The action that follows the question whether to save. */
 typedef enum Leave { LEAVE_NOTHING, LEAVE_QUIT, LEAVE_OPEN, LEAVE_NEW } Leave;
 
+/* State of the door's width to which the second of the first things to try gives the focus.
+ * Changed: it was typed or dragged. */
+typedef enum Narrowing { NARROWING_NONE, NARROWING_OPEN, NARROWING_CHANGED } Narrowing;
+
 /* The measurements of --benchmark-edit. */
 typedef struct EditBenchmark {
     double begun;          /* s of wall time, when the piece was grabbed; 0: not yet */
@@ -164,6 +168,7 @@ typedef struct Window {
     double unit;       /* pixels a design point */
     Frame frame;
     Box tries; /* the strip of first things to try; without a width: there is none */
+    Narrowing narrowing;
     UiInput input;
     Vec2 mouse; /* pixels */
 

@@ -8,6 +8,7 @@
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "laboratory/house/runs.h"
+#include "plan/plan_geometry.h"
 #include "result/headline.h"
 #include "result/house.h"
 #include "result/names.h"
@@ -87,11 +88,14 @@ static void add_person(HouseSession *session, size_t i, double time) {
 }
 
 /* Adds what no slider below says. */
-static void add_door(HouseSession *session, const Door *door) {
+static void add_door(HouseSession *session, const Plan *plan, const Door *door) {
     static const char *const kinds[] = {"opening", "hinged", "sliding"};
     Scene *scene = &session->texts.moment;
     add_pair(session, "kind", kinds[door->kind]);
-    add_pair(session, "in wall", arena_text(&scene->arena, door->wall));
+    Vec2 from, to;
+    plan_geometry_door_ends(plan, door, &from, &to);
+    const char *wall = names_wall_at(plan, door->wall_index, vec2_scale(vec2_add(from, to), 0.5), &scene->arena);
+    add_row(session, ROW_PLAIN, scene_text(scene, "in %s", wall));
 }
 
 /* Adds the numbers of a tight place, as its row in the list has them. */
@@ -130,12 +134,12 @@ static void add_selected(HouseSession *session, double time) {
         if (*widths)
             add_row(session, ROW_PLAIN, widths);
     } else if (item.kind == HOUSE_DOOR) {
-        add_door(session, &plan->doors[item.index]);
+        add_door(session, plan, &plan->doors[item.index]);
     } else if (item.kind == HOUSE_FURNITURE) {
         const Furniture *piece = &plan->furniture[item.index];
         add_pair(session, "size", scene_text(scene, "%.2f x %.2f m", piece->size.x, piece->size.y));
         add_pair(session, "height", scene_text(scene, "%.2f m", piece->height));
-        add_pair(session, "toppled", piece->toppled ? "yes" : "no");
+        add_pair(session, "fallen", piece->toppled ? "yes" : "no");
     } else if (item.kind == HOUSE_EXIT) {
         const Exit *exit = &plan->exits[item.index];
         add_pair(session, "width", scene_text(scene, "%.2f m", vec2_distance(exit->from, exit->to)));

@@ -20,9 +20,9 @@ static const Offer door_offers[] = {{"width", "width", 0.5, 1.5},
                                     {"state", "state", 0, 0},
                                     {"opening_time", "opening time", 0, 10}};
 static const Offer furniture_offers[] = {
-    {"centre.x", "place, x", 0, 0},  {"centre.y", "place, y", 0, 0}, {"angle", "angle", -180, 180},
-    {"size.x", "width", 0, 0},       {"size.y", "depth", 0, 0},      {"probability", "falls with probability", 0, 1},
-    {"topples", "topples to", 0, 0}, {"toppled", "toppled", 0, 0}};
+    {"centre.x", "place, x", 0, 0}, {"centre.y", "place, y", 0, 0}, {"angle", "angle", -180, 180},
+    {"size.x", "width", 0, 0},      {"size.y", "depth", 0, 0},      {"probability", "falls with probability", 0, 1},
+    {"topples", "falls to", 0, 0},  {"toppled", "fallen", 0, 0}};
 static const Offer wall_offers[] = {{"thickness", "thickness", 0, 0.5}};
 static const Offer exit_offers[] = {{"opens", "opens at", 0, 60}};
 static const Offer person_offers[] = {{"delay", "delay", 0, 30},

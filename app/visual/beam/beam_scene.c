@@ -132,7 +132,8 @@ void beam_scene_labels(Scene *scene, const Beam *beam, const Rig *rig, const Res
 }
 
 /* Adds rows of text to one side of a place, downwards; the name of a part is bold, its numbers are not. */
-static void add_rows(Scene *scene, const BeamScale *scale, Vec2 at, int side, const char *const *rows, size_t count) {
+static void add_rows(Scene *scene, const BeamScale *scale, Vec2 at, int side, const char *const *rows, size_t count,
+                     bool note) {
     size_t shown = !(scale->parts & BEAM_SCENE_NAMES) ? 0 : scale->parts & BEAM_SCENE_SOURCES ? count : 1;
     for (size_t i = 0; i < shown; i++) {
         Vec2 from = vec2(at.x, at.y - ROW * scale->length * (double)i), to = vec2(from.x + side, from.y);
@@ -141,6 +142,7 @@ static void add_rows(Scene *scene, const BeamScale *scale, Vec2 at, int side, co
         if (side)
             scene_bind_label(scene, label, &to, 1);
         label->bold = i == 0;
+        label->note = note;
         label->fixed = label->optional = true; /* a small picture has no room for it */
         if (scale->parts & BEAM_SCENE_LOUPE)
             label->apart = scale->loupe;
@@ -170,7 +172,7 @@ static void still_pivot(Scene *scene, const Beam *beam, const BeamScale *scale) 
     bool left = beam->pivot_position > length / 4;
     double beside = side < 0 && !left ? -PIVOT_BEFORE : left ? -PIVOT_BESIDE : PIVOT_BEHIND;
     Vec2 text = vec2(beam->pivot_position + beside * length, (HIGH - ROW / 2) * length);
-    add_rows(scene, scale, text, left ? -1 : 1, rows, 3);
+    add_rows(scene, scale, text, left ? -1 : 1, rows, 3, false);
 }
 
 static void still_shaker(Scene *scene, const Beam *beam, const BeamScale *scale) {
@@ -186,7 +188,8 @@ static void still_shaker(Scene *scene, const Beam *beam, const BeamScale *scale)
                              box_include(box_around(vec2(x + side * YOKE_HALF * length, bottom), 0),
                                          vec2(x + side * (YOKE_HALF + YOKE_DEPTH) * length, YOKE_TOP * length)));
     int way = x > 0.6 * length ? -1 : 1;
-    add_rows(scene, scale, vec2(x + way * (YOKE_HALF + YOKE_DEPTH) * length, (LOW + 1.4 * ROW) * length), way, rows, 2);
+    add_rows(scene, scale, vec2(x + way * (YOKE_HALF + YOKE_DEPTH) * length, (LOW + 1.4 * ROW) * length), way, rows, 2,
+             false);
 }
 
 static void still_joint(Scene *scene, const Beam *beam, const BeamScale *scale) {
@@ -200,7 +203,7 @@ static void still_joint(Scene *scene, const Beam *beam, const BeamScale *scale) 
     for (size_t i = 0; i < joint_count(scale) && scale->stops; i++)
         beam_joint_still(scene, beam, scale, &scale->joint[i]);
     if (scale->parts & BEAM_SCENE_LOUPE)
-        add_rows(scene, scale, vec2((1 + LOUPE_LEFT) * length, (LOW - NAME_BELOW * ROW) * length), 1, rows, 2);
+        add_rows(scene, scale, vec2((1 + LOUPE_LEFT) * length, (LOW - NAME_BELOW * ROW) * length), 1, rows, 2, true);
 }
 
 static Primitive *add_frame(Scene *scene, Box box) {
@@ -251,7 +254,7 @@ void beam_scene_magnified(Scene *scene, const BeamScale *scale) {
     Vec2 places[] = {first, vec2(first.x + 1, below), left, vec2(left.x + 1, below)};
     Primitive *label = scene_add_label(scene, ROLE_DIM_TEXT, SMALL_TEXT, first, all);
     scene_bind_label(scene, label, places, sizeof places / sizeof *places);
-    label->fixed = label->optional = true;
+    label->fixed = label->optional = label->note = true;
     label->brief = brief;
     label->apart = scale->loupe;
 }

@@ -285,7 +285,7 @@ static void add_toppled_tags(Scene *scene, const Plan *plan) {
         if (!plan->furniture[i].toppled)
             continue;
         Furniture fallen = part_beyond(&plan->furniture[i], 0, plan->furniture[i].height);
-        bind_to_furniture(scene, add_tag(scene, ROLE_PAPER, fallen.centre, "toppled"), &fallen);
+        bind_to_furniture(scene, add_tag(scene, ROLE_PAPER, fallen.centre, "fallen"), &fallen);
     }
 }
 

@@ -4,6 +4,7 @@ one, in each laboratory and on the sheets, no text is cut, none ends in an ellip
 another. Also what moves: the plan stands still while the tools open, and folds are remembered by task."""
 
 import itertools
+import re
 
 import stage
 from stage import check
@@ -11,6 +12,7 @@ from stage import check
 FILES = {"house": stage.house("ube-techno-house"), "blocked": stage.house("flat-0.910-module"),
          "beam": stage.beam("ibs"), "crank": stage.CRANK}
 FINE = 1.5  # pixels
+PAD = 5  # pixels beside the words of a tag
 EMPTY = 0.2  # of a line: boxes are as high as lines, with empty edges
 
 
@@ -88,6 +90,27 @@ name = state["hovered"]
 tags = [t for t in texts if t["string"] == name and t["box"][2] < state["frame"]["view"][2] and t["box"][1] < 298]
 check(name and len(tags) == 1, "the tag at the pointer has the name of a selected door, which stands once",
       (name, [t["string"] for t in texts][:20]))
+
+# the name of the person under the pointer does not hide an exit
+texts, state = stage.act("beside-exit", "until answered", "pause", "seek 1.5", "mouse 655 390", "wait 6", "texts STATE",
+                         "state STATE", arguments=[FILES["house"], "--size", "1280x720"])
+name = [t["box"] for t in texts if t["string"] == "C, wheelchair" and t["box"][2] < state["frame"]["view"][2]]
+sign = [t["box"] for t in state["text_in_view"] if t["string"] == "EXIT porch"]
+check(len(name) == len(sign) == 1 and (name[0][2] + PAD < sign[0][0] or name[0][3] < sign[0][1] or sign[0][3] < name[0][1]),
+      "the name of a person under the pointer hides no exit", (name, sign))
+
+# while a piece is dragged, its four lengths stand about it, and over no name
+texts, state = stage.act("lengths", "until answered", "pause", "at 9.20 8.74", "press", "at 9.0 8.4", "at 8.71 7.85", "wait 10",
+                         "texts STATE", "state STATE", arguments=[FILES["house"], "--size", "1280x720"])
+(left, foot), (right, _), (_, up) = state["floor"]
+x, y = ([origin + at * (unit - origin) for at in ends] for origin, unit, ends in
+        ((left, right, (8.21, 9.21)), (foot, up, (8.135, 7.585))))
+piece = [x[0], y[0], x[1], y[1]]
+lengths = [t["box"] for t in texts if re.fullmatch(r"\d\.\d\d m", t["string"]) and t["box"][2] < state["frame"]["view"][2]]
+names = [t["box"] for t in state["text_in_view"] if t["string"] in ("bed", "closet", "toilet")]
+over = [(a, b) for a in lengths for b in [piece, *names]
+        if a[0] - PAD < b[2] and b[0] < a[2] + PAD and a[1] < b[3] and b[1] < a[3]]
+check(len(lengths) == 4 and not over, "a dragged piece's lengths hide neither it nor a name", (len(lengths), over))
 
 # the tool tip of a button in the view is next to it
 texts = stage.act("tip", "until answered", "pause", "wait 3", "mouse 50 118", *["wait 100", "texts STATE"] * 3,
