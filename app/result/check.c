@@ -74,8 +74,8 @@ static void add_path(ResultTable *table, const Route *route, bool walks) {
         table,
         (ResultRow){.key = "narrowest.y", .kind = RESULT_NUMBER, .number = route->narrowest_at.y, .omitted = !found});
     result_add(table, (ResultRow){.key = "narrowest.clearance",
-                                  .label = "narrowest clearance",
-                                  .head = "narrowest",
+                                  .label = "narrowest planned clearance",
+                                  .head = "narrowest planned",
                                   .kind = RESULT_NUMBER,
                                   .number = route->narrowest,
                                   .unit = "m",
