@@ -101,7 +101,9 @@ void phase_update(World *world) {
         resume_people(world);
     for (size_t r = 0; r < world->rider_count; r++) {
         size_t i = world->riders[r];
-        if (world->phase[i] == PHASE_MOVING && world->drive[i].stalled > world->house->plan.run.patience) {
+        /* Whoever makes room for another person has as long as that takes. */
+        double patience = fmax(world->house->plan.run.patience, world->drive[i].room_by);
+        if (world->phase[i] == PHASE_MOVING && world->drive[i].stalled > patience) {
             bool closed = time > world->house->plan.exits[world->journeys[i].route.exit].closes;
             phase_give_up(world, i, closed ? REASON_NO_EXIT : REASON_BLOCKED);
         }

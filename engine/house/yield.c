@@ -141,7 +141,8 @@ static double apart(const World *world, size_t i, size_t j) {
 /* True if a chair j that lets this one go first backs off to make room, or comes back from there. */
 static bool makes_room(const World *world, size_t i, size_t j, const Sight *sight) {
     return faces(world, j, sight) && sight->gap <= PASSING_LEAST && sight->ahead >= -STAND_OFF &&
-           world->drive[j].stalled < world->drive[j].room_by && precedes(world, i, j);
+           world->phase[j] == PHASE_MOVING && world->drive[j].stalled < world->drive[j].room_by &&
+           precedes(world, i, j);
 }
 
 static double speed_past(const World *world, size_t i, size_t j, const Sight *sight, double speed) {

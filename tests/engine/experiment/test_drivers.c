@@ -172,10 +172,11 @@ TEST(pairs_of_drivers_pass_one_another) {
 
 /* With both starts beside the wall on one side, the second chair, which lets the first one go, has to cross: of these
  * pairs neither got out, since the first one followed it, pressing, whenever it backed off by a quarter of a metre. It
- * goes back as far as it takes to swerve, while the first one waits. */
+ * goes back as far as it takes to swerve, while the first one waits; it has as long for that as it takes, and nobody
+ * waits for one who has given up (pair 25). */
 TEST(a_chair_that_lets_another_one_pass_makes_room) {
     const char *const beside[] = {"person.p1.y=1.4", "person.p2.y=1.4", NULL};
-    drive_each("two-chairs-corridor", beside, 1, (const size_t[]){3, 9, 36, 57}, 4, both_get_out);
+    drive_each("two-chairs-corridor", beside, 1, (const size_t[]){3, 9, 25, 36, 57}, 5, both_get_out);
 }
 
 /* The chance of a touch on either side in a way of s: 1 - exp(-2 nu s), nu = sqrt(K) / (2 pi) exp(-z^2 / 2) (Rice),
