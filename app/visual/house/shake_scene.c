@@ -1,7 +1,11 @@
 #include "visual/house/shake_scene.h"
 
+#include <string.h>
+
 #include "plan/plan_geometry.h"
 #include "result/census.h"
+#include "result/headline.h"
+#include "result/names.h"
 #include "result/shake.h"
 #include "result/source_line.h"
 #include "visual/house/house_scene.h"
@@ -94,10 +98,21 @@ static void add_people(Scene *scene, const House *house) {
         people_scene_start(scene, &house->people[i], census_walks(house->people[i].profile) ? ROLE_WALKER : ROLE_CHAIR);
 }
 
+/* Returns the letter of a person, as in the other pictures, or the word for a crowd's people. */
+static const char *who_of(Scene *scene, const ShakeFindings *findings, const ShakeParty *party) {
+    size_t person = 0;
+    while (person < findings->house->person_count && strcmp(findings->house->people[person].id, party->id) != 0)
+        person++;
+    return party->people == 1 && person < findings->house->person_count
+               ? names_person(findings->house, person, &scene->arena)
+               : names_profile(party->profile);
+}
+
 static void add_people_tags(Scene *scene, const ShakeFindings *findings) {
     for (size_t p = 0; p < findings->party_count && p < ROWS_MOST; p++) {
         const ShakeParty *party = &findings->parties[p];
-        const char *text = scene_text(scene, "%s: out in %zu of %zu", party->id, party->out.good, party->out.all);
+        const char *text =
+            scene_text(scene, "%s: out in %zu of %zu", who_of(scene, findings, party), party->out.good, party->out.all);
         add_tag(scene, party->out.good < party->out.all ? ROLE_ERROR : ROLE_PAPER, party->at, text);
     }
 }
@@ -112,9 +127,10 @@ static void list_people(Scene *scene, const ShakeFindings *findings) {
     scene_add_row(scene, ROW_HEADING, "People: out in, median time");
     for (size_t p = 0; p < people.record_count && p < ROWS_MOST; p++) {
         const ShakeParty *party = &findings->parties[p];
-        SceneRow *row = scene_add_row(scene, ROW_PLAIN, scene_text(scene, "%s %s", party->id, party->profile));
+        const char *who = who_of(scene, findings, party), *kind = names_profile(party->profile);
+        SceneRow *row = scene_add_row(scene, ROW_PLAIN, who == kind ? who : scene_text(scene, "%s, %s", who, kind));
         row->cells[1] = value_of(scene, &people, p, "out.share");
-        row->cells[2] = value_of(scene, &people, p, "time.q50");
+        row->cells[2] = party->out.good ? headline_duration(party->time.median, &scene->arena) : "-";
     }
     result_clear(&people);
 }
