@@ -198,10 +198,13 @@ static void add_place(Listing *listing, const Blockage *blockage, Candidate ease
     memcpy(place->what, blockage->what, sizeof place->what);
 }
 
-/* Finds how much room a place has with all others eased, m less than the level asks for. */
-static double find_missing(const Listing *listing, const GradeLevel *level, size_t p) {
+/* Finds how much room a place has with all others eased, m less than the level asks for: all that the way has where no
+ * other place blocks the level. */
+static double find_missing(const Listing *listing, const GradeLevel *level, size_t p, bool only) {
     if (!isfinite(level->has))
         return (double)NAN;
+    if (only)
+        return level->growth - level->has;
     double low = fmin(level->has, level->growth), high = level->growth;
     while (high - low > GRADE_RESOLUTION && !stop_requested(listing->stop)) {
         double middle = (low + high) / 2;
@@ -302,7 +305,7 @@ static bool list_level(Listing *listing, const GradeLevel *level, int letter) {
         add_place(listing, &blockage, eased, letter);
     }
     for (size_t p = first; tried.found && p < grade->place_count && !stop_requested(listing->stop); p++) {
-        grade->places[p].to_next = find_missing(listing, level, p);
+        grade->places[p].to_next = find_missing(listing, level, p, grade->place_count == 1);
         find_change(listing, level, p);
     }
     return tried.found;
