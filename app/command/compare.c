@@ -94,13 +94,14 @@ static bool write_results(const House houses[2], const Observation observations[
 }
 
 /* Runs the same drivers through both houses. Returns false if interrupted. */
-static bool run_drivers(PairedDrivers *drivers, const House houses[2], size_t count, const Options *options) {
+static bool run_drivers(Drivers drivers[2], const House houses[2], const Population *population, size_t count,
+                        const Options *options) {
     for (int h = 0; h < 2; h++)
-        drivers_run(&drivers->of[h], &houses[h], drivers->population, count, SIZE_MAX, options->jobs, &progress_stop);
-    if (!drivers->of[0].interrupted && !drivers->of[1].interrupted)
+        drivers_run(&drivers[h], &houses[h], population, count, SIZE_MAX, options->jobs, &progress_stop);
+    if (!drivers[0].interrupted && !drivers[1].interrupted)
         return true;
     for (int h = 0; h < 2; h++)
-        drivers_free(&drivers->of[h]);
+        drivers_free(&drivers[h]);
     return false;
 }
 
@@ -144,8 +145,9 @@ int command_compare(const Options *options) {
     bool told = is_interrupted(observations);
     if (told)
         fprintf(stderr, "clearance: interrupted; nothing is compared or written\n");
-    PairedDrivers drivers = {.population = &population};
-    bool undriven = count && !told && !run_drivers(&drivers, houses, count, options);
+    Drivers of[2] = {{.count = 0}};
+    const PairedDrivers drivers = {of, &population};
+    bool undriven = count && !told && !run_drivers(of, houses, &population, count, options);
     if (undriven)
         fprintf(stderr, "clearance: interrupted before all drivers had run; they are not compared\n");
     bool written = told || write_results(houses, observations, &drivers, options);
@@ -153,7 +155,7 @@ int command_compare(const Options *options) {
     json_t *answer = options->json ? make_answer(houses, observations, interrupted) : NULL;
     if (!answer)
         print_comparison(houses, observations);
-    if (drivers.of[0].count)
+    if (of[0].count)
         tell_drivers(houses, &drivers, answer);
     if (answer)
         answer_print(answer);
@@ -162,7 +164,7 @@ int command_compare(const Options *options) {
         printf("\npictures are in %s\n", options->out);
     bool all = observations[0].completed && observations[1].completed && !interrupted;
     for (int h = 0; h < 2; h++) {
-        drivers_free(&drivers.of[h]);
+        drivers_free(&of[h]);
         observation_free(&observations[h]);
         house_free(&houses[h]);
     }

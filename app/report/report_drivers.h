@@ -16,7 +16,7 @@ typedef struct ReportedDrivers {
 
 /* The same drivers in both houses. */
 typedef struct PairedDrivers {
-    Drivers of[2]; /* count 0: none */
+    const Drivers *of; /* (2) of A and B; count 0: none */
     const Population *population;
 } PairedDrivers;
 
