@@ -100,7 +100,7 @@ static void read_row(Population *population, const JsonNode *node, Fault *fault)
     if (row->low > row->high)
         json_fault(node, fault, "low is %g, must be at most high, %g", row->low, row->high);
     for (const PopulationRow *other = population->rows; other < row; other++)
-        if (strcmp(other->name, row->name) == 0 && strcmp(other->level, row->level) == 0)
+        if (other->name && strcmp(other->name, row->name) == 0 && strcmp(other->level, row->level) == 0)
             json_fault(node, fault, "%s has a second row of the level \"%s\"", row->name, row->level);
 }
 

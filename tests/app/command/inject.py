@@ -252,7 +252,7 @@ def misplaced(part, whole):
 def false_in_json(part, whole):
     """The false values of an interrupted answer of any kind."""
     kind = part.get("kind")
-    partial = {"house": {"hazards", "crowds", "routes"}, "follow": {"points", "begun", "curves", "above", "below", "left_out"},
+    partial = {"house": {"hazards", "hindrances", "crowds", "routes"}, "follow": {"points", "begun", "curves", "above", "below", "left_out"},
                "fit": {"headline"}, "rules": {"headline"},
                "beam": {"peaks", "switches", "contact_share", "grazes"},
                "crank": {"peaks", "switches", "contact_share", "touches"},
