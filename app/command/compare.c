@@ -75,9 +75,8 @@ static json_t *make_answer(const House houses[2], const Observation observations
     return answer;
 }
 
-/* Writes the pictures of B, with the paths in A as "before", and the report on both. */
-static bool write_results(const House houses[2], const Observation observations[2], const PairedDrivers *drivers,
-                          const Options *options) {
+/* Writes the pictures of B, with the paths in A as "before". */
+static bool write_pictures(const House houses[2], const Observation observations[2], const Options *options) {
     if (options->out) {
         Scene scene = {0};
         house_scene_make_compared(&scene, &houses[1], &observations[1],
@@ -87,10 +86,9 @@ static bool write_results(const House houses[2], const Observation observations[
         if (!written)
             return false;
     }
-    return report_files_write_comparison(houses, observations, drivers, options) &&
-           (!frames_wanted(options) ||
-            frames_write(&houses[1], &observations[1], (Before){.house = &houses[0], .observation = &observations[0]},
-                         NULL, options));
+    return !frames_wanted(options) ||
+           frames_write(&houses[1], &observations[1], (Before){.house = &houses[0], .observation = &observations[0]},
+                        NULL, options);
 }
 
 /* Runs the same drivers through both houses. Returns false if interrupted. */
@@ -145,13 +143,17 @@ int command_compare(const Options *options) {
     bool told = is_interrupted(observations);
     if (told)
         fprintf(stderr, "clearance: interrupted; nothing is compared or written\n");
+    bool written = told || write_pictures(houses, observations, options);
+    told = output_tell_interrupted(told);
     Drivers of[2] = {{.count = 0}};
     const PairedDrivers drivers = {of, &population};
-    bool undriven = count && !told && !run_drivers(of, houses, &population, count, options);
-    if (undriven)
+    if (count && !told && !run_drivers(of, houses, &population, count, options)) {
         fprintf(stderr, "clearance: interrupted before all drivers had run; they are not compared\n");
-    bool written = told || write_results(houses, observations, &drivers, options);
-    bool interrupted = output_tell_interrupted(told || undriven);
+        told = true;
+    }
+    written = written &&
+              (is_interrupted(observations) || report_files_write_comparison(houses, observations, &drivers, options));
+    bool interrupted = output_tell_interrupted(told);
     json_t *answer = options->json ? make_answer(houses, observations, interrupted) : NULL;
     if (!answer)
         print_comparison(houses, observations);

@@ -127,9 +127,7 @@ static void add_drivers(Document *document, const Reported runs[2], const Paired
                       drivers->of[0].count, drivers->population->id, drivers->population->title));
     Text said = {0};
     result_drivers_paired_say(&said, houses, drivers->of);
-    if (said.used)
-        document_add_paragraph(document, document_text(document, "%s", said.text));
-    memory_free(said.text);
+    report_drivers_take_lines(document, runs[1].house, &said);
     result_page_take_named(document, NULL, runs[1].house, result_drivers_paired(houses, drivers->of));
 }
 

@@ -2,7 +2,6 @@
 
 #include <string.h>
 
-#include "base/text.h"
 #include "report/report_pictures.h"
 #include "result/names.h"
 #include "result/check.h"
@@ -67,14 +66,20 @@ static void add_plots(Document *document, const Reported *run, const Drivers *dr
     }
 }
 
+void report_drivers_take_lines(Document *document, const House *house, Text *text) {
+    for (char *at = text->text, *end; at && *at; at = end + 1) {
+        end = strchr(at, '\n');
+        const char *line = document_text(document, "%.*s.", (int)(end - at), at);
+        document_add_paragraph(document, names_text(house, line, &document->arena));
+    }
+    memory_free(text->text);
+    *text = (Text){0};
+}
+
 static void add_sentences(Document *document, const Reported *run, const Drivers *drivers) {
     Text text = {0};
     result_drivers_say(&text, run->house, run->observation, drivers);
-    for (char *at = text.text, *end; at && *at; at = end + 1) {
-        end = strchr(at, '\n');
-        document_add_paragraph(document, document_text(document, "%.*s.", (int)(end - at), at));
-    }
-    memory_free(text.text);
+    report_drivers_take_lines(document, run->house, &text);
 }
 
 static void add_plan(Document *document, const char *name, const Reported *run, const ReportedDrivers *of) {
@@ -165,9 +170,7 @@ void report_drivers_add(Document *document, const char *name, const Reported *ru
     result_page_take_named(document, NULL, house, grades);
     Text contradictions = {0};
     result_drivers_say_grades(&contradictions, house, of->drivers, of->grades);
-    if (contradictions.used)
-        document_add_paragraph(document, document_text(document, "%s", contradictions.text));
-    memory_free(contradictions.text);
+    report_drivers_take_lines(document, house, &contradictions);
     ResultTable places = result_check_grade_places(house, of->grades);
     if (places.record_count)
         document_add_paragraph(document,

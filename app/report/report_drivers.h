@@ -2,6 +2,7 @@
  * spread, and how tight the ways are. */
 #pragma once
 
+#include "base/text.h"
 #include "document/document.h"
 #include "experiment/drivers.h"
 #include "inquiry/grade.h"
@@ -19,6 +20,9 @@ typedef struct PairedDrivers {
     const Drivers *of; /* (2) of A and B; count 0: none */
     const Population *population;
 } PairedDrivers;
+
+/* Adds each line of the text as a paragraph, with names in place of ids, and releases the text. */
+void report_drivers_take_lines(Document *document, const House *house, Text *text);
 
 /* Adds sections for the drivers and for the grades, as far as there are any; `name` of the house. */
 void report_drivers_add(Document *document, const char *name, const Reported *run, const ReportedDrivers *of);

@@ -407,8 +407,7 @@ ResultTable result_house_routes(const House *house, const Observation *observati
     return table;
 }
 
-/* Tight places and dangerous points
- * --------------------------------------------------------------------------------------------------
+/* Tight places --------------------------------------------------------------------------------------------------------
  */
 
 static void add_costs(ResultTable *table, double clearance, double peak_force, double lost_time) {
@@ -525,9 +524,9 @@ ResultTable result_house_totals(const House *house, const Observation *observati
                                    .decimals = 1,
                                    .unknown = !moved,
                                    .difference = DIFFERENCE_IF_BOTH});
-    result_add(&table, (ResultRow){.label = "dangerous points",
+    result_add(&table, (ResultRow){.label = "tight places",
                                    .kind = RESULT_COUNT,
-                                   .number = (double)observation->hazard_count,
+                                   .number = (double)tight_count(house, observation),
                                    .unknown = !moved,
                                    .difference = DIFFERENCE_ALWAYS});
     result_end(&table);

@@ -101,7 +101,7 @@ void phase_update(World *world) {
         resume_people(world);
     for (size_t r = 0; r < world->rider_count; r++) {
         size_t i = world->riders[r];
-        /* Whoever makes room for another person has as long as that takes. */
+        /* A chair that makes room for another one has until that is done. */
         double patience = fmax(world->house->plan.run.patience, world->drive[i].room_by);
         if (world->phase[i] == PHASE_MOVING && world->drive[i].stalled > patience) {
             bool closed = time > world->house->plan.exits[world->journeys[i].route.exit].closes;

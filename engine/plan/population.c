@@ -191,6 +191,7 @@ static double value_of(const PopulationRow *row, double z, double present) {
     return row->profile ? real_clamp(value, row->profile->low, row->profile->high) : value;
 }
 
+/* Draws a row's value for a driver, into the profile or the start. */
 static void draw_row(const Population *population, const PopulationRow *row, size_t driver, uint64_t seed,
                      Profile *profile, PopulationStart *start) {
     double z = drawn(row->name, row->level, stream_of(row), driver, seed);

@@ -169,7 +169,7 @@ static void compare(HouseSession *session) {
     for (size_t r = 0; r < now.row_count; r++) {
         SceneRow line;
         const ResultRow *row = result_at(&now, 0, r);
-        if (strcmp(row->label, "dangerous points") != 0 && /* several may be at one place */
+        if (strcmp(row->label, "tight places") != 0 && /* below, as jams or "at least 9" */
             result_panel_pair(&line, result_at(&before, 0, r), row, &scene->arena)) {
             line.cells[0] = names_number(line.cells[0]);
             add_row(session, line.kind, NULL)->row = line;
