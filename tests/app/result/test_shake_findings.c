@@ -85,7 +85,7 @@ TEST(the_picture_and_the_plot_say_it) {
     const ShakePiece *shelf = &made.findings.pieces[0];
     snprintf(text, sizeof text, "shelf blocks in %.0f %%", 100 * shelf->stops.value);
     CHECK(has_label(&scene, text));
-    snprintf(text, sizeof text, "p1: out in %zu of 8", made.findings.all_out.good);
+    snprintf(text, sizeof text, "A: out in %zu of 8", made.findings.all_out.good);
     CHECK(has_label(&scene, text));
     CHECK(scene.title_role == ROLE_ERROR && strstr(scene.title, "of 8 shakes"));
     scene_clear(&scene);
