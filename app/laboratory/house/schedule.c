@@ -125,8 +125,15 @@ static bool is_answered(const HouseSession *session) {
     return answered;
 }
 
+/* True if the displayed run is worth being kept by itself: an answer for a plan that somebody left, not for one that a
+ * gesture in progress passed through. */
+static bool is_worth_keeping(const HouseSession *session) {
+    uint64_t left = session->history.at[session->history.count - 1].revision;
+    return !session->runs[RUN_BEFORE] && house_run_revision(session->runs[RUN_SHOWN]) == left && is_answered(session);
+}
+
 bool house_schedule_store(HouseSession *session, bool by_itself) {
-    if (!session->whole || (by_itself && (session->runs[RUN_BEFORE] || !is_answered(session))))
+    if (!session->whole || (by_itself && !is_worth_keeping(session)))
         return false;
     house_runs_set(session, RUN_BEFORE, session->runs[RUN_SHOWN]);
     session->stored_by_itself = by_itself;

@@ -253,6 +253,24 @@ TEST(a_reset_while_a_number_is_dragged_changes_nothing_if_nothing_was_changed_be
     laboratory->close(session);
 }
 
+/* During a drag the answers are those of plans that nobody left. */
+TEST(what_a_gesture_passes_through_is_no_run_before) {
+    void *session = running_house_open("ube-techno-house", NULL, 0, NULL);
+    running_house_finish(session, 0);
+    laboratory->begin_number(session, "door.d5.width");
+    CHECK(running_house_set(session, "door.d5.width", 0.80));
+    running_house_finish(session, 0);
+    laboratory->clear_runs(session, 0);
+    CHECK(running_house_set(session, "door.d5.width", 0.97));
+    laboratory->end_number(session);
+    running_house_finish(session, 0);
+    CHECK(!strstr(laboratory->answer(session).detail, "before"));
+    CHECK(running_house_set(session, "door.d5.width", 0.85));
+    running_house_finish(session, 0);
+    CHECK(strstr(laboratory->answer(session).detail, "before") != NULL);
+    laboratory->close(session);
+}
+
 TEST(a_number_counts_from_the_time_at_which_it_was_put_down) {
     void *session = running_house_open("ube-techno-house", NULL, 0, NULL);
     running_house_finish(session, 0);
