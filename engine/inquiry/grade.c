@@ -40,17 +40,19 @@ static GradeTry try_growth(Grading *grading, double growth, int reversals) {
     return tried;
 }
 
-/* Returns the largest growth up to `most` with which there is a way, m; NAN: none from -GRADE_DEEPEST on. */
+/* Returns the largest growth up to `most` with which there is a way, m; NAN: none from -GRADE_DEEPEST on. It is below 0
+ * where there is none for the body itself, even if the way of a smaller one would have room for it: a grade and the
+ * answer without one agree. */
 static double largest_growth(Grading *grading, int reversals, double most) {
     GradeTry tried = try_growth(grading, 0, reversals);
-    double low = tried.found ? tried.holds : -GRADE_DEEPEST, high = tried.found ? most : 0;
+    double low = tried.found ? tried.holds : -GRADE_DEEPEST, high = tried.found ? most : -GRADE_RESOLUTION;
     if (grading->weak)
         return (double)NAN;
     if (!tried.found) {
         tried = try_growth(grading, low, reversals);
         if (!tried.found)
             return (double)NAN;
-        low = tried.holds;
+        low = fmin(tried.holds, high);
     } else if (low < most && try_growth(grading, most, reversals).found) {
         return most;
     }

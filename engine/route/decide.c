@@ -14,10 +14,10 @@
  * body that is smaller than the true one by more than its own error (`relief`), first without a change of direction,
  * then with some. Each proposal becomes a way whose stations move until the true body is free (relax.c) and then until
  * no small change makes it quicker (hasten.c). A proposal that does not come free is dropped, which proves nothing: if
- * it had no change of direction, later proposals must have one, since the search would find the same way again. A way
- * with changes of direction is compared with what is found with fewer, and a no is given only after a search with more
- * states where the others had to give up. The budget is counted in expansions, proposals and sweeps, never in time, so
- * that the answer is always the same. */
+ * it had no change of direction, later proposals must have one, since the search would find the same way again, except
+ * for bodies of nearly the true size. A way with changes of direction is compared with what is found with fewer, and a
+ * no is given only after a search with more states where the others had to give up. The budget is counted in
+ * expansions, proposals and sweeps, never in time, so that the answer is always the same. */
 
 #define SPACING 0.05         /* m, of the stations */
 #define ALIKE 3e-3           /* 1: ways whose times differ by less than this share are one */
@@ -36,6 +36,8 @@ static const SearchGrain middle = {.cell = 0.05, .turn = M_PI / 36, .step = 0.10
 /* With changes of direction a search has to try every state of a room or two before it finds the right one. */
 static const SearchGrain coarse_back = {
     .cell = 0.10, .turn = M_PI / 18, .step = 0.15, .weight = 1.5, .most_nodes = 30000};
+static const SearchGrain coarse_long = {
+    .cell = 0.10, .turn = M_PI / 18, .step = 0.15, .weight = 1.5, .most_nodes = 60000};
 static const SearchGrain coarse_far = {
     .cell = 0.10, .turn = M_PI / 18, .step = 0.15, .weight = 1.5, .most_nodes = 120000};
 static const SearchGrain middle_back = {
@@ -54,8 +56,8 @@ static const Rung rungs[] = {
     {&coarse, 0.040, STAGE_ONWARDS},   {&coarse, 0.025, STAGE_ONWARDS},   {&middle, 0.030, STAGE_ONWARDS},
     {&middle, 0.018, STAGE_ONWARDS},   {&middle, 0.010, STAGE_ONWARDS},   {&coarse_back, 0.030, STAGE_BACK},
     {&coarse_back, 0.020, STAGE_BACK}, {&coarse_back, 0.040, STAGE_BACK}, {&coarse_back, 0.010, STAGE_BACK},
-    {&middle_back, 0.006, STAGE_LAST}, {&middle, 0.020, STAGE_LAST},      {&middle, 0.012, STAGE_LAST},
-    {&coarse_far, 0.040, STAGE_LAST},
+    {&coarse_long, 0.006, STAGE_LAST}, {&coarse_long, 0.012, STAGE_LAST}, {&middle_back, 0.006, STAGE_LAST},
+    {&middle, 0.020, STAGE_LAST},      {&middle, 0.012, STAGE_LAST},      {&coarse_far, 0.040, STAGE_LAST},
 };
 enum { RUNGS = sizeof rungs / sizeof *rungs };
 
@@ -377,7 +379,9 @@ static DecideAnswer decide_fresh(const RouteQuery *query, const Rectangle *body,
         if (!too_fine && !is_known(&decide, &rungs[r]) &&
             !is_vain(&decide, rungs[r].grain, rungs[r].relief, rungs[r].stage)) {
             bool onwards = rungs[r].stage == STAGE_ONWARDS;
-            SearchAnswer answer = propose(&decide, &rungs[r], !onwards && decide.dropped_onwards,
+            /* A body of nearly the true size is led along other ways without a change of direction, too. */
+            bool again = onwards || rungs[r].grain == &coarse_long;
+            SearchAnswer answer = propose(&decide, &rungs[r], !again && decide.dropped_onwards,
                                           onwards ? 0 : query->most_reversals, &proposal);
             if (answer == SEARCH_GAVE_UP)
                 decide.spent[r] = extent_of(rungs[r].grain);

@@ -6,6 +6,7 @@
 
 #include "case.h"
 #include "check.h"
+#include "inquiry/grade_try.h"
 
 /* Releases the plan. */
 static Grade grade_chair(json_t *plan, double x) {
@@ -67,6 +68,32 @@ LONG_TEST(a_corner_is_as_tight_turned_and_no_tighter_when_wider) {
     /* the body fits there and cannot be driven: the place is where it sticks */
     CHECK(vec2_distance(narrow.at, vec2(4, 0.94)) < 1);
     CHECK(vec2_distance(vec2_turn(slanted.at, vec2_heading(-M_PI / 6)), vec2(4, 0.94)) < 1);
+}
+
+/* Out of a room by a door into a corridor, where one lattice finds the way and another does not. */
+LONG_TEST(whether_a_tight_door_is_passed_does_not_hang_on_one_search) {
+    static const double sizes[][2] = {{0.94, 0.80}, {0.92, 0.82}, {0.94, 0.82}}; /* m, corridor and door */
+    for (size_t k = 0; k < 2 * (sizeof sizes / sizeof *sizes); k++) {
+        House house;
+        double angle = k % 2 ? M_PI / 6 : 0;
+        case_made(&house, case_side_door(sizes[k / 2][0], sizes[k / 2][1], true, angle), -1, NULL);
+        GradeTry tried = grade_try_growth(&house, 0, 0, house.plan.run.reversals, NULL);
+        CHECK(tried.found && tried.holds > 0.002);
+        house_free(&house);
+    }
+}
+
+LONG_TEST(who_cannot_pass_has_no_grade_of_those_who_can) {
+    for (int k = 0; k < 3; k++) {
+        House house;
+        case_made(&house, case_side_door(0.92 + 0.01 * k, 0.80, true, 0), -1, NULL);
+        bool found = grade_try_growth(&house, 0, 0, house.plan.run.reversals, NULL).found;
+        Grade grade = grade_person(&house, 0, NULL);
+        printf("corridor %.2f m: %s, %s, c* %.1f mm\n", 0.92 + 0.01 * k, found ? "passes" : "cannot pass",
+               grade_letter(grade.letter), 1000 * grade.tightness);
+        CHECK((grade.letter <= GRADE_D) == found && (grade.tightness >= 0) == found);
+        house_free(&house);
+    }
 }
 
 /* Two openings one after the other, `first` and 0.80 m wide, in a closed corridor of 1.40 m. */
