@@ -167,6 +167,19 @@ for words in ("vote", "hint"):
                       arguments=[str(stage.source / "assets" / "lessons" / "legal-no-way.json"), "--size", "1280x720", "--text", "2"])[0]
     check(len(texts) > 10 and not cut(texts), f"a lesson with large letters, {words}: no text is cut", cut(texts))
 
+# a machine speaks plain words, with the terms of the trade in brackets, and those of a changed number are whole
+PLAIN = {"beam": ("How fast to shake", "Where the tip goes (phase plane)", "Impact beam (set B)"),
+         "crank": ("How fast it turns", "Where the ball goes (phase plane)", "Slider crank (desk rig)")}
+for name, expected in PLAIN.items():
+    changed = ("--set", "drive.frequency=301") if name == "beam" else stage.PERIODIC
+    texts, state = stage.act(f"plain-{name}-words", "until answered", "pause", "wait 5", "texts STATE", "state STATE",
+                             arguments=[FILES[name], *changed, "--size", "1280x720"])
+    plot = state["charts"]["phase"]["texts"]
+    strings, head = [t["string"] for t in texts + plot], f'{state["answer"]["title"]}: {state["answer"]["detail"]}'
+    check(not cut(texts) and set(expected) <= set(strings), f"{name}: its plain words are whole", (cut(texts), strings))
+    check(re.search(r"hardest (hit|push)(e?s [0-9]+ to)? [0-9]+ N", head) and not re.search(r"quick|peaks|\d-\d", head),
+          f"{name}: the headline is plain", head)
+
 # a detail of two lines breaks between its clauses
 for name in ("beam", "crank"):
     texts, state = stage.act(f"clauses-{name}", "until answered", "pause", "key F5", "wait 20", "texts STATE", "state STATE",
