@@ -127,9 +127,12 @@ static void begin_row(Rows *rows) {
     rows->middle += rows->layout->sheet.page.y < LOW ? LOW_ROW : ROW_HEIGHT;
 }
 
-/* Returns a text, or what stands before its colon or before "of the" if only that fits. */
+/* Returns a text, or what stands before its colon, its bracket or "of the" if only that fits. */
 static const char *shorter_title(Layout *sheet, const char *text, double size, bool bold, double width) {
-    const char *colon = strstr(text, ": "), *end = colon ? colon : strstr(text, " of the ");
+    const char *colon = strstr(text, ": "), *bracket = strstr(text, " ("),
+               *end = colon     ? colon
+                      : bracket ? bracket
+                                : strstr(text, " of the ");
     return end && text_extent(text, size, bold).x > width
                ? text_in_arena(&sheet->arena, "%.*s", (int)(end - text), text)
                : text;

@@ -360,6 +360,11 @@ static bool is_stacked(Window *window, const Result *answer, double right) {
            MARGIN + ui_extent(window->ui, UI_CLOCK, answer->title).x > right;
 }
 
+/* Returns the middle of a title, at `y` or so far above it that the progress does not cut the feet of letters. */
+static double above_progress(Window *window, Box bar, UiTextStyle size, double y, const char *title) {
+    return fmin(y, bar.high.y - PROGRESS_HEIGHT - ui_extent(window->ui, size, title).y / 2);
+}
+
 void bars_show_answer(Window *window) {
     Box bar = window->frame.answer;
     Tab *tab = window_tab(window);
@@ -386,7 +391,7 @@ void bars_show_answer(Window *window) {
             show_wrapped(window, size, MARGIN, right, y, answer.title);
         else
             show_text(window, size, answer.stale ? ROLE_DIM_TEXT : answer.role, MARGIN, fmin(right, MARGIN + width + 2),
-                      y, answer.title);
+                      above_progress(window, bar, size, y, answer.title), answer.title);
         if (answer.stale) {
             show_work(window, tab, &answer, left, right, below);
         } else {

@@ -183,9 +183,9 @@ static const KeyRow table[] = {
     {ACTION_MARK_IN, KEY_TIMELINE, "I", MENU_RUN, "Mark in", "Begin the loop here", NULL},
     {ACTION_MARK_OUT, KEY_TIMELINE, "O", MENU_RUN, "Mark out", "End the loop here", NULL},
     {ACTION_SWEEP, KEY_CANVAS, "U", MENU_RUN, "Sweep",
-     "Choose how the orbit diagram is swept: from rest, upwards or downwards", NULL},
+     "Choose how all rhythms (orbit diagram) are swept: from rest, upwards or downwards", NULL},
     {ACTION_FOLLOW_ORBIT, KEY_CANVAS, "Shift+U", MENU_RUN, "Follow this orbit",
-     "Follow the running orbit along the orbit diagram, stable or not, or remove its lines", NULL},
+     "Follow the running motion through all rhythms (orbit diagram), stable or not, or remove it", NULL},
     {ACTION_SOUND, KEY_ANYWHERE, "Ctrl+M", MENU_RUN, "Sound", "Switch the sound of the beam's tip on or off", NULL},
 
     {ACTION_LESSONS, KEY_ANYWHERE, "Ctrl+L", MENU_LEARN, "Lessons ...", "Choose a lesson for a class or for yourself",

@@ -89,7 +89,7 @@ const char *menu_reason_of(Window *window, Action action) {
     case ACTION_TURN_RIGHT:
         return is_selected(tab) || tab->camera.kind == VIEW_RAISED ? NULL : "Select a thing first, or show it raised";
     case ACTION_SWEEP:
-        return has_choice(tab, "Sweep") ? NULL : "Only a beam has an orbit diagram to sweep";
+        return has_choice(tab, "Sweep") ? NULL : "Only a beam or a crank has rhythms (an orbit diagram) to sweep";
     case ACTION_FOLLOW_ORBIT:
         return tab->laboratory->follow ? NULL : "Only the orbit of a beam can be followed";
     case ACTION_GHOST:

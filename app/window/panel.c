@@ -366,6 +366,12 @@ static const char *toggled(Window *window, const char *names, const char *name, 
     return kept;
 }
 
+/* Returns a title without the term in brackets at its end, for which the panel is too narrow: the tooltip has it. */
+static const char *before_bracket(Window *window, const char *title) {
+    const char *bracket = strstr(title, " (");
+    return bracket ? text_in_arena(&window->arena, "%.*s", (int)(bracket - title), title) : title;
+}
+
 static void show_plots(Window *window, Tab *tab) {
     if (!show_fold(window, "Plots", keys_row(ACTION_PLOTS).key, false))
         return;
@@ -376,7 +382,8 @@ static void show_plots(Window *window, Tab *tab) {
         for (size_t c = 0; c < tab->panes.count; c++)
             shown |= strcmp(tab->panes.panes[c].source.name, plot.name) == 0;
         const char *help = text_in_arena(&window->arena, "%s: Show or hide the plot", plot.title);
-        if (ui_flag(window->ui, text_in_arena(&window->arena, "plot %s", plot.name), plot.title, help, &shown)) {
+        const char *label = before_bracket(window, plot.title);
+        if (ui_flag(window->ui, text_in_arena(&window->arena, "plot %s", plot.name), label, help, &shown)) {
             tab->plots = toggled(window, tab_plots(tab), plot.name, shown);
             tab->plot_panes_stale = true;
         }

@@ -9,10 +9,10 @@
 /* The main parameters come first. The orbit diagram over the frequency covers the published one, figure 8, and the
  * range below it. */
 static const MachineLooks all_looks[] = {
-    {"drive.frequency", "Excitation", NULL, 1, 0, 0, 20, 400, 1 / 15., 16 / 15., false, true},
-    {"drive.force", "Force", NULL, 1, 0, 2, 0, 0, 0.1, 2, false, true},
-    {"joint.clearance", "Gap", "mm", 1e3, 0, 2, 0, 0.25e-3, 0, 2, false, true},
-    {"beam.length", "Length", "mm", 1e3, 0.9, 1.1, 0, 0, 0.95, 1.05, false, true},
+    {"drive.frequency", "How fast to shake", NULL, 1, 0, 0, 20, 400, 1 / 15., 16 / 15., false, true},
+    {"drive.force", "How hard", NULL, 1, 0, 2, 0, 0, 0.1, 2, false, true},
+    {"joint.clearance", "Gap in the joint", "mm", 1e3, 0, 2, 0, 0.25e-3, 0, 2, false, true},
+    {"beam.length", "Length of the beam", "mm", 1e3, 0.9, 1.1, 0, 0, 0.95, 1.05, false, true},
     {"joint.stiffness", "Contact stiffness", "MN/m", 1e-6, 0.01, 100, 0, 0, 0.1, 3, true, true},
     {"joint.damping", "Contact damping", NULL, 1, 0, 4, 0, 1000, 0, 3, false, true},
     {"joint.release", "Contact release", NULL, 1, 0, 0, 0, 1, 0, 0, false, true},
@@ -20,7 +20,7 @@ static const MachineLooks all_looks[] = {
     {"beam.thickness", "Thickness", "mm", 1e3, 0.8, 1.25, 0, 0, 0, 0, false, false},
     {"beam.youngs_modulus", "Young's modulus", "GPa", 1e-9, 0.5, 2, 0, 0, 0, 0, false, false},
     {"beam.density", "Density", NULL, 1, 0.5, 2, 0, 0, 0, 0, false, false},
-    {"beam.damping_ratio", "Damping of the modes", "%", 100, 0, 3, 0, 0.1, 0, 0, false, false},
+    {"beam.damping_ratio", "How soon it dies away", "%", 100, 0, 3, 0, 0.1, 0, 0, false, false},
     {"beam.modes", "Natural modes", NULL, 1, 0, 0, 1, 24, 0, 0, false, false},
     {"beam.elements", "Finite elements", NULL, 1, 0, 0, 8, 60, 0, 0, false, false},
     {"beam.tip_mass", "Mass at the tip", "g", 1e3, 0, 3, 0, 0.2, 0, 0, false, false},
@@ -53,8 +53,15 @@ static const char *const sweeps[MACHINE_SWEEPS] = {"from rest", "upwards and dow
 
 static const char *const over[] = {"drive.frequency", "drive.force",     "joint.clearance",
                                    "beam.length",     "joint.stiffness", "joint.damping"};
-static const char *const over_words[] = {"excitation frequency", "force",          "gap", "length",
-                                         "contact stiffness",    "contact damping"};
+static const char *const over_words[] = {"shaker frequency", "shaker force",      "gap",
+                                         "length",           "contact stiffness", "contact damping"};
+
+static const char *const over_titles[] = {"shaker (excitation frequency)",
+                                          "shaker force",
+                                          "gap (clearance)",
+                                          "length",
+                                          "contact stiffness",
+                                          "contact damping"};
 
 /* Runs a beam from rest, where `task` is given with a confirmation of what is not periodic, and tells the facts. */
 static bool respond(const Beam *beam, MachineFacts *facts, const SurvivalTask *task, const Stop *stop) {
@@ -115,6 +122,11 @@ const MachineKind beam_machine = {
     .word = "beam",
     .cycle = "cycle",
     .from = "From rest",
+    .hit = "hit",
+    .hits = "hits",
+    .peak = "hardest hit (peak force)",
+    .drive = "how fast it is shaken (excitation)",
+    .names = {{"ibs", "Impact beam (set B)"}, {"ibs-r", "Impact beam (set R)"}},
     .provenances = offsetof(Beam, provenance),
     .table = beam_table,
     .looks = all_looks,
@@ -124,10 +136,11 @@ const MachineKind beam_machine = {
     .presets = presets,
     .preset_count = sizeof presets / sizeof *presets,
     .sweeps = sweeps,
-    .sweeps_meaning = "the initial state of each value of the orbit diagram: at rest, or the final state of the "
-                      "neighbouring value",
+    .sweeps_meaning = "the start of each value of \"All rhythms at a glance\" (orbit diagram): at rest, or where the "
+                      "neighbouring value ended",
     .over = over,
     .over_words = over_words,
+    .over_titles = over_titles,
     .over_count = sizeof over / sizeof *over,
     .steps = BEAM_SWEEP_STEPS,
     .coarse = BEAM_SWEEP_COARSE,

@@ -29,6 +29,6 @@ const char *beam_lately_error(const BeamTape *tape, Arena *arena) {
                              tape->front + 1, MOTION_SWITCHES_MOST);
     return text_in_arena(arena,
                          "In cycle %zu the motion grows without bound, and the run ends: use more damping of the "
-                         "modes, less force or another excitation",
+                         "modes, less force or another shaker frequency",
                          tape->front + 1);
 }

@@ -5,7 +5,9 @@
 /* The plots over time, and the orbit diagram. */
 
 static const char *const plot_names[] = {"phase", "poincare", "force", "spectrum", "orbit"};
-static const char *const plot_titles[] = {"Phase plane", "Poincar\u00E9 map", "Force", "Spectrum", "Orbit diagram"};
+static const char *const plot_titles[] = {"Where the tip goes (phase plane)", "Once a cycle (Poincar\u00E9 map)",
+                                          "Force over time", "Tones (spectrum)",
+                                          "All rhythms at a glance (orbit diagram)"};
 
 size_t beam_picture_plot_count(const void *context) {
     (void)context;

@@ -58,14 +58,14 @@ static void take_curves(BeamTraces *traces) {
 void beam_traces_open(BeamTraces *traces) {
     const PlotSeries line = {.role = ROLE_LOCUS, .width = LINE_WIDTH};
     static const Plot plots[BEAM_TRACES] = {
-        [BEAM_TRACE_PHASE] = {.title = "Phase plane of the tip",
+        [BEAM_TRACE_PHASE] = {.title = "Where the tip goes (phase plane)",
                               .x = {.title = "displacement", .unit = "mm"},
                               .y = {.title = "velocity", .unit = "m/s"}},
-        [BEAM_TRACE_POINCARE] = {.title = "Poincar\u00E9 map",
+        [BEAM_TRACE_POINCARE] = {.title = "Once a cycle (Poincar\u00E9 map)",
                                  .x = {.title = "displacement at phase 0", .unit = "mm"},
                                  .y = {.title = "velocity at phase 0", .unit = "m/s"}},
         [BEAM_TRACE_FORCE] = {.title = "Force on the tip", .y = {.title = "force", .unit = "N"}},
-        [BEAM_TRACE_SPECTRUM] = {.title = "Spectrum",
+        [BEAM_TRACE_SPECTRUM] = {.title = "Tones (spectrum)",
                                  .x = {.title = "frequency", .unit = "Hz"},
                                  .y = {.title = "amplitude", .unit = "mm", .logarithmic = true}}};
     *traces = (BeamTraces){.shown = -1};
@@ -262,7 +262,7 @@ static void begin_force(BeamTraces *traces, const BeamTape *tape, size_t cycle) 
     plot->x = (PlotAxis){.title = text_in_arena(&traces->arena, "time since cycle %zu", first + 1),
                          .unit = "ms",
                          .high = MILLI * FORCE_PAGE * (double)page->stride * part->rig.period};
-    plot->title = page->stride < FORCE_PEAKS ? "Force on the tip" : "Largest forces on the tip";
+    plot->title = page->stride < FORCE_PEAKS ? "Force on the tip" : "Hardest hits on the tip";
     traces->guides[BEAM_TRACE_FORCE][0] = (PlotGuide){.role = ROLE_ROOM, .style = LINE_SOLID};
     plot->guide_count = 1;
 }

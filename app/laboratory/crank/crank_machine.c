@@ -6,8 +6,8 @@
 
 /* The main parameters come first. */
 static const MachineLooks all_looks[] = {
-    {"drive.frequency", "Speed", "rpm", 60, 0, 0, 5, 25, 0, 0, false, true},
-    {"joint.clearance", "Clearance", "mm", 1e3, 0, 2, 0, 0.5e-3, 0, 0, false, true},
+    {"drive.frequency", "How fast it turns", "rpm", 60, 0, 0, 5, 25, 0, 0, false, true},
+    {"joint.clearance", "Gap in the joint", "mm", 1e3, 0, 2, 0, 0.5e-3, 0, 0, false, true},
     {"joint.stiffness", "Contact stiffness", "MN/m", 1e-6, 0.01, 10, 0, 0, 0.1, 3, true, true},
     {"joint.damping", "Contact damping", NULL, 1, 0, 4, 0, 1000, 0, 3, false, true},
     {"joint.friction", "Friction", "", 1, 0, 0, 0, 0.3, 0, 0, false, true},
@@ -17,7 +17,7 @@ static const MachineLooks all_looks[] = {
     {"coupler.diameter", "Diameter", "mm", 1e3, 0.5, 2, 0, 0, 0, 0, false, false},
     {"coupler.modes", "Bending modes", NULL, 1, 0, 0, 0, 6, 0, 0, false, false},
     {"coupler.axial", "Axial modes", NULL, 1, 0, 0, 0, 1, 0, 0, false, false},
-    {"coupler.damping_ratio", "Damping of the modes", "%", 100, 0, 3, 0, 0.1, 0, 0, false, false},
+    {"coupler.damping_ratio", "How soon it dies away", "%", 100, 0, 3, 0, 0.1, 0, 0, false, false},
     {"coupler.end_mass", "Mass of the ball end", "g", 1e3, 0, 3, 0, 0.1, 0, 0, false, false},
     {"slider.damping", "Damping of the guide", NULL, 1, 0, 3, 0, 10, 0, 0, false, false},
     {"crank.radius", "Radius", "mm", 1e3, 0.5, 1.5, 0, 0, 0, 0, false, false},
@@ -53,8 +53,11 @@ static const char *const sweeps[MACHINE_SWEEPS] = {"from the start", "upwards an
 
 static const char *const over[] = {"drive.frequency", "joint.clearance", "coupler.length",
                                    "slider.mass",     "joint.stiffness", "joint.damping"};
-static const char *const over_words[] = {"speed",         "clearance",         "coupler's length",
-                                         "slider's mass", "contact stiffness", "contact damping"};
+static const char *const over_words[] = {
+    "speed", "gap", "coupler's length", "slider's mass", "contact stiffness", "contact damping"};
+
+static const char *const over_titles[] = {"speed",         "gap (clearance)",   "coupler's length",
+                                          "slider's mass", "contact stiffness", "contact damping"};
 
 /* Runs a crank from its start, where `task` is given with a confirmation of what is not periodic, and tells the facts.
  */
@@ -114,6 +117,11 @@ const MachineKind crank_machine = {
     .word = "crank",
     .cycle = "revolution",
     .from = "From its start",
+    .hit = "push",
+    .hits = "pushes",
+    .peak = "hardest push (peak force)",
+    .drive = "how fast it turns (speed of the crank)",
+    .names = {{"ssc", "Slider crank (desk rig)"}},
     .provenances = offsetof(Crank, provenance),
     .table = crank_table,
     .looks = all_looks,
@@ -123,10 +131,12 @@ const MachineKind crank_machine = {
     .presets = presets,
     .preset_count = sizeof presets / sizeof *presets,
     .sweeps = sweeps,
-    .sweeps_meaning = "the initial state of each value of the orbit diagram: the start of the file, or the final state "
-                      "of the neighbouring value",
+    .sweeps_meaning =
+        "the start of each value of \"All rhythms at a glance\" (orbit diagram): that of the file, or where "
+        "the neighbouring value ended",
     .over = over,
     .over_words = over_words,
+    .over_titles = over_titles,
     .over_count = sizeof over / sizeof *over,
     .steps = 121,
     .coarse = 8,

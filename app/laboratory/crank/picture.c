@@ -7,9 +7,14 @@ enum { ORBIT = CRANK_TRACES, MAP, PLOTS };
 
 static const char *const plot_names[] = {"phase",  "poincare", "section", "force",
                                          "slider", "spectrum", "orbit",   MACHINE_MAP_NAME};
-static const char *const plot_titles[] = {"Phase plane",   "Poincar\u00E9 map", "Poincar\u00E9 map across",
-                                          "Force",         "Slider's error",    "Spectrum",
-                                          "Orbit diagram", "Map of types"};
+static const char *const plot_titles[] = {"Where the ball goes (phase plane)",
+                                          "Once a revolution (Poincar\u00E9 map)",
+                                          "Once a revolution, across (Poincar\u00E9 map)",
+                                          "Force over time",
+                                          "Slider's error",
+                                          "Tones (spectrum)",
+                                          "All rhythms at a glance (orbit diagram)",
+                                          "Where it is safe (map of types)"};
 
 size_t crank_picture_plot_count(const void *context) {
     (void)context;

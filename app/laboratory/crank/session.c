@@ -6,6 +6,7 @@
 #include "base/stopwatch.h"
 #include "laboratory/crank/picture.h"
 #include "laboratory/machine/item.h"
+#include "laboratory/machine/words.h"
 #include "laboratory/save_file.h"
 
 #define BUSY_MOST 2e-3 /* s, longest time for which the motion is computed without a pause */
@@ -47,7 +48,7 @@ static void look_at_answer(MachineSession *machine_session) {
     session->machine.looked = session->tape.front;
     const Crank *crank = &session->machine.now.crank;
     MachineLately lately = look(&session->tape);
-    snprintf(session->machine.where, sizeof session->machine.where, "%.4g rpm (%.4g Hz), clearance %.3g mm",
+    snprintf(session->machine.where, sizeof session->machine.where, "%.4g rpm (%.4g Hz), gap %.3g mm",
              60 * crank->frequency, crank->frequency, MILLI * crank->clearance);
     machine_session_write(&session->machine, session->tape.status, session->tape.next, &lately);
 }
@@ -238,7 +239,7 @@ static const char *note(void *context) {
 }
 
 static const char *title(const void *context) {
-    return ((const CrankSession *)context)->opened.name;
+    return machine_words_name(&crank_machine, ((const CrankSession *)context)->opened.name);
 }
 
 static const TimelineMark *marks(void *context, size_t *count) {

@@ -59,20 +59,20 @@ void crank_traces_open(CrankTraces *traces) {
     const PlotSeries line = {.role = ROLE_LOCUS, .width = LINE_WIDTH};
     const PlotSeries dots = {.role = ROLE_WALL, .symbol = SYMBOL_DISC, .size = DOT};
     static const Plot plots[CRANK_TRACES] = {
-        [CRANK_TRACE_PHASE] = {.title = "Phase plane of the ball",
+        [CRANK_TRACE_PHASE] = {.title = "Where the ball goes (phase plane)",
                                .x = {.title = "place along the coupler", .unit = "mm"},
                                .y = {.title = "velocity", .unit = "m/s"}},
-        [CRANK_TRACE_POINCARE] = {.title = "Poincar\u00E9 map",
+        [CRANK_TRACE_POINCARE] = {.title = "Once a revolution (Poincar\u00E9 map)",
                                   .x = {.title = "place along the coupler at angle 0", .unit = "mm"},
                                   .y = {.title = "velocity at angle 0", .unit = "m/s"}},
-        [CRANK_TRACE_ACROSS] = {.title = "Poincar\u00E9 map across the coupler",
+        [CRANK_TRACE_ACROSS] = {.title = "Once a revolution, across (Poincar\u00E9 map)",
                                 .x = {.title = "place across, level, at angle 0", .unit = "mm"},
                                 .y = {.title = "upwards", .unit = "mm"}},
         [CRANK_TRACE_FORCE] = {.title = "Force of the joint", .y = {.title = "force", .unit = "N"}},
         [CRANK_TRACE_SLIDER] = {.title = "Error of the slider",
                                 .x = {.title = "crank angle", .unit = "deg", .low = 0, .high = 360},
                                 .y = {.title = "place beside the ideal one", .unit = "mm"}},
-        [CRANK_TRACE_SPECTRUM] = {.title = "Spectrum of the force",
+        [CRANK_TRACE_SPECTRUM] = {.title = "Tones of the force (spectrum)",
                                   .x = {.title = "frequency", .unit = "Hz"},
                                   .y = {.title = "amplitude", .unit = "N", .logarithmic = true}}};
     *traces = (CrankTraces){.cleared = 0};

@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/text.h"
+#include "laboratory/machine/words.h"
 #include "result/panel.h"
 
 enum {
@@ -15,52 +17,14 @@ static const double ALIKE = 0.02; /* 1, share of the largest force: motions whos
 
 /* Title and detail --------------------------------------------------------------------------------------------------*/
 
-static void title_periodic(char *title, size_t size, size_t period, size_t contacts) {
-    if (!contacts)
-        snprintf(title, size, "No contact");
-    else
-        snprintf(title, size, "Periodic, period %zu", period);
-}
-
-static void title_lately(MachineAnswer *answer, const MachineNow *now, const MachineLately *lately) {
-    size_t size = sizeof answer->title;
+static const char *title_lately(const MachineKind *kind, const MachineNow *now, const MachineLately *lately,
+                                Arena *arena) {
     if (now->status != CYCLE_GOOD)
-        snprintf(answer->title, size, "%s",
-                 now->status == CYCLE_CHATTERS ? "Chatter"
-                 : now->status == CYCLE_STIFF  ? "Too stiff"
-                                               : "Diverged");
-    else if (lately->period > 0)
-        title_periodic(answer->title, size, (size_t)lately->period, lately->peaks.count);
-    else if (lately->period == SECTION_NONE && lately->cycles >= MACHINE_ANSWER_LATELY)
-        snprintf(answer->title, size, "Not periodic so far");
-    else
-        snprintf(answer->title, size, "Settling ...");
-}
-
-static void title_verdict(MachineAnswer *answer, const MachineVerdict *verdict) {
-    static const char *const titles[] = {[RESPONSE_PERIODIC] = "",
-                                         [RESPONSE_QUASI_PERIODIC] = "Quasi-periodic",
-                                         [RESPONSE_CHAOTIC] = "Chaotic",
-                                         [RESPONSE_TRANSIENT] = "Transient",
-                                         [RESPONSE_UNDETERMINED] = "Undetermined",
-                                         [RESPONSE_CHATTERS] = "Chatter",
-                                         [RESPONSE_DIVERGED] = "Diverged",
-                                         [RESPONSE_STIFF] = "Too stiff",
-                                         [RESPONSE_INTERRUPTED] = "Interrupted"};
-    if (verdict->facts.verdict == RESPONSE_PERIODIC)
-        title_periodic(answer->title, sizeof answer->title, verdict->facts.period, verdict->facts.peaks.count);
-    else
-        snprintf(answer->title, sizeof answer->title, verdict->facts.quick ? "%s (quick)" : "%s",
-                 titles[verdict->facts.verdict]);
-}
-
-static void peaks_words(const SectionPeaks *peaks, char *text, size_t size) {
-    if (!peaks->count)
-        snprintf(text, size, "no contact");
-    else if (peaks->max - peaks->min < 0.5)
-        snprintf(text, size, "peaks %.0f N", peaks->max);
-    else
-        snprintf(text, size, "peaks %.0f-%.0f N", peaks->min, peaks->max);
+        return now->status == CYCLE_CHATTERS ? "Chatter" : now->status == CYCLE_STIFF ? "Too stiff" : "Runs away";
+    if (lately->period > 0)
+        return machine_words_periodic(kind, (size_t)lately->period, lately->peaks.count > 0, arena);
+    bool decided = lately->period == SECTION_NONE && lately->cycles >= MACHINE_ANSWER_LATELY;
+    return decided ? "No rhythm so far" : "Settling ...";
 }
 
 /* True if the running motion differs from the motion from rest. */
@@ -75,30 +39,46 @@ static bool is_another(const MachineLately *lately, const MachineVerdict *verdic
            ALIKE * fmax(lately->peaks.max, verdict->facts.peaks.max);
 }
 
-static void format_another(const MachineLately *lately, char *text, size_t size) {
-    char peaks[60];
-    peaks_words(&lately->peaks, peaks, sizeof peaks);
+/* Returns how the motion that is running now goes on; "": not known yet. */
+static const char *rhythm_lately(const MachineKind *kind, const MachineLately *lately, Arena *arena) {
     if (lately->period > 0)
-        snprintf(text, size, "running now: period %d, %s", lately->period, peaks);
-    else
-        snprintf(text, size, "running now: not periodic, %s", peaks);
+        return machine_words_repeat(kind, (size_t)lately->period, arena);
+    return lately->period == SECTION_NONE ? "no rhythm (not periodic)" : "";
 }
 
+/* Adds a clause to a detail, unless it is empty. */
+static void add_clause(Text *detail, const char *between, const char *clause) {
+    if (*clause)
+        text_format(detail, "%s%s", detail->used ? between : "", clause);
+}
+
+static const char *another_words(const MachineKind *kind, const MachineLately *lately, Arena *arena) {
+    Text text = {0};
+    text_add(&text, "running now: ");
+    text_add(&text, rhythm_lately(kind, lately, arena));
+    add_clause(&text, ", ", machine_words_hits(kind, &lately->peaks, arena));
+    const char *words = arena_text(arena, text.text);
+    memory_free(text.text);
+    return words;
+}
+
+/* Writes the clauses of the detail, the most important ones first: the window leaves out the last ones. */
 static void write_detail(MachineAnswer *answer, const MachineNow *now, const MachineLately *lately,
                          const MachineVerdict *verdict) {
-    char type[40] = "", peaks[60], exponent[60] = "", another[100] = "";
-    peaks_words(verdict ? &verdict->facts.peaks : &lately->peaks, peaks, sizeof peaks);
+    static const char between[] = " \u00b7 ";
+    const MachineKind *kind = now->kind;
+    Arena *arena = &answer->arena;
+    Text text = {0};
+    add_clause(&text, between, machine_words_hits(kind, verdict ? &verdict->facts.peaks : &lately->peaks, arena));
+    add_clause(&text, ", ",
+               verdict ? machine_words_rhythm(kind, &verdict->facts, arena) : rhythm_lately(kind, lately, arena));
+    if (verdict && is_another(lately, verdict))
+        add_clause(&text, between, another_words(kind, lately, arena));
     if (verdict && verdict->typed)
-        snprintf(type, sizeof type, verdict->type == TYPES_UNRESOLVED ? "type undecided   " : "type %s   ",
-                 types_kind_name(verdict->type));
-    if (verdict && verdict->facts.verdict == RESPONSE_CHAOTIC)
-        snprintf(exponent, sizeof exponent, "   Lyapunov %+.2f per %s", verdict->facts.exponent.value,
-                 verdict->kind->cycle);
-    if (verdict && is_another(lately, verdict)) {
-        strcpy(another, "   ");
-        format_another(lately, another + 3, sizeof another - 3);
-    }
-    answer->result.detail = text_in_arena(&answer->arena, "%s%s%s   %s%s", type, peaks, exponent, now->where, another);
+        add_clause(&text, between, machine_words_type(verdict->type));
+    add_clause(&text, between, now->where);
+    answer->result.detail = arena_text(arena, text.text);
+    memory_free(text.text);
 }
 
 /* Rows --------------------------------------------------------------------------------------------------------------*/
@@ -118,43 +98,44 @@ static void add_advice(MachineAnswer *answer, const char *advice) {
 static void add_type(MachineAnswer *answer, const MachineVerdict *verdict) {
     if (!verdict->typed)
         return;
-    const char *heading = verdict->type == TYPES_UNRESOLVED
-                              ? "Type undecided"
-                              : text_in_arena(&answer->arena, "Type %s", types_kind_name(verdict->type));
-    add_row(answer, ROW_HEADING, heading, NULL);
+    add_row(answer, ROW_HEADING, machine_words_type_heading(verdict->type), NULL);
     add_advice(answer, verdict->advice);
 }
 
-static void add_peaks(MachineAnswer *answer, const SectionPeaks *peaks) {
+static void add_fact(MachineAnswer *answer, const MachineKind *kind, const ResultRow *row) {
     Arena *arena = &answer->arena;
-    add_row(answer, ROW_PLAIN, "smallest peak", text_in_arena(arena, "%.0f N", peaks->min));
-    add_row(answer, ROW_PLAIN, "mean peak", text_in_arena(arena, "%.0f N", peaks->mean));
-    add_row(answer, ROW_PLAIN, "largest peak", text_in_arena(arena, "%.0f N", peaks->max));
+    SceneRow line;
+    if (!result_panel_row(&line, row, arena))
+        return;
+    const char *value = arena_text(arena, line.cells[1]); /* the verdict may be released before the rows */
+    add_row(answer, line.kind, machine_words_label(kind, row, arena), machine_words_value(value, arena));
 }
 
-static void add_fact(MachineAnswer *answer, const ResultRow *row) {
-    SceneRow line;
-    if (!result_panel_row(&line, row, &answer->arena))
-        return;
-    line.cells[1] = arena_text(&answer->arena, line.cells[1]); /* the verdict may be released before the rows */
-    add_row(answer, line.kind, line.cells[0], line.cells[1]);
+static void add_peaks(MachineAnswer *answer, const MachineKind *kind, const SectionPeaks *peaks) {
+    Arena *arena = &answer->arena;
+    const ResultRow rows[] = {{.key = "peaks.min", .label = "", .number = peaks->min},
+                              {.key = "peaks.mean", .label = "", .number = peaks->mean},
+                              {.key = "peaks.max", .label = "", .number = peaks->max}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        add_row(answer, ROW_PLAIN, machine_words_label(kind, &rows[i], arena),
+                text_in_arena(arena, "%.0f N", rows[i].number));
 }
 
 /* Adds the facts that are single values. */
-static void add_facts(MachineAnswer *answer, const ResultTable *facts) {
+static void add_facts(MachineAnswer *answer, const MachineKind *kind, const ResultTable *facts) {
     for (size_t r = 0; r < facts->row_count; r++)
         if (result_at(facts, 0, r)->kind != RESULT_LIST)
-            add_fact(answer, result_at(facts, 0, r));
+            add_fact(answer, kind, result_at(facts, 0, r));
 }
 
 static void add_natural(MachineAnswer *answer, const MachineVerdict *verdict) {
     const ResultRow *list = result_find(&verdict->facts.forces, 0, "natural_frequencies");
     if (!list)
         return;
-    add_row(answer, ROW_HEADING, "Natural frequencies", NULL);
+    add_row(answer, ROW_HEADING, "Its own tones", NULL);
     for (size_t i = 0; i < list->count && i < FREQUENCIES; i++) {
-        ResultRow row = result_element(list, i, text_in_arena(&answer->arena, "mode %zu", i + 1));
-        add_fact(answer, &row);
+        ResultRow row = result_element(list, i, text_in_arena(&answer->arena, "natural frequency %zu", i + 1));
+        add_fact(answer, verdict->kind, &row);
     }
 }
 
@@ -164,7 +145,7 @@ static void add_lines(MachineAnswer *answer, const MachineLines *lines) {
         return;
     Arena *arena = &answer->arena;
     add_row(answer, ROW_HEADING,
-            lines->period ? text_in_arena(arena, "Followed orbit, period %zu", lines->period) : "Followed orbit", NULL);
+            lines->period ? text_in_arena(arena, "Followed (period %zu)", lines->period) : "Followed rhythm", NULL);
     if (!lines->period)
         add_row(answer, ROW_PLAIN, text_in_arena(arena, "%s.", lines->why), NULL);
     else if (!lines->located_count)
@@ -174,24 +155,26 @@ static void add_lines(MachineAnswer *answer, const MachineLines *lines) {
                 text_in_arena(arena, "%.6g, %.0f N", lines->located[i].value, lines->located[i].peak));
 }
 
-static void write_rows(MachineAnswer *answer, const MachineLately *lately, const MachineVerdict *verdict) {
+static void write_rows(MachineAnswer *answer, const MachineKind *kind, const MachineLately *lately,
+                       const MachineVerdict *verdict) {
+    Arena *arena = &answer->arena;
     answer->row_count = 0;
     if (!verdict) {
         add_row(answer, ROW_HEADING, "Running now", NULL);
-        add_peaks(answer, &lately->peaks);
+        add_peaks(answer, kind, &lately->peaks);
         add_lines(answer, answer->lines);
         return;
     }
     add_type(answer, verdict);
-    add_row(answer, ROW_HEADING, verdict->kind->from, NULL);
+    add_row(answer, ROW_HEADING, kind->from, NULL);
+    if (verdict->facts.verdict == RESPONSE_CHAOTIC)
+        add_row(answer, ROW_PLAIN, machine_words_drift(kind, verdict->facts.exponent.value, arena), NULL);
     add_advice(answer, verdict->facts.words);
-    add_facts(answer, &verdict->facts.motion);
-    add_facts(answer, &verdict->facts.forces);
+    add_facts(answer, kind, &verdict->facts.motion);
+    add_facts(answer, kind, &verdict->facts.forces);
     if (is_another(lately, verdict)) {
-        char text[100];
-        format_another(lately, text, sizeof text);
         add_row(answer, ROW_HEADING, "Another motion is running", NULL);
-        add_row(answer, ROW_PLAIN, arena_text(&answer->arena, text), NULL);
+        add_row(answer, ROW_PLAIN, another_words(kind, lately, arena), NULL);
         add_row(answer, ROW_PLAIN, "The motion can depend on the initial state; \"Run again\" restarts it.", NULL);
     }
     add_lines(answer, answer->lines);
@@ -203,13 +186,12 @@ static void write_rows(MachineAnswer *answer, const MachineLately *lately, const
 void machine_answer_write(MachineAnswer *answer, const MachineNow *now, const MachineLately *lately,
                           const MachineVerdict *verdict) {
     bool failed = now->status != CYCLE_GOOD && !now->changed;
-    if (failed || !verdict)
-        title_lately(answer, now, lately);
-    else
-        title_verdict(answer, verdict);
     arena_clear(&answer->arena);
+    const char *title = failed || !verdict ? title_lately(now->kind, now, lately, &answer->arena)
+                                           : machine_words_title(now->kind, &verdict->facts, &answer->arena);
+    snprintf(answer->title, sizeof answer->title, "%s", title);
     write_detail(answer, now, lately, verdict);
-    write_rows(answer, lately, verdict);
+    write_rows(answer, now->kind, lately, verdict);
     bool resolved = !verdict || response_is_told(verdict->facts.verdict);
     answer->result.title = answer->title;
     answer->result.role = failed || !resolved ? ROLE_ERROR : ROLE_TEXT;
@@ -221,22 +203,22 @@ void machine_answer_note_doing(MachineAnswer *answer, const MachineKind *kind, c
     answer->result.doing = answer->doing;
     answer->result.part = NAN;
     if (news->following) {
-        snprintf(answer->doing, size, "following the orbit");
+        snprintf(answer->doing, size, "following the rhythm");
     } else if (news->deciding) {
-        snprintf(answer->doing, size, "finding the verdict");
+        snprintf(answer->doing, size, "finding out how it moves");
     } else if (news->map.all && (done >= all || done >= kind->before_type)) {
         snprintf(answer->doing, size, "map of types: %zu of %zu cells", news->map.done, news->map.all);
         answer->result.part = (double)news->map.done / (double)news->map.all;
     } else if (news->types_all) {
-        snprintf(answer->doing, size, "type: %zu of at most %zu runs", news->types_done, news->types_all);
+        snprintf(answer->doing, size, "safe or not: %zu of at most %zu runs", news->types_done, news->types_all);
         answer->result.part = (double)news->types_done / (double)news->types_all;
     } else if (done < all) {
-        snprintf(answer->doing, size, "orbit diagram: %zu of %zu values", done, all);
+        snprintf(answer->doing, size, "all rhythms: %zu of %zu values", done, all);
         answer->result.part = (double)done / (double)all;
     } else if (news->confirming) {
-        snprintf(answer->doing, size, "verdict: %zu motions are watched", kind->lanes);
+        snprintf(answer->doing, size, "making sure: %zu motions are watched", kind->lanes);
     } else if (news->bands_all) {
-        snprintf(answer->doing, size, "types along the diagram: %zu of %zu", news->bands.count, news->bands_all);
+        snprintf(answer->doing, size, "safe or not, along the diagram: %zu of %zu", news->bands.count, news->bands_all);
         answer->result.part = (double)news->bands.count / (double)news->bands_all;
     } else {
         *answer->doing = 0;

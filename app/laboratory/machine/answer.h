@@ -16,6 +16,7 @@ typedef struct MachineLately {
 
 /* The record at its end. */
 typedef struct MachineNow {
+    const MachineKind *kind;
     CycleStatus status;
     bool changed;      /* another machine follows with the next cycle */
     const char *where; /* "300.0 Hz, gap 0.25 mm" */

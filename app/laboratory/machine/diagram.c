@@ -11,7 +11,7 @@
 #define DOT 2.2
 #define SIGN 4.0
 
-void machine_diagram_open(MachineDiagram *diagram) {
+void machine_diagram_open(MachineDiagram *diagram, const MachineKind *kind) {
     static const PlotSeries looks[MACHINE_SWEEP_PASSES + 1 + MACHINE_LINES] = {
         {.role = ROLE_GHOST, .symbol = SYMBOL_TRIANGLE, .size = SIGN},
         {.role = ROLE_WALL, .symbol = SYMBOL_DISC, .size = DOT},
@@ -22,8 +22,8 @@ void machine_diagram_open(MachineDiagram *diagram) {
         {.role = ROLE_IMPACT, .symbol = SYMBOL_DIAMOND, .size = LOCATED}};
     *diagram = (MachineDiagram){.revision = 1};
     memcpy(diagram->series, looks, sizeof looks);
-    diagram->plot = (Plot){.title = "Orbit diagram: peak force",
-                           .y = {.title = "peak force", .unit = "N"},
+    diagram->plot = (Plot){.title = "All rhythms at a glance (orbit diagram)",
+                           .y = {.title = kind->peak, .unit = "N"},
                            .series = diagram->series,
                            .series_count = MACHINE_SWEEP_PASSES + 1 + MACHINE_LINES,
                            .areas = diagram->areas};
@@ -74,7 +74,7 @@ static void begin_anew(MachineDiagram *diagram) {
     for (size_t s = 1; s <= MACHINE_SWEEP_PASSES; s++)
         diagram->points[s].count = 0;
     diagram->plot.area_count = 0;
-    diagram->plot.x.title = task->kind->over_words[diagram->over];
+    diagram->plot.x.title = task->kind->over_titles[diagram->over];
     diagram->plot.x.low = diagram->factor * task->from;
     diagram->plot.x.high = diagram->factor * task->to;
     diagram->revision++;

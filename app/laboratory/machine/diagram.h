@@ -22,7 +22,7 @@ typedef struct MachineDiagram {
     char cursor[40];
 } MachineDiagram;
 
-void machine_diagram_open(MachineDiagram *diagram);
+void machine_diagram_open(MachineDiagram *diagram, const MachineKind *kind);
 void machine_diagram_close(MachineDiagram *diagram);
 
 /* Requests the diagram of a machine, unless it is displayed or requested: the present value of its own parameter does

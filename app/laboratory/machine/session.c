@@ -13,8 +13,8 @@ static void show_choices(MachineSession *session) {
                                                            .count = MACHINE_SWEEPS,
                                                            .chosen = session->diagram.carried};
     session->choices[MACHINE_CHOICE_OVER] =
-        (PanelChoice){.name = "Orbit over",
-                      .meaning = "the parameter that varies along the orbit diagram",
+        (PanelChoice){.name = "Rhythms over",
+                      .meaning = "the number that varies along \"All rhythms at a glance\" (orbit diagram)",
                       .options = kind->over_words,
                       .count = kind->over_count,
                       .chosen = session->diagram.over};
@@ -27,7 +27,7 @@ void machine_session_open(MachineSession *session, const MachineKind *kind, cons
     session->now = *opened;
     machine_controls_open(&session->controls, kind, file);
     machine_controls_show(&session->controls, opened);
-    machine_diagram_open(&session->diagram);
+    machine_diagram_open(&session->diagram, kind);
     machine_map_open(&session->map, &session->controls);
     session->worker = machine_worker_start(kind, jobs);
     session->choice_count = MACHINE_CHOICES;
@@ -128,7 +128,7 @@ const char *const *machine_session_command(void *context, size_t *count) {
 /* Answer ------------------------------------------------------------------------------------------------------------*/
 
 void machine_session_write(MachineSession *session, CycleStatus status, bool changed, const MachineLately *lately) {
-    MachineNow now = {status, changed, session->where};
+    MachineNow now = {session->kind, status, changed, session->where};
     machine_answer_write(&session->answer, &now, lately, session->has_verdict ? &session->verdict : NULL);
     session->news |= LABORATORY_TEXTS;
 }

@@ -85,6 +85,7 @@ TEST(every_role_can_be_read_in_both_themes) {
         CHECK(palette_contrast(palette_colour(theme, ROLE_LOCUS), band) >= 3);
         for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
             CHECK(palette_contrast(palette_colour(theme, texts[i]), paper) >= 4.5);
+        CHECK(palette_contrast(palette_colour(theme, ROLE_IMPACT), palette_colour(theme, ROLE_PANEL)) >= 4.5);
         for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
             CHECK(palette_contrast(palette_colour(theme, lines[i]), paper) >= 3);
         for (size_t i = 0; i < sizeof tags / sizeof *tags; i++)

@@ -156,7 +156,8 @@ TEST(a_long_title_ends_before_what_it_is_of) {
     double x[] = {0, 1}, y[] = {0, 1};
     PlotSeries series = sample_line("path", x, y, 2);
     const char *const titles[][2] = {{"Phase plane of the ball in its socket", "Phase plane"},
-                                     {"Orbit diagram: peak force of the joint", "Orbit diagram"}};
+                                     {"Orbit diagram: peak force of the joint", "Orbit diagram"},
+                                     {"Orbits over the speed (orbit diagram)", "Orbits over the speed"}};
     for (size_t t = 0; t < sizeof titles / sizeof *titles; t++) {
         Plot plot = sample_plot(&series, 1);
         plot.title = titles[t][0];

@@ -289,7 +289,7 @@ found = act("pulled", "until answered", "wait 20", "mouse 1100 400", "wheel -30"
             "wheel -3", "wait 4", "state STATE", "click 1128 499", "wait 4", "click 1128 567", "wait 4", "state STATE",
             arguments=[stage.beam("ibs"), "--size", "1280x720"])
 check(found[0]["frame"]["plots"].keys() == {"phase", "orbit"}, "25: the beam has two plots", found[0]["frame"]["plots"])
-check([state["choices"]["Orbit over"] for state in found] == ["excitation frequency", "force"],
+check([state["choices"]["Rhythms over"] for state in found] == ["shaker frequency", "shaker force"],
       "25: a click opens the list, a click in it chooses", [state["choices"] for state in found])
 
 # 26: presentation mode

@@ -167,6 +167,34 @@ for words in ("vote", "hint"):
                       arguments=[str(stage.source / "assets" / "lessons" / "legal-no-way.json"), "--size", "1280x720", "--text", "2"])[0]
     check(len(texts) > 10 and not cut(texts), f"a lesson with large letters, {words}: no text is cut", cut(texts))
 
+# a machine speaks plain words, with the terms of the trade in brackets, and those of a changed number are whole
+PLAIN = {"beam": ("How fast to shake", "Where the tip goes (phase plane)", "Impact beam (set B)"),
+         "crank": ("How fast it turns", "Where the ball goes (phase plane)", "Slider crank (desk rig)")}
+for name, expected in PLAIN.items():
+    changed = ("--set", "drive.frequency=301") if name == "beam" else stage.PERIODIC
+    texts, state = stage.act(f"plain-{name}-words", "until answered", "pause", "wait 5", "texts STATE", "state STATE",
+                             arguments=[FILES[name], *changed, "--size", "1280x720"])
+    plot = state["charts"]["phase"]["texts"]
+    strings, head = [t["string"] for t in texts + plot], f'{state["answer"]["title"]}: {state["answer"]["detail"]}'
+    check(not cut(texts) and set(expected) <= set(strings), f"{name}: its plain words are whole", (cut(texts), strings))
+    check(re.search(r"hardest (hit|push)(e?s [0-9]+ to)? [0-9]+ N", head) and not re.search(r"quick|peaks|\d-\d", head),
+          f"{name}: the headline is plain", head)
+
+# the feet of a title's letters stand above the progress
+for size, text in (("1920x1080", "2"), ("1280x720", "1"), ("1024x600", "2")):
+    texts, state = stage.act(f"feet-{size}", "until answered", "pause", "wait 5", "texts STATE", "state STATE",
+                             arguments=[FILES["beam"], "--size", size, "--text", text])
+    head = [t["box"] for t in texts if t["string"] == state["answer"]["title"]]
+    check(head and head[0][3] <= state["frame"]["answer"][3] - 3, f"{size}, text {text}: the title is above the progress",
+          (head, state["frame"]["answer"]))
+
+# the fold of the plots has whole names
+texts = stage.act("plot-names", "until answered", "pause", "mouse 1100 400", "wheel -60", "wait 10", "click 1080 577", "wait 20",
+                  "wheel -60", "wait 10", "texts STATE", arguments=[FILES["beam"], *BRIEF, "--size", "1280x720"])[0]
+names = [t["string"] for t in texts if t["box"][0] > 976]
+check({"Where the tip goes", "Once a cycle", "Tones", "All rhythms at a glance"} <= set(names) and not cut(texts),
+      "the fold of the plots has whole names", (names, cut(texts)))
+
 # a detail of two lines breaks between its clauses
 for name in ("beam", "crank"):
     texts, state = stage.act(f"clauses-{name}", "until answered", "pause", "key F5", "wait 20", "texts STATE", "state STATE",

@@ -35,7 +35,7 @@ def table(screen):
     with open(new[0], newline="") as file:
         rows = list(csv.reader(file))
     check(all("[" in name for name in rows[0]), "24: its header has the units", rows[0])
-    axis = [title for title in ("time [s]", "displacement [mm]", "excitation frequency [Hz]") if title in rows[0][-2]][0]
+    axis = [title for title in ("time [s]", "displacement [mm]", "shaker (excitation frequency) [Hz]") if title in rows[0][-2]][0]
     columns = [i for i, title in enumerate(rows[0][:-1]) if title.endswith(axis)]  # a band has two columns beside its x
     return [(row[i], row[i + 1]) for row in rows[1:] for i in columns if row[i] and row[i + 1]]
 

@@ -15,14 +15,14 @@ TEST(a_change_while_it_runs_leads_into_chaos_and_the_record_before_stays) {
     double change = 150 / 190.;
     running_beam_play(session, 0, change, 1 / 190.);
     beam_laboratory.update(session, change);
-    CHECK_TEXT(beam_laboratory.answer(session).title, "Periodic, period 1");
+    CHECK_TEXT(beam_laboratory.answer(session).title, "Every cycle alike");
     running_beam_show_at(session, change / 2);
     uint64_t before = running_beam_digest_picture(session);
     running_beam_show_at(session, change);
     CHECK(beam_laboratory.set(session, "drive.frequency", 300, &fault));
     running_beam_play(session, change, change + 1, 1 / 100.);
     beam_laboratory.update(session, change + 1);
-    CHECK_TEXT(beam_laboratory.answer(session).title, "Not periodic so far");
+    CHECK_TEXT(beam_laboratory.answer(session).title, "No rhythm so far");
     size_t count;
     const TimelineMark *marks = beam_laboratory.marks(session, &count);
     CHECK(count == 1 && marks[0].kind == TIMELINE_CHANGE);

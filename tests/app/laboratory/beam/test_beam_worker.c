@@ -158,7 +158,7 @@ TEST(an_orbit_is_followed_along_the_diagram_removed_and_forgotten_with_other_num
     CHECK(wait_for(session, is_followed));
     CHECK(orbit_series(session, UNSTABLE)->count > 0 && orbit_series(session, LOCATED)->count > 0);
     CHECK_TEXT(orbit_series(session, STABLE)->name, "stable");
-    CHECK(wait_for(session, is_decided) && tells(session, "Followed orbit, period 1") && tells(session, "fold"));
+    CHECK(wait_for(session, is_decided) && tells(session, "Followed (period 1)") && tells(session, "fold"));
     CHECK(!beam_laboratory.follow(session)); /* removes it */
     CHECK(!is_followed(session));
     CHECK(beam_laboratory.follow(session) && wait_for(session, is_followed));
