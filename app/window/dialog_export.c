@@ -21,29 +21,55 @@ typedef struct Making {
     const char *options[12]; /* NULL-ended; appended to the command of what is shown */
     const char *name;        /* of the exported folder or file */
     bool movie;
+    bool of_houses;
     const char *ending; /* of a single file that is made from the plan alone, or NULL */
 } Making;
 
 static const Making makings[] = {
-    {"Data", "summary.json, trace.csv, and the final state as PNG, SVG and PDF", {NULL}, "data", false, NULL},
-    {"Plots", "Every plot as PNG, SVG, PDF and CSV, with units", {"--plots", NULL}, "plots", false, NULL},
-    {"Report", "A report as HTML and PDF (houses only)", {"--report", NULL}, "report", false, NULL},
-    {"Frames", "30 pictures per simulated second, 1280 x 720", {"--frames", "30", NULL}, "frames", false, NULL},
-    {"Frames, raised",
-     "30 pictures per simulated second, raised view (houses only)",
-     {"--frames", "30", "--view", "raised", NULL},
-     "frames",
-     false,
-     NULL},
-    {"Film", "film.mp4, 1280 x 720; needs ffmpeg", {NULL}, "film", true, NULL},
-    {"Film, 1920 x 1080", "film.mp4, 1920 x 1080; needs ffmpeg", {"--size", "1920x1080", NULL}, "film", true, NULL},
-    {"Walkable area",
-     "The free area between walls and furniture, as WKT (houses only)",
-     {"--to", "wkt", NULL},
-     "area",
-     false,
-     "wkt"},
-    {"Plan", "The plan alone, as SVG (houses only)", {"--to", "svg", NULL}, "plan", false, "svg"},
+    {.label = "Data",
+     .meaning = "summary.json, trace.csv, and the final state as PNG, SVG and PDF",
+     .options = {NULL},
+     .name = "data"},
+    {.label = "Plots",
+     .meaning = "Every plot as PNG, SVG, PDF and CSV, with units",
+     .options = {"--plots", NULL},
+     .name = "plots"},
+    {.label = "Report",
+     .meaning = "A report as HTML and PDF",
+     .options = {"--report", NULL},
+     .name = "report",
+     .of_houses = true},
+    {.label = "Frames",
+     .meaning = "30 pictures per simulated second, 1280 x 720",
+     .options = {"--frames", "30", NULL},
+     .name = "frames"},
+    {.label = "Frames, raised",
+     .meaning = "30 pictures per simulated second, raised view",
+     .options = {"--frames", "30", "--view", "raised", NULL},
+     .name = "frames",
+     .of_houses = true},
+    {.label = "Film",
+     .meaning = "film.mp4, 1280 x 720; needs ffmpeg",
+     .options = {NULL},
+     .name = "film",
+     .movie = true},
+    {.label = "Film, 1920 x 1080",
+     .meaning = "film.mp4, 1920 x 1080; needs ffmpeg",
+     .options = {"--size", "1920x1080", NULL},
+     .name = "film",
+     .movie = true},
+    {.label = "Walkable area",
+     .meaning = "The free area between walls and furniture, as WKT",
+     .options = {"--to", "wkt", NULL},
+     .name = "area",
+     .of_houses = true,
+     .ending = "wkt"},
+    {.label = "Plan",
+     .meaning = "The plan alone, as SVG",
+     .options = {"--to", "svg", NULL},
+     .name = "plan",
+     .of_houses = true,
+     .ending = "svg"},
 };
 enum { MAKINGS = sizeof makings / sizeof *makings, OPTIONS_MOST = 16 };
 
@@ -126,7 +152,7 @@ void dialog_export_show(Window *window) {
         ui_text(window->ui, UI_BODY, ROLE_TEXT,
                 "The class guesses first: what the run tells can be written once you go on with PgDn.");
     for (size_t i = 0; i < MAKINGS && window->dialog == DIALOG_EXPORT; i++) {
-        if (makings[i].ending ? !tab_editor(tab) : guesses)
+        if ((makings[i].of_houses && !tab_editor(tab)) || (!makings[i].ending && guesses))
             continue;
         const char *label = text_in_arena(&window->arena, "%s: %s", makings[i].label, makings[i].meaning);
         if (ui_list_row(window->ui,

@@ -26,18 +26,30 @@ static LaboratoryOptions options_of(const Window *window, bool first) {
     return options;
 }
 
+/* Dismisses the faults of the last file that was not opened: the next one has its own. */
+static void dismiss_failure(Window *window) {
+    if (window->fault_dismissed < window->open_fault)
+        window->fault_dismissed = window->open_fault;
+}
+
+/* Posts the faults of a file that was not opened. */
+static void post_failure(Window *window, Fault *fault) {
+    if (!fault->count)
+        return;
+    notice_fault(window, fault, NAN);
+    window->open_fault = messages_last(&window->messages)->number;
+}
+
 static bool open_by(Window *window, size_t index, const char *path, const LaboratoryOptions *options, bool remembered) {
     Fault fault = {0};
     Tab *tab = &window->tabs[index];
     bool opened = tab_open(tab, path, options, window->screen, &fault);
     bool several = !opened && fault.count > 1;
-    notice_fault(window, &fault, NAN);
-    const Message *last = messages_last(&window->messages);
-    if (!opened && last)
-        window->open_fault = last->number;
-    if (opened) {
-        if (window->fault_dismissed < window->open_fault)
-            window->fault_dismissed = window->open_fault;
+    dismiss_failure(window);
+    if (!opened) {
+        post_failure(window, &fault);
+    } else {
+        notice_fault(window, &fault, NAN);
         autosave_restart(window, tab);
         if (path && remembered)
             settings_add_recent(&window->settings, path);
@@ -137,7 +149,8 @@ bool opening_import(Window *window, const char *path, double unit) {
     }
     if (!window->recovery)
         notice_post(window, "%s cannot be imported: no folder for recovery files is writable", path);
-    notice_fault(window, &fault, NAN);
+    dismiss_failure(window);
+    post_failure(window, &fault);
     read = read && open_text(window, path, &import);
     if (read)
         add_notes(window, path, &import);

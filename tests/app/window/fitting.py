@@ -54,6 +54,9 @@ for name, path in FILES.items():
             check(not cut(texts), f"22: {name}, {size}, text {text}, {step}: no text is cut", cut(texts))
             check(not overlapping(texts), f"22: {name}, {size}, text {text}, {step}: none lies over another",
                   overlapping(texts))
+            rows = [t["string"].split(":")[0] for t in texts if step == "export"]
+            check((step != "export") or ("Report" in rows) == ("Walkable area" in rows) == (name == "house"),
+                  f"{name}: a report and an area are offered for a house only", rows)
 
 # the labels of the beam's drawing lie apart, whatever its forces are
 BRIEF = ("--set", "drive.frequency=190", "--set", "run.transient_cycles=20", "--set", "run.cycles=20", "--set", "beam.modes=2")

@@ -47,6 +47,10 @@ found = act("broken", "until complete", f'open "{broken}"', "wait 5", "state STA
             "set door.d4.width 9", "wait 5", "state STATE", "set door.d4.at 99", "wait 5", "until idle", "state STATE")
 check("ube" in found[0]["file"] and "broken.json:1:" in (found[0]["message"] or ""), "a broken file is said, the house stays",
       found[0]["message"])
+other = stage.folder / "other.json"
+other.write_text('{"format": "clearance-house", "version": 1,\n "exists": []}')
+said = act("two-broken", "until complete", f'open "{broken}"', "wait 5", f'open "{other}"', "wait 5", "state STATE")[0]["message"]
+check("other.json:" in (said or ""), "of two broken files the last one is said", said)
 check(found[1]["parameters"]["door.d4.width"] == 0.9, "a width out of range changes nothing", found[1]["message"])
 check(found[2]["answer"]["title"] == "All 4 get out" and found[2]["messages"] > found[1]["messages"],
       "a door past its wall's end is said, the last good state stays", found[2]["message"])
