@@ -246,6 +246,12 @@ for name, keys in (("watching", []), ("editing", ["key Ctrl+J"]), ("beam", ["lab
           state["strip_keys"])
     check(name == "editing" or "F4" in state["strip_keys"], f"{name}: it names the gallery", state["strip_keys"])
 
+# 6: text of another size is there the next time
+for keys, size in ((["key Ctrl+-"], 0.75), (["key Ctrl+0", "key Ctrl+="], 1.25), (["key Ctrl+="] * 3, 2)):
+    act("text-size", "until answered", "pause", *keys, "wait 5", arguments=["--size", "1280x720"])
+    state = act("text-size", "until answered", "pause", "wait 5", "state STATE", arguments=["--size", "1280x720"])[-1]
+    check(abs(state["unit"] - size) < 0.01, f"6: a text size of {size:.0%} is there the next time", state["unit"])
+
 # 28: the numbers of a person and of a comparison have the window's words
 state = act("words", "until answered", "key Tab", "wait 4", "state STATE", arguments=[stage.house("corner-0.90-0.90")])[0]
 cells = {row[0] for row in state["rows"]}
