@@ -154,7 +154,7 @@ plan.undo_to(None)
 upright = plan.settle()
 plan.keys("t")
 lying = plan.settle()
-check(lying["undo_name"] == "Topple wardrobe (f1)" and ["fallen", "yes"] in [row[:2] for row in lying["rows"]],
+check(lying["undo_name"] == "Topple wardrobe" and ["fallen", "yes"] in [row[:2] for row in lying["rows"]],
       "17: T topples it", (lying["undo_name"], lying["rows"]))
 check((lying["answer"], lying["digest"]) != (upright["answer"], upright["digest"]) and "before" in
       lying["answer"]["detail"], "17: what lies there changes route and answer", lying["answer"])
