@@ -129,6 +129,18 @@ bool edit_select_has(const Editor *edit, const char *id) {
     return find(edit, id) < edit->id_count;
 }
 
+const char *edit_select_fixed(const Editor *edit) {
+    static const char *const fixed[DRAFT_LISTS] = {
+        [DRAFT_WALLS] = "walls", [DRAFT_DOORS] = "doors", [DRAFT_ROOMS] = "rooms", [DRAFT_EXITS] = "exits"};
+    size_t index;
+    for (size_t i = 0; edit->fixed && i < edit->id_count; i++) {
+        DraftList list = draft_find(edit->draft, edit->ids[i], &index);
+        if (list < DRAFT_LISTS && fixed[list])
+            return fixed[list];
+    }
+    return NULL;
+}
+
 /* Several items --------------------------------------------------------------------------------------------------- */
 
 static Box box_of(const Vec2 *points, size_t count) {

@@ -13,6 +13,9 @@ void edit_select_prune(Editor *edit); /* removes ids of removed items from the s
 void edit_select_within(Editor *edit, Box box, bool more);
 void edit_select_all(Editor *edit);
 
+/* Returns what of the selection cannot be moved now, "walls"; NULL: all of it can be moved. */
+const char *edit_select_fixed(const Editor *edit);
+
 bool edit_select_has(const Editor *edit, const char *id);
 
 /* Convert between items of the displayed house and ids; "" or an item of kind 0: there is none. */
