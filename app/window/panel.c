@@ -18,11 +18,11 @@ enum { DIGITS_MOST = 6, PRESETS_IN_ROW = 2, OPEN_MOST = 3 };
 /* Returns the task that the folds are remembered for. */
 static const char *task_of(const Window *window) {
     const Tab *tab = &window->tabs[window->current];
-    return lesson_is_shown(window)                ? "lesson"
-           : tab->laboratory->numbers_first       ? tab->laboratory->word
-           : window->editing                      ? "edit"
-           : tab->session && tab_opens_plots(tab) ? "crowd"
-                                                  : "watch";
+    return lesson_is_shown(window)                       ? "lesson"
+           : tab->laboratory->numbers_first              ? tab->laboratory->word
+           : window->editing                             ? "edit"
+           : tab->session && tab_opens_plots(tab, false) ? "crowd"
+                                                         : "watch";
 }
 
 /* Returns the fold of a title as it was left, or NULL. */
