@@ -146,6 +146,7 @@ static void add_narrowest(ResultTable *table, const House *house, size_t i, cons
                                   .kind = RESULT_NUMBER,
                                   .number = person->narrowest,
                                   .text = free ? text_in_arena(arena, "over %.2f", reach) : NULL,
+                                  .read = reach,
                                   .unit = "m",
                                   .decimals = 3,
                                   .gap = true,

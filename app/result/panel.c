@@ -27,6 +27,8 @@ static const char *value_of(const ResultRow *row, Arena *arena) {
     double number = row->number * (row->factor != 0 ? row->factor : 1);
     if (!value)
         return NULL;
+    if (row->gap && row->text)
+        return text_in_arena(arena, "over %s", tight_to_spare(row->read, arena));
     if (has_unit(row, "s"))
         return headline_duration(number, arena);
     if (has_unit(row, "m") && row->gap)

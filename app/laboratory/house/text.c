@@ -53,8 +53,8 @@ static void add_moment(HouseSession *session, size_t person, double time) {
     bool free = row[TRACE_CLEARANCE] >= reach;
     double speed = round(100 * row[TRACE_SPEED]) / 100 + 0.0; /* no negative zero */
     add_pair(session, "speed now", scene_text(scene, "%.2f m/s", speed));
-    add_pair(session, "room to spare now",
-             free ? scene_text(scene, "over %.2f m", reach) : tight_to_spare(row[TRACE_CLEARANCE], &scene->arena));
+    const char *gap = tight_to_spare(free ? reach : row[TRACE_CLEARANCE], &scene->arena);
+    add_pair(session, "room to spare now", free ? scene_text(scene, "over %s", gap) : gap);
     add_pair(session, "force now", scene_text(scene, "%.0f N", row[TRACE_BODY_FORCE]));
 }
 
