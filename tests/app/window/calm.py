@@ -267,6 +267,9 @@ cells = {row[0] for row in state["rows"]}
 check({"touches", "hardest touch", "least room to spare"} <= cells and not cells & {
       "contacts", "hardest contact", "narrowest clearance", "dangerous points", "personal space entered"},
       "28: the panel says touches and room to spare", cells)
+shown = {row[0]: row[1] for row in state["rows"]}
+check(re.fullmatch(r"[0-9]+\.[0-9] cm|over [0-9]+\.[0-9] cm|touches", shown["least room to spare"]) and
+      re.fullmatch(r"[0-9]+\.[0-9] s", shown["time"]), "the panel gives gaps in centimetres and times with one digit", shown)
 
 # 30: while it runs, no label moves but those of people
 steps = []
