@@ -157,6 +157,7 @@ typedef struct Laboratory {
     const char *name;            /* "House" */
     const char *word;            /* "house": part of the format name "clearance-house" of its files */
     const char *plots_at_first;  /* "speed,clearance" */
+    const char *plots_in_order;  /* "speed,clearance,force": the plots of larger windows; NULL: plots_at_first */
     const char *const *layers;   /* (layer_count) names of the layers that can be shown or hidden */
     const char *const *meanings; /* (layer_count) a sentence each */
     size_t layer_count;          /* at most LABORATORY_LAYERS_MOST */
@@ -193,8 +194,8 @@ typedef struct Laboratory {
     void (*set_layers)(void *session, unsigned layers);
 
     /* Plots. `until`: number of points of a series that are drawn at a time. */
-    /* Names of the plots that this session opens by itself; NULL, or returning NULL: plots_at_first, if there is room.
-     */
+    /* Names of the plots that this session opens by itself; "": none, there is nothing to plot; NULL, or returning
+     * NULL: plots_at_first, if there is room. */
     const char *(*plots_for)(const void *session);
 
     /* Notes which plots are in the window, names separated by commas: what is costly is computed only while it is

@@ -16,6 +16,7 @@ struct SdlWindow {
     SDL_Window *window;
     SDL_GLContext context;
     Gl gl;
+    SDL_Cursor *refusing; /* the pointer that can do nothing; NULL: not made yet */
     char *clipboard;      /* allocated by SDL */
     SDL_Keycode shortcut; /* of the key pressed last, if it was pressed with the left Alt key; otherwise 0 */
 };
@@ -95,6 +96,7 @@ SdlWindow *sdl_window_create(int width, int height, Fault *fault) {
 
 void sdl_window_destroy(SdlWindow *sdl_window) {
     SDL_free(sdl_window->clipboard);
+    SDL_FreeCursor(sdl_window->refusing);
     if (sdl_window->context)
         SDL_GL_DeleteContext(sdl_window->context);
     if (sdl_window->window)
@@ -344,6 +346,14 @@ void sdl_window_set_clipboard(void *context, const char *text) {
 
 int32_t sdl_window_key(const char *name) {
     return SDL_GetKeyFromName(name);
+}
+
+void sdl_window_refuse(SdlWindow *sdl_window, bool refuses) {
+    if (refuses && !sdl_window->refusing)
+        sdl_window->refusing = SDL_CreateSystemCursor(SDL_SYSTEM_CURSOR_NO);
+    SDL_Cursor *cursor = refuses ? sdl_window->refusing : SDL_GetDefaultCursor();
+    if (cursor)
+        SDL_SetCursor(cursor);
 }
 
 void sdl_window_sleep(double seconds) {

@@ -72,6 +72,10 @@ void sdl_window_swap(SdlWindow *sdl_window);
 
 void sdl_window_set_title(SdlWindow *sdl_window, const char *title);
 void sdl_window_set_fullscreen(SdlWindow *sdl_window, bool fullscreen);
+
+/* Shows the pointer as one that can do nothing here, or as usual. */
+void sdl_window_refuse(SdlWindow *sdl_window, bool refuses);
+
 void sdl_window_resize(SdlWindow *sdl_window, int width, int height);
 
 /* Read and write the system's clipboard; the text is valid until the next call. */

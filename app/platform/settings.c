@@ -24,7 +24,8 @@
 
 static const Parameter preferences_rows[] = {
     {PREFERENCE(PARAMETER_CHOICE, theme), .choices = THEME_NAMES, .meaning = "light or dark"},
-    {PREFERENCE(PARAMETER_WHOLE, text), .low = 1, .high = SETTINGS_TEXT_MOST, .fallback = 1, .meaning = "text size"},
+    {PREFERENCE(PARAMETER_NUMBER, text), .low = SETTINGS_TEXT_LEAST, .high = SETTINGS_TEXT_MOST, .fallback = 1,
+     .meaning = "text size"},
     {PREFERENCE(PARAMETER_FLAG, sound), .meaning = "sound is on"},
     {PREFERENCE(PARAMETER_FLAG, reduced_motion), .meaning = "only the simulation moves"},
     {.name = "letters",

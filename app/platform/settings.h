@@ -14,9 +14,11 @@
 #include "base/fault.h"
 #include "base/memory.h"
 
+#define SETTINGS_TEXT_LEAST 0.75
+#define SETTINGS_TEXT_MOST 3.0
+
 enum {
     SETTINGS_RECENT_MOST = 10,
-    SETTINGS_TEXT_MOST = 3,
     SETTINGS_WIDTH_LEAST = 320, /* pixels of a window */
     SETTINGS_HEIGHT_LEAST = 200,
     SETTINGS_SIDE_MOST = 16384,
@@ -25,7 +27,7 @@ enum {
 /* The contents of settings.json. */
 typedef struct SettingsPreferences {
     int theme;           /* Theme */
-    int text;            /* size of text, 1 to 3 */
+    double text;         /* size of text, SETTINGS_TEXT_LEAST to SETTINGS_TEXT_MOST; 1: its own size */
     bool sound;          /* off at first */
     bool reduced_motion; /* only the simulation moves */
     bool single_keys;    /* single letters are shortcut keys */

@@ -146,8 +146,10 @@ static void add_narrowest(ResultTable *table, const House *house, size_t i, cons
                                   .kind = RESULT_NUMBER,
                                   .number = person->narrowest,
                                   .text = free ? text_in_arena(arena, "over %.2f", reach) : NULL,
+                                  .read = reach,
                                   .unit = "m",
                                   .decimals = 3,
+                                  .gap = true,
                                   .unknown = !moved,
                                   .difference = DIFFERENCE_IF_BOTH});
     result_add(table,
@@ -416,7 +418,8 @@ static void add_costs(ResultTable *table, double clearance, double peak_force, d
                                   .kind = RESULT_NUMBER,
                                   .number = clearance,
                                   .unit = "m",
-                                  .decimals = 3});
+                                  .decimals = 3,
+                                  .gap = true});
     result_add(table, (ResultRow){.key = "peak_force",
                                   .label = "hardest contact",
                                   .head = "hardest",
@@ -505,6 +508,7 @@ ResultTable result_house_totals(const House *house, const Observation *observati
                                    .number = narrowest,
                                    .unit = "m",
                                    .decimals = 3,
+                                   .gap = true,
                                    .difference = DIFFERENCE_IF_BOTH});
     result_add(&table, (ResultRow){.label = "contacts",
                                    .kind = RESULT_COUNT,

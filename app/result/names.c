@@ -178,11 +178,12 @@ static size_t door_called(const Plan *plan, Word word) {
     return d;
 }
 
+/* Returns the index of a person, SIZE_MAX: there is none. */
 static size_t person_called(const House *house, Word word) {
-    size_t i = 0;
-    while (i < house->person_count && !is_word(word, house->people[i].id))
-        i++;
-    return house->person_count > CENSUS_FEW ? house->person_count : i;
+    for (size_t i = 0; house && house->person_count <= CENSUS_FEW && i < house->person_count; i++)
+        if (is_word(word, house->people[i].id))
+            return i;
+    return SIZE_MAX;
 }
 
 static bool is_wall(const Plan *plan, Word word) {
@@ -212,7 +213,7 @@ static bool begins_piece(const Plan *plan, const char *at) {
 
 /* Adds "the " where a sentence goes on with a thing. */
 static void add_article(Text *text) {
-    static const char *const before[] = {" pass ", " at "};
+    static const char *const before[] = {" pass ", " at ", " overlaps ", " end of ", " m in "};
     for (size_t i = 0; i < sizeof before / sizeof *before; i++) {
         size_t length = strlen(before[i]);
         if (text->used >= length && strcmp(text->text + text->used - length, before[i]) == 0)
@@ -221,8 +222,7 @@ static void add_article(Text *text) {
 }
 
 /* Adds the name that a word and the one behind it stand for; returns the end of what it stands for. */
-static const char *add_name(Text *text, const House *house, Word word, Arena *arena) {
-    const Plan *plan = &house->plan;
+static const char *add_name(Text *text, const Plan *plan, const House *house, Word word, Arena *arena) {
     Word next = word_behind(word);
     const char *end = word.at + word.length, *next_end = next.at + next.length;
     size_t door = is_word(word, "door") ? door_called(plan, next) : plan->door_count;
@@ -241,7 +241,7 @@ static const char *add_name(Text *text, const House *house, Word word, Arena *ar
         text_add(text, "furniture");
         return next_end;
     }
-    if (person < house->person_count && (word.length > 1 || is_word(word, "person"))) {
+    if (person != SIZE_MAX && (word.length > 1 || is_word(word, "person"))) {
         text_add(text, names_person(house, person, arena));
         return is_word(word, "person") ? next_end : end;
     }
@@ -252,15 +252,19 @@ static const char *add_name(Text *text, const House *house, Word word, Arena *ar
 }
 
 const char *names_text(const House *house, const char *text, Arena *arena) {
+    return names_plan_text(&house->plan, house, text, arena);
+}
+
+const char *names_plan_text(const Plan *plan, const House *house, const char *text, Arena *arena) {
     Text named = {0};
     for (const char *at = text; *at;) {
         Word id = *at == ' ' && at[1] == '(' ? word_at(at + 2) : (Word){at, 0};
-        if (id.length && id.at[id.length] == ')' && is_piece(&house->plan, id)) {
+        if (id.length && id.at[id.length] == ')' && is_piece(plan, id)) {
             at = id.at + id.length + 1; /* "chest (f12)" */
         } else if (strchr(ENDS, *at)) {
             text_format(&named, "%c", *at++);
         } else {
-            at = add_name(&named, house, word_at(at), arena);
+            at = add_name(&named, plan, house, word_at(at), arena);
         }
     }
     const char *kept = text_in_arena(arena, "%s", named.text ? named.text : "");

@@ -34,6 +34,7 @@ typedef struct ResultRow {
     int decimals;     /* digits behind the point, for people; or, where `significant` is more than 0, */
     int significant;  /* digits in all */
     bool sign;        /* people read the sign of positive numbers, too */
+    bool gap;         /* a length that is a gap: the window's panel gives it in cm; with `text`, it is over `read`, m */
     bool unknown;     /* people read "-", although JSON has a value */
     bool omitted;     /* JSON leaves the key out, and people read "-" */
     bool reads;       /* people read `read`, in their unit and not multiplied, instead of the number */

@@ -220,7 +220,8 @@ typedef struct UiSlider {
     double low, high;   /* of the track */
     double least, most; /* of typed values */
     bool logarithmic, whole;
-    int digits; /* behind the point */
+    int digits;       /* behind the point */
+    int digits_least; /* zeros behind these digits are not shown; 0: all are */
 } UiSlider;
 
 typedef enum UiChange { UI_SAME, UI_MOVING, UI_CHANGED } UiChange; /* MOVING: still being dragged */

@@ -12,7 +12,12 @@ static const char *unit_of(const UiSlider *slider) {
 
 void ui_number_print(const UiSlider *slider, double value, char *text, size_t size) {
     const char *unit = unit_of(slider);
-    snprintf(text, size, "%.*f%s%s", slider->whole ? 0 : slider->digits, value, *unit ? " " : "", unit);
+    int digits = slider->whole ? 0 : slider->digits;
+    double grain = 0.5 * pow(10, -digits);
+    while (slider->digits_least && digits > slider->digits_least &&
+           fabs(value - round(value * pow(10, digits - 1)) / pow(10, digits - 1)) < 0.01 * grain)
+        digits--;
+    snprintf(text, size, "%.*f%s%s", digits, value, *unit ? " " : "", unit);
 }
 
 bool ui_number_is_wrong(const UiSlider *slider, const char *text, double *value, char reason[UI_REASON]) {

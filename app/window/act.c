@@ -16,8 +16,6 @@
 #include "window/plan_input.h"
 
 #define TEXT_STEP 0.25
-#define TEXT_MOST 3.0
-#define TEXT_LEAST 0.75
 
 /* Dialogs ---------------------------------------------------------------------------------------------------------- */
 
@@ -56,8 +54,8 @@ static void explain(Window *window) {
 /* Appearance ------------------------------------------------------------------------------------------------------- */
 
 static void set_text(Window *window, double size) {
-    window->text = fmin(fmax(size, TEXT_LEAST), TEXT_MOST);
-    window->settings.preferences.text = (int)fmax(1, lround(window->text));
+    window->text = fmin(fmax(size, SETTINGS_TEXT_LEAST), SETTINGS_TEXT_MOST);
+    window->settings.preferences.text = window->text;
     notice_post(window, "Text size: %.0f %%", 100 * window->text);
 }
 

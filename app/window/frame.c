@@ -72,6 +72,11 @@ bool frame_is_wide(Vec2 page) {
     return page.x >= WIDE_PAGE;
 }
 
+size_t frame_plots(Vec2 page) {
+    enum { PLOTS = 2, PLOTS_WIDE, PLOTS_WIDEST };
+    return page.x >= WIDEST_PAGE ? PLOTS_WIDEST : frame_is_wide(page) ? PLOTS_WIDE : PLOTS;
+}
+
 static bool is_there(Box box) {
     return box_width(box) > 0 && box_height(box) > 0;
 }

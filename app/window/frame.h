@@ -63,3 +63,6 @@ bool frame_hides_names(const Frame *frame, bool plan);
 
 /* True if a page has room for plots next to the view without being asked. */
 bool frame_is_wide(Vec2 page);
+
+/* Returns how many plots a page of this size opens by itself. */
+size_t frame_plots(Vec2 page);

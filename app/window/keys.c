@@ -150,7 +150,7 @@ static const KeyRow table[] = {
      NULL},
     {ACTION_LARGER, KEY_ANYWHERE, "Ctrl++", MENU_NONE, NULL, NULL, NULL},
     {ACTION_LARGER, KEY_ANYWHERE, "Ctrl+Shift+=", MENU_NONE, NULL, NULL, NULL},
-    {ACTION_SMALLER, KEY_ANYWHERE, "Ctrl+-", MENU_VIEW, "Decrease text size", "Decrease the text size (down to 100 %)",
+    {ACTION_SMALLER, KEY_ANYWHERE, "Ctrl+-", MENU_VIEW, "Decrease text size", "Decrease the text size (down to 75 %)",
      NULL},
     {ACTION_NORMAL_SIZE, KEY_ANYWHERE, "Ctrl+0", MENU_VIEW, "Reset text size", "Reset the text size to 100 %", NULL},
 

@@ -11,6 +11,7 @@
 #include "window/plan_input.h"
 
 enum { DIGITS_MOST = 6, PRESETS_IN_ROW = 2, OPEN_MOST = 3 };
+#define LENGTH_DIGITS 2   /* of a length in m */
 #define STEPS_SHOWN 500.0 /* steps of a slider's range that its digits distinguish */
 
 /* Folds ------------------------------------------------------------------------------------------------------------ */
@@ -18,11 +19,11 @@ enum { DIGITS_MOST = 6, PRESETS_IN_ROW = 2, OPEN_MOST = 3 };
 /* Returns the task that the folds are remembered for. */
 static const char *task_of(const Window *window) {
     const Tab *tab = &window->tabs[window->current];
-    return lesson_is_shown(window)                ? "lesson"
-           : tab->laboratory->numbers_first       ? tab->laboratory->word
-           : window->editing                      ? "edit"
-           : tab->session && tab_opens_plots(tab) ? "crowd"
-                                                  : "watch";
+    return lesson_is_shown(window)                       ? "lesson"
+           : tab->laboratory->numbers_first              ? tab->laboratory->word
+           : window->editing                             ? "edit"
+           : tab->session && tab_opens_plots(tab, false) ? "crowd"
+                                                         : "watch";
 }
 
 /* Returns the fold of a title as it was left, or NULL. */
@@ -241,6 +242,7 @@ static void show_number(Window *window, const PanelParameter *parameter) {
                        .logarithmic = parameter->logarithmic,
                        .whole = parameter->row->kind == PARAMETER_WHOLE,
                        .digits = digits_of(parameter)};
+    slider.digits_least = strcmp(slider.unit, "m") == 0 ? LENGTH_DIGITS : 0;
     UiChange change = ui_slider(window->ui, &slider);
     if (change == UI_MOVING)
         plan_input_hold_number(window, parameter->name);

@@ -83,6 +83,7 @@ static void send_pointer_now(Window *window, Tab *tab) {
 void plan_input_mouse(Window *window, const UiGrab *grab) {
     Tab *tab = window_tab(window);
     Editor *editor = tab_editor(tab);
+    editor_fix(editor, !window->editing);
     if (!grab->hovered && !grab->held && !grab->released)
         return;
     Pointer pointer = pointer_at(window, tab, grab->at);
@@ -94,6 +95,13 @@ void plan_input_mouse(Window *window, const UiGrab *grab) {
     if (grab->released)
         editor_release(editor, &pointer);
     window->dirty |= grab->pressed || grab->released;
+    const char *fixed = editor_fixed_dragged(editor);
+    if (!fixed == !window->plan_input.refused)
+        return;
+    window->plan_input.refused = fixed;
+    sdl_window_refuse(window->sdl_window, fixed);
+    if (fixed)
+        notice_post(window, "%s are fixed while watching: Edit plan (W)", fixed);
 }
 
 /* Keys ------------------------------------------------------------------------------------------------------------- */
@@ -352,6 +360,7 @@ bool plan_input_do(Window *window, Action action, int mods) {
     Editor *editor = tab_editor(tab);
     if (!editor)
         return false;
+    editor_fix(editor, !window->editing);
     if (action >= ACTION_TOOL_SELECT && action <= ACTION_TOOL_IMAGE) {
         editor_set_tool(editor, (EditTool)(action - ACTION_TOOL_SELECT));
         window->editing |= action != ACTION_TOOL_SELECT;

@@ -388,6 +388,7 @@ json_t *scripted_state_of(Window *window) {
     json_object_set_new(state, "panel", json_boolean(window->panel));
     json_object_set_new(state, "plots", json_boolean(window->plots_shown));
     json_object_set_new(state, "editing", json_boolean(window->editing));
+    json_object_set_new(state, "refused", json_boolean(window->plan_input.refused));
     json_object_set_new(state, "unit", json_real(window->unit));
     json_object_set_new(state, "hovered", json_string(window->hovered));
     json_object_set_new(state, "echo", json_string(window->echo));

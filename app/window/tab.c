@@ -276,13 +276,34 @@ static const char *plots_for(const Tab *tab) {
     return tab->session && tab->laboratory->plots_for ? tab->laboratory->plots_for(tab->session) : NULL;
 }
 
-bool tab_opens_plots(const Tab *tab) {
-    return tab->laboratory->numbers_first || plots_for(tab);
+bool tab_opens_plots(const Tab *tab, bool wide) {
+    const char *own = plots_for(tab);
+    return tab->laboratory->numbers_first || (own ? *own : wide);
+}
+
+/* Keeps the first names of a list. */
+static void keep_names(char *list, size_t count) {
+    for (char *at = list; *at; at++)
+        if (*at == ',' && --count == 0)
+            *at = 0;
+}
+
+void tab_fit_plots(Tab *tab, size_t count) {
+    const char *all =
+        tab->laboratory->plots_in_order ? tab->laboratory->plots_in_order : tab->laboratory->plots_at_first;
+    if (count == tab->plots_fit)
+        return;
+    tab->plots_fit = count;
+    snprintf(tab->plots_fitting, sizeof tab->plots_fitting, "%s", all);
+    keep_names(tab->plots_fitting, count);
+    tab->plot_panes_stale = true;
 }
 
 const char *tab_plots(const Tab *tab) {
     const char *own = plots_for(tab);
-    return own && strcmp(tab->plots, tab->laboratory->plots_at_first) == 0 ? own : tab->plots;
+    if (tab->plots != tab->laboratory->plots_at_first) /* chosen by hand */
+        return tab->plots;
+    return own && *own ? own : *tab->plots_fitting ? tab->plots_fitting : tab->plots;
 }
 
 /* Layers ----------------------------------------------------------------------------------------------------------- */

@@ -24,19 +24,21 @@ typedef struct Tab {
     Player player;
     TabMoment moment;
     Camera camera;
-    unsigned layers;   /* bits of the layers shown where they fit */
-    bool cramped;      /* the text is so large that names do not fit */
-    bool named;        /* names are shown nevertheless */
-    bool follows;      /* the selection stays in the middle of the view */
-    double aspect;     /* width over height that the window is laid out for; it stays while the plan is edited */
-    Box shape;         /* m, that the camera is fitted to */
-    bool fits;         /* the camera shows everything: it has not been moved */
-    double part_scale; /* of a plan that fits a part of the view, relative to the whole view; 0: unknown */
-    bool covered;      /* nothing of the result is shown: a class guesses first */
-    bool unsaid;       /* tight places are not marked: a class says first what it has seen */
-    bool asked;        /* each piece has its name, since a lesson asks about it */
-    bool handled;      /* it has been edited, so the view stays still */
-    const char *plots; /* names of the plots shown, separated by commas; not owned */
+    unsigned layers;        /* bits of the layers shown where they fit */
+    bool cramped;           /* the text is so large that names do not fit */
+    bool named;             /* names are shown nevertheless */
+    bool follows;           /* the selection stays in the middle of the view */
+    double aspect;          /* width over height that the window is laid out for; it stays while the plan is edited */
+    Box shape;              /* m, that the camera is fitted to */
+    bool fits;              /* the camera shows everything: it has not been moved */
+    double part_scale;      /* of a plan that fits a part of the view, relative to the whole view; 0: unknown */
+    bool covered;           /* nothing of the result is shown: a class guesses first */
+    bool unsaid;            /* tight places are not marked: a class says first what it has seen */
+    bool asked;             /* each piece has its name, since a lesson asks about it */
+    bool handled;           /* it has been edited, so the view stays still */
+    const char *plots;      /* names of the plots shown, separated by commas; not owned */
+    size_t plots_fit;       /* number of plots that open by themselves */
+    char plots_fitting[64]; /* their names */
     ViewLayers view_layers;
     Trial trial;             /* the fix that is shown beside the plan */
     ViewLayers trial_layers; /* its picture */
@@ -81,8 +83,13 @@ size_t tab_layer(const Tab *tab, const char *name);
 void tab_toggle_layer(Tab *tab, size_t layer);
 void tab_set_cramped(Tab *tab, bool cramped);
 
-/* True if the session opens plots by itself; the names of the plots that are shown, unless others were chosen. */
-bool tab_opens_plots(const Tab *tab);
+/* True if the session opens plots by itself, in a wide window or in any. */
+bool tab_opens_plots(const Tab *tab, bool wide);
+
+/* Sets how many plots open by themselves. */
+void tab_fit_plots(Tab *tab, size_t count);
+
+/* Returns the names of the plots that are shown: the chosen ones, or those that open by themselves. */
 const char *tab_plots(const Tab *tab);
 
 /* Applies the camera to the view. */

@@ -235,14 +235,14 @@ static Box snapped(const Window *window, Box box) {
 }
 
 static void make_frame(Window *window) {
-    const Tab *tab = window_tab(window);
+    Tab *tab = window_tab(window);
     const Frame before = window->frame;
     sdl_window_size(window->sdl_window, &window->width, &window->height);
     window->unit = frame_unit(window->width, window->height, sdl_window_density(window->sdl_window), window->text,
                               window->present);
     Vec2 page = {window->width / window->unit, window->height / window->unit};
-    bool plots =
-        window->plots == PLOTS_AUTO ? tab_opens_plots(tab) || frame_is_wide(page) : window->plots == PLOTS_OPEN;
+    bool plots = window->plots == PLOTS_AUTO ? tab_opens_plots(tab, frame_is_wide(page)) : window->plots == PLOTS_OPEN;
+    tab_fit_plots(tab, frame_plots(page));
     window->answer_tall = bars_answer_is_tall(window);
     window->plots_shown = plots;
     bool teaches = lesson_is_shown(window), machine = tab->laboratory->numbers_first;
@@ -479,7 +479,7 @@ static void store_preferences(Window *window) {
         const Tab *tab = &window->tabs[i];
         SettingsLaboratory *kept = settings_laboratory(&window->settings, tab->laboratory->word);
         kept->layers = tab->layers == tab->laboratory->layers_at_first ? -1 : (int)tab->layers;
-        kept->plots = strcmp(tab->plots, tab->laboratory->plots_at_first) == 0 ? "" : tab->plots;
+        kept->plots = tab->plots == tab->laboratory->plots_at_first ? "" : tab->plots;
         kept->speed = player_speed(&tab->player);
     }
     if (!window->fullscreen) {

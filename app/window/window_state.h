@@ -58,6 +58,7 @@ typedef struct PlanInput {
     bool pointer_known; /* if it was ever sent */
     bool free;          /* snapping is off */
     bool number;        /* a slider is being dragged */
+    bool refused;       /* a drag tries to move something that is fixed */
     bool holds;         /* playback is paused by a gesture, */
     bool plays_on;      /* and resumes afterwards */
     bool waits;         /* `key` waits for its text */

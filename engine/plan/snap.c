@@ -76,13 +76,23 @@ static bool is_without(const SnapAsk *ask, const char *id) {
     return false;
 }
 
+void snap_name(const Plan *plan, const SnapAsk *ask, const char *id, Vec2 at, char name[SNAP_NAME]) {
+    if (ask->names)
+        ask->names(plan, id, at, name);
+    else
+        snprintf(name, SNAP_NAME, "%s", id);
+}
+
 static void offer_point(Search *search, Vec2 at, const char *what, const char *id) {
+    char name[SNAP_NAME] = "";
     double distance = vec2_distance(at, search->ask->at);
     if (distance > search->ask->reach || distance >= search->best)
         return;
     search->best = distance;
     search->snap = (Snap){.at = at};
-    snprintf(search->snap.text, sizeof search->snap.text, "%s%.40s", what, id);
+    if (*id)
+        snap_name(search->plan, search->ask, id, at, name);
+    snprintf(search->snap.text, sizeof search->snap.text, "%s%s", what, name);
 }
 
 static void offer_points(Search *search) {
@@ -137,8 +147,11 @@ static void offer_segment(Search *search, Vec2 a, Vec2 b, const char *id) {
                                            .cost = COST_WALL,
                                            .guide = a,
                                            .drawn = true});
-    if (line)
-        snprintf(line->text, sizeof line->text, "on %.40s", id);
+    if (!line)
+        return;
+    char name[SNAP_NAME];
+    snap_name(search->plan, search->ask, id, vec2_nearest_on_segment(search->ask->at, a, b), name);
+    snprintf(line->text, sizeof line->text, "on %s", name);
 }
 
 static void offer_wall(Search *search, const Wall *wall) {
@@ -157,11 +170,12 @@ static void offer_wall(Search *search, const Wall *wall) {
 /* The nearest ends in line with an upright and a level line. */
 typedef struct Aligned {
     const char *ids[2]; /* of the level line and of the upright one; NULL: none */
+    bool own[2];        /* the end is a point of what is drawn, and the id says which */
     Vec2 ends[2];
     double best[2];
 } Aligned;
 
-static void offer_end(const SnapAsk *ask, Aligned *aligned, Vec2 end, const char *id) {
+static void offer_end(const SnapAsk *ask, Aligned *aligned, Vec2 end, const char *id, bool own) {
     Vec2 to = vec2_sub(ask->at, end);
     double off[2] = {fabs(to.y), fabs(to.x)};
     for (int k = 0; k < 2; k++) {
@@ -171,6 +185,7 @@ static void offer_end(const SnapAsk *ask, Aligned *aligned, Vec2 end, const char
         aligned->best[k] = far;
         aligned->ends[k] = end;
         aligned->ids[k] = id;
+        aligned->own[k] = own;
     }
 }
 
@@ -180,9 +195,9 @@ static void offer_axes(Search *search) {
     Aligned aligned = {.best = {HUGE_VAL, HUGE_VAL}};
     for (size_t w = 0; w < plan->wall_count; w++)
         for (size_t i = 0; i < plan->walls[w].points.count && !is_without(ask, plan->walls[w].id); i++)
-            offer_end(ask, &aligned, plan->walls[w].points.at[i], plan->walls[w].id);
+            offer_end(ask, &aligned, plan->walls[w].points.at[i], plan->walls[w].id, false);
     for (size_t i = 0; i + 1 < ask->own_count; i++)
-        offer_end(ask, &aligned, ask->own[i], i ? "a point of it" : "the first point");
+        offer_end(ask, &aligned, ask->own[i], i ? "a point of it" : "the first point", true);
     for (int k = 0; k < 2; k++) {
         Line *line = aligned.ids[k] ? offer_line(search, (Line){.origin = aligned.ends[k],
                                                                 .axis = snap_heading(90 * k),
@@ -191,8 +206,13 @@ static void offer_axes(Search *search) {
                                                                 .cost = COST_AXIS,
                                                                 .guide = aligned.ends[k]})
                                     : NULL;
-        if (line)
-            snprintf(line->text, sizeof line->text, "in line with %.30s", aligned.ids[k]);
+        if (!line)
+            continue;
+        char name[SNAP_NAME];
+        snprintf(name, sizeof name, "%s", aligned.ids[k]);
+        if (!aligned.own[k])
+            snap_name(plan, ask, aligned.ids[k], aligned.ends[k], name);
+        snprintf(line->text, sizeof line->text, "in line with %s", name);
     }
 }
 
@@ -307,6 +327,7 @@ static Snap snap_straight(Search *search) {
     if (ask->free)
         return snap;
     double least = ask->reach;
+    char name[SNAP_NAME];
     for (size_t w = 0; w < search->plan->wall_count; w++)
         for (size_t i = 0; i < search->plan->walls[w].points.count; i++) {
             const Wall *wall = &search->plan->walls[w];
@@ -317,7 +338,8 @@ static Snap snap_straight(Search *search) {
             *moves = end;
             snap.guide_count = 1;
             snap.guides[0][0] = wall->points.at[i];
-            snprintf(snap.text, sizeof snap.text, "in line with %.40s", wall->id);
+            snap_name(search->plan, ask, wall->id, wall->points.at[i], name);
+            snprintf(snap.text, sizeof snap.text, "in line with %s", name);
         }
     snap.guides[0][1] = snap.at;
     return snap;

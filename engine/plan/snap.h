@@ -12,7 +12,10 @@
 #define SNAP_FREE_GRID 0.001 /* m, of a free pointer, so that files stay short */
 #define SNAP_TURN 15.0       /* degree */
 
-enum { SNAP_TEXT = 96, SNAP_GUIDES = 2 };
+enum { SNAP_TEXT = 192, SNAP_NAME = 64, SNAP_GUIDES = 2 };
+
+/* Writes the name of an element of a plan near a place, m. */
+typedef void (*SnapNames)(const Plan *plan, const char *id, Vec2 at, char name[SNAP_NAME]);
 
 /* Arguments of a snap. */
 typedef struct SnapAsk {
@@ -29,17 +32,21 @@ typedef struct SnapAsk {
     bool closes;
     const char *const *without; /* (without_count) ids of moving elements, which are excluded */
     size_t without_count;
+    SnapNames names; /* names of the targets; NULL: their ids */
 } SnapAsk;
 
 /* Result of a snap. */
 typedef struct Snap {
     Vec2 at;              /* m */
-    char text[SNAP_TEXT]; /* "end of w3", "on w2, 90 degrees"; "": no target, or the grid */
+    char text[SNAP_TEXT]; /* "end of porch wall", "on w2, 90 degrees"; "": no target, or the grid */
     Vec2 guides[SNAP_GUIDES][2];
     size_t guide_count;
 } Snap;
 
 Snap snap_point(const Plan *plan, const SnapAsk *ask);
+
+/* Writes the name of a target at a place, m, as `names` of the arguments says. */
+void snap_name(const Plan *plan, const SnapAsk *ask, const char *id, Vec2 at, char name[SNAP_NAME]);
 
 /* Returns a length or a coordinate, m, without the last digits that a rotation has left. */
 double snap_tidy(double value);

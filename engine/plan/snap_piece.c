@@ -119,8 +119,12 @@ Snap snap_piece_place(const Plan *plan, const Furniture *piece, const SnapAsk *a
     Vec2 at = vec2_turn(own, axis);
     snap.at = vec2(snap_tidy(at.x), snap_tidy(at.y));
     bool both = touching.ids[0] && touching.ids[1] && strcmp(touching.ids[0], touching.ids[1]) != 0;
-    snprintf(snap.text, sizeof snap.text, both ? "against %.30s and %.30s" : "against %.30s",
-             touching.ids[0] ? touching.ids[0] : touching.ids[1], both ? touching.ids[1] : "");
+    char first[SNAP_NAME], second[SNAP_NAME] = "";
+    snap_name(plan, ask, touching.ids[0] ? touching.ids[0] : touching.ids[1], snap.at, first);
+    if (both)
+        snap_name(plan, ask, touching.ids[1], snap.at, second);
+    snprintf(snap.text, sizeof snap.text, both && strcmp(first, second) != 0 ? "against %s and %s" : "against %s",
+             first, second);
     return snap;
 }
 

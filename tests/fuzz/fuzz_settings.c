@@ -27,7 +27,8 @@ static void begin(void) {
 
 static void check_values(const Settings *settings) {
     const SettingsPreferences *preferences = &settings->preferences;
-    fuzz_expect(preferences->text >= 1 && preferences->text <= SETTINGS_TEXT_MOST, "a size of text is in range");
+    fuzz_expect(preferences->text >= SETTINGS_TEXT_LEAST && preferences->text <= SETTINGS_TEXT_MOST,
+                "a size of text is in range");
     fuzz_expect(preferences->theme >= 0, "a theme is in range");
     fuzz_expect(preferences->width >= 0 && preferences->width <= SETTINGS_SIDE_MOST && preferences->height >= 0 &&
                     preferences->height <= SETTINGS_SIDE_MOST,

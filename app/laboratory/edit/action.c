@@ -215,18 +215,20 @@ bool edit_action_split(Editor *edit, Fault *fault) {
         fault_add(fault, "select one wall to split it");
         return false;
     }
+    char name[EDIT_NAME], wall_name[EDIT_NAME];
     size_t segment = nearest_segment(edit, wall);
     double half = vec2_distance(wall->points.at[segment], wall->points.at[segment + 1]) / 2;
     for (size_t d = 0; d < plan->door_count; d++) {
         const Door *door = &plan->doors[d];
         if (door->wall_index == index && (size_t)door->segment == segment && fabs(door->at - half) < door->width / 2) {
-            fault_add(fault, "wall %.40s cannot be split there: door %.40s lies in the middle; move the door first",
-                      wall->id, door->id);
+            edit_select_name(edit, door->id, name);
+            fault_add(fault, "the wall cannot be split there: the %s lies in the middle; move the door first", name);
             return false;
         }
     }
-    char name[EDIT_NAME];
-    snprintf(name, sizeof name, "Split wall %.60s", wall->id);
+    Vec2 middle = vec2_scale(vec2_add(wall->points.at[segment], wall->points.at[segment + 1]), 0.5);
+    edit_select_name_at(edit, plan, wall->id, &middle, wall_name);
+    snprintf(name, sizeof name, "Split %.100s", wall_name);
     edit_gesture_begin_step(edit, name);
     split_at(edit, wall, index, segment);
     return edit_gesture_end_step(edit, fault);

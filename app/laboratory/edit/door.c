@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "laboratory/edit/field.h"
+#include "laboratory/edit/select.h"
 
 static const double LEAST_WIDTH = 0.10; /* m, least width of a door whose edge is dragged */
 
@@ -18,6 +19,20 @@ static double to_grid(const Editor *edit, double along) {
     return snap_tidy(round(along / grid) * grid);
 }
 
+static Vec2 place_on_wall(const Editor *edit) {
+    const EditTarget *now = &edit->now;
+    const Vec2 *ends = edit->plan_before.walls[now->wall].points.at + now->segment;
+    return vec2_along(ends[0], now->along, vec2_unit(vec2_sub(ends[1], ends[0])));
+}
+
+/* Tells the wall that the door snaps to: "on wall between bedroom and corridor". */
+static void tell_wall(Editor *edit, const char *where) {
+    char name[SNAP_NAME];
+    const Plan *plan = &edit->plan_before;
+    edit_select_snap_name(plan, plan->walls[edit->now.wall].id, place_on_wall(edit), name);
+    snprintf(edit->snap.text, SNAP_TEXT, "%s %s", where, name);
+}
+
 /* Finds the place on a wall that is nearest to a point. False: there is no wall. */
 static bool find_wall(Editor *edit, Vec2 at) {
     EditTarget *now = &edit->now;
@@ -28,7 +43,7 @@ static bool find_wall(Editor *edit, Vec2 at) {
     now->wall = wall.wall;
     now->segment = wall.segment;
     now->along = to_grid(edit, wall.along);
-    snprintf(edit->snap.text, SNAP_TEXT, "on %.40s", edit->plan_before.walls[wall.wall].id);
+    tell_wall(edit, "on");
     return true;
 }
 
@@ -39,13 +54,7 @@ static void snap_middle(Editor *edit) {
     if (edit->pointer.free || fabs(edit->now.along - middle) > edit->pointer.reach)
         return;
     edit->now.along = snap_tidy(middle);
-    snprintf(edit->snap.text, SNAP_TEXT, "middle of %.40s", edit->plan_before.walls[edit->now.wall].id);
-}
-
-static Vec2 place_on_wall(const Editor *edit) {
-    const EditTarget *now = &edit->now;
-    const Vec2 *ends = edit->plan_before.walls[now->wall].points.at + now->segment;
-    return vec2_along(ends[0], now->along, vec2_unit(vec2_sub(ends[1], ends[0])));
+    tell_wall(edit, "middle of");
 }
 
 void edit_door_update(Editor *edit) {

@@ -46,7 +46,8 @@ static void update_middle(Editor *edit, const Furniture *piece) {
                    .free = edit->pointer.free,
                    .along = NAN,
                    .without = without,
-                   .without_count = 1};
+                   .without_count = 1,
+                   .names = edit_select_snap_name};
     Vec2 from = edit->grip.at;
     if (edit->pointer.straight && fabs(ask.at.x - from.x) >= fabs(ask.at.y - from.y))
         ask.at.y = from.y;
@@ -132,7 +133,7 @@ static void name_step(const Editor *edit, const EditHandle *handle, char name[ED
                                         [GRIP_MIDDLE] = "Move %.100s",
                                         [GRIP_WHOLE] = "Move %.100s"};
     char item[EDIT_NAME];
-    edit_select_name(edit, handle->id, item);
+    edit_select_name_at(edit, draft_plan(edit->draft), handle->id, &handle->at, item);
     bool end = handle->grip == GRIP_POINT && handle->list == DRAFT_EXITS;
     snprintf(name, EDIT_NAME, end ? "Move an end of %.100s" : steps[handle->grip], item);
 }
@@ -225,12 +226,13 @@ static void describe(Editor *edit, Text *text) {
     size_t wall = 0;
     double depth = 0;
     Text values = {0};
-    edit_select_name(edit, edit->dragged_id, item);
+    edit_select_name_at(edit, &edit->plan_before, edit->dragged_id, &edit->grip.at, item);
     list_values(edit, &values);
-    if (find_overlap(edit, plan, &wall, &depth))
-        text_format(text, "%s: %s; it stands %.0f cm in wall %s", item, values.text, 100 * depth, plan->walls[wall].id);
-    else
-        text_format(text, "%s: %s", item, values.text);
+    text_format(text, "%s: %s", item, values.text);
+    if (find_overlap(edit, plan, &wall, &depth)) {
+        edit_select_name_at(edit, plan, plan->walls[wall].id, &edit->now.at, item);
+        text_format(text, "; it stands %.0f cm in the %s", 100 * depth, item);
+    }
     memory_free(values.text);
 }
 

@@ -181,6 +181,16 @@ EditTool editor_tool(const Editor *edit) {
     return edit->tool;
 }
 
+void editor_fix(Editor *edit, bool fixed) {
+    if (fixed != edit->fixed)
+        edit->handle = -1;
+    edit->fixed = fixed;
+}
+
+const char *editor_fixed_dragged(const Editor *edit) {
+    return edit->down && edit->moved ? edit->fixed_pressed : NULL;
+}
+
 void editor_point(Editor *edit, const Pointer *pointer) {
     edit_pointer_move(edit, pointer);
 }

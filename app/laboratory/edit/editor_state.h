@@ -126,7 +126,9 @@ struct Editor {
     bool moved;      /* the pointer has moved since the press */
     Vec2 pressed;    /* m, the place of the press */
     EditPending pending;
-    bool seen;   /* the pointer has been on the plan */
+    bool fixed;                /* walls, doors, rooms and exits cannot be moved */
+    const char *fixed_pressed; /* which of them the press was on, "walls"; NULL: none */
+    bool seen;                 /* the pointer has been on the plan */
     bool placed; /* an item was placed, and the pointer has not moved away from it since; then nothing is previewed */
     Vec2 placed_at; /* m */
     bool cures;     /* the tool was taken for what the house lacks */

@@ -11,10 +11,8 @@ static void forget_refusal(Editor *edit) {
 }
 
 static void store_refusal(Editor *edit, const Fault *fault) {
-    Text text = {0};
     forget_refusal(edit);
-    text_add(&text, fault->count ? fault->lines[0] : "this edit is not possible");
-    edit->refusal = text.text;
+    edit->refusal = edit_select_named(edit, fault->count ? fault->lines[0] : "this edit is not possible");
 }
 
 static void store_plan_before(Editor *edit) {
@@ -29,7 +27,15 @@ void edit_gesture_begin_step(Editor *edit, const char *name) {
 }
 
 bool edit_gesture_end_step(Editor *edit, Fault *fault) {
-    if (!draft_end(edit->draft, fault))
+    Fault own = {0};
+    bool good = draft_end(edit->draft, &own);
+    for (size_t i = 0; i < own.count; i++) {
+        char *named = edit_select_named(edit, own.lines[i]);
+        fault_add(fault, "%s", named);
+        memory_free(named);
+    }
+    fault_clear(&own);
+    if (!good)
         return false;
     edit_select_prune(edit);
     edit->changed = true;
@@ -156,6 +162,7 @@ Vec2 edit_gesture_snap(Editor *edit, SnapAsk ask) {
     ask.reach = edit->pointer.reach;
     ask.free = edit->pointer.free;
     ask.straight = edit->pointer.straight;
+    ask.names = edit_select_snap_name;
     edit->snap = snap_point(edit->gesture ? &edit->plan_before : draft_plan(edit->draft), &ask);
     return edit->snap.at;
 }

@@ -1,5 +1,6 @@
 #include "laboratory/edit/handle.h"
 
+#include "laboratory/edit/select.h"
 #include "plan/plan_geometry.h"
 
 static const double ARM = 0.45; /* m, distance of the rotation handle from the piece or the person */
@@ -73,7 +74,7 @@ static void add_exit(Handles *handles, const Exit *exit) {
 size_t edit_handle_list(const Editor *edit, const Plan *plan, EditHandle *handles) {
     Handles made = {.list = handles};
     size_t index;
-    if (edit->id_count != 1)
+    if (edit->id_count != 1 || edit_select_fixed(edit))
         return 0;
     made.id = edit->ids[0];
     made.of = draft_find(edit->draft, made.id, &index);

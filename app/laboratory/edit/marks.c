@@ -7,6 +7,7 @@
 #include "laboratory/edit/gesture.h"
 #include "laboratory/edit/handle.h"
 #include "laboratory/edit/measure.h"
+#include "laboratory/edit/select.h"
 #include "plan/plan_geometry.h"
 
 static const double FARTHEST_GAP = 5.0; /* m: larger gaps next to a piece are not shown */
@@ -173,8 +174,12 @@ static void add_hover(Editor *edit) {
     bool faces = edit->tool == TOOL_AREA || edit->tool == TOOL_MEASURE || edit->tool == TOOL_FURNITURE;
     if (edit->tool == TOOL_SELECT || !edit->seen)
         return;
-    SnapAsk ask = {
-        .at = edit->pointer.at, .reach = edit->pointer.reach, .free = edit->pointer.free, .faces = faces, .along = NAN};
+    SnapAsk ask = {.at = edit->pointer.at,
+                   .reach = edit->pointer.reach,
+                   .free = edit->pointer.free,
+                   .faces = faces,
+                   .along = NAN,
+                   .names = edit_select_snap_name};
     Snap snap = snap_point(draft_plan(edit->draft), &ask);
     add_snap(edit, &snap);
 }

@@ -31,7 +31,11 @@ static const CatalogueItem *chosen_piece(Editor *edit) {
 
 static SnapAsk ask_of(const Editor *edit) {
     const Pointer *pointer = &edit->pointer;
-    return (SnapAsk){.at = pointer->at, .reach = pointer->reach, .free = pointer->free, .along = NAN};
+    return (SnapAsk){.at = pointer->at,
+                     .reach = pointer->reach,
+                     .free = pointer->free,
+                     .along = NAN,
+                     .names = edit_select_snap_name};
 }
 
 /* Makes a rectangle from its first corner to the pointer, or as typed. */

@@ -114,7 +114,8 @@ static void press_select(Editor *edit) {
     }
     if (!edit_select_has(edit, id))
         edit_select_only(edit, id);
-    edit->pending = PENDING_WHOLE;
+    edit->fixed_pressed = edit_select_fixed(edit);
+    edit->pending = edit->fixed_pressed ? PENDING_NOTHING : PENDING_WHOLE;
 }
 
 void edit_pointer_press(Editor *edit, const Pointer *pointer, bool twice) {
@@ -124,6 +125,7 @@ void edit_pointer_press(Editor *edit, const Pointer *pointer, bool twice) {
     edit->moved = false;
     edit->pressed = pointer->at;
     edit->pending = PENDING_NOTHING;
+    edit->fixed_pressed = NULL;
     edit->keys = edit->clicked = false; /* a gesture begun by keys continues by pointer */
     if (edit->gesture && twice && edit->tool == TOOL_MEASURE && !edit_scale_in_hand(edit) && edit_measure_side(edit)) {
         edit_gesture_cancel(edit);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "plan/plan_geometry.h"
+#include "result/names.h"
 
 /* Items and ids --------------------------------------------------------------------------------------------------- */
 
@@ -128,6 +129,18 @@ bool edit_select_has(const Editor *edit, const char *id) {
     return find(edit, id) < edit->id_count;
 }
 
+const char *edit_select_fixed(const Editor *edit) {
+    static const char *const fixed[DRAFT_LISTS] = {
+        [DRAFT_WALLS] = "walls", [DRAFT_DOORS] = "doors", [DRAFT_ROOMS] = "rooms", [DRAFT_EXITS] = "exits"};
+    size_t index;
+    for (size_t i = 0; edit->fixed && i < edit->id_count; i++) {
+        DraftList list = draft_find(edit->draft, edit->ids[i], &index);
+        if (list < DRAFT_LISTS && fixed[list])
+            return fixed[list];
+    }
+    return NULL;
+}
+
 /* Several items --------------------------------------------------------------------------------------------------- */
 
 static Box box_of(const Vec2 *points, size_t count) {
@@ -240,17 +253,58 @@ const char *edit_select_at(Editor *edit, Vec2 at) {
 
 /* Names ----------------------------------------------------------------------------------------------------------- */
 
-void edit_select_name(const Editor *edit, const char *id, char name[EDIT_NAME]) {
+/* Returns the name of a wall, a door or a piece of furniture; NULL: the id is of something else. */
+static const char *name_of(const Plan *plan, const char *id, const Vec2 *at, Arena *arena) {
+    for (size_t w = 0; w < plan->wall_count; w++)
+        if (strcmp(plan->walls[w].id, id) == 0)
+            return at ? names_wall_at(plan, w, *at, arena) : names_wall(plan, w, arena);
+    for (size_t d = 0; d < plan->door_count; d++)
+        if (strcmp(plan->doors[d].id, id) == 0)
+            return names_door(plan, d, arena);
+    for (size_t f = 0; f < plan->furniture_count; f++)
+        if (strcmp(plan->furniture[f].id, id) == 0)
+            return *plan->furniture[f].name ? plan->furniture[f].name : "furniture";
+    return NULL;
+}
+
+void edit_select_snap_name(const Plan *plan, const char *id, Vec2 at, char name[SNAP_NAME]) {
+    Arena arena = {0};
+    const char *called = name_of(plan, id, &at, &arena);
+    snprintf(name, SNAP_NAME, "%s", called ? called : id);
+    arena_clear(&arena);
+}
+
+void edit_select_name_at(const Editor *edit, const Plan *plan, const char *id, const Vec2 *at, char name[EDIT_NAME]) {
     static const char *const kind_names[DRAFT_LISTS] = {"wall", "door",   "furniture", "room",
                                                         "exit", "person", "crowd",     "route"};
     size_t index;
+    Arena arena = {0};
+    const House *house = edit->scene.scenery.house;
     DraftList list = draft_find(edit->draft, id, &index);
-    const char *called =
-        list < DRAFT_LISTS ? json_string_value(json_object_get(draft_at(edit->draft, list, index), "name")) : NULL;
-    if (called && *called && strcmp(called, id) != 0)
-        snprintf(name, EDIT_NAME, "%.60s (%.40s)", called, id);
+    const char *called = name_of(plan, id, at, &arena);
+    if (!called && list == DRAFT_ROOMS)
+        called = json_string_value(json_object_get(draft_at(edit->draft, list, index), "name"));
+    Item item = list == DRAFT_PEOPLE ? edit_select_item(edit, id) : (Item){0, 0};
+    if (called && *called)
+        snprintf(name, EDIT_NAME, "%.100s", called);
+    else if (item.kind)
+        snprintf(name, EDIT_NAME, "person %.60s", names_person(house, item.index, &arena));
+    else if (list == DRAFT_EXITS || list == DRAFT_CROWDS || list == DRAFT_ROUTES)
+        snprintf(name, EDIT_NAME, "%s %.60s", kind_names[list], id);
     else
-        snprintf(name, EDIT_NAME, "%s %.60s", list < DRAFT_LISTS ? kind_names[list] : "", id);
+        snprintf(name, EDIT_NAME, "%s", list < DRAFT_LISTS ? kind_names[list] : "item");
+    arena_clear(&arena);
+}
+
+void edit_select_name(const Editor *edit, const char *id, char name[EDIT_NAME]) {
+    edit_select_name_at(edit, draft_plan(edit->draft), id, NULL, name);
+}
+
+char *edit_select_named(const Editor *edit, const char *text) {
+    Arena arena = {0};
+    char *named = text_copy(names_plan_text(draft_plan(edit->draft), edit->scene.scenery.house, text, &arena));
+    arena_clear(&arena);
+    return named;
 }
 
 void edit_select_names(const Editor *edit, char name[EDIT_NAME]) {

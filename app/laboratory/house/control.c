@@ -9,6 +9,7 @@
 #include "laboratory/house/picture.h"
 #include "plan/draft_file.h"
 #include "plan/draft_parameter.h"
+#include "result/names.h"
 
 /* The editor ------------------------------------------------------------------------------------------------------- */
 
@@ -54,6 +55,15 @@ void house_control_end_number(void *context) {
     house_control_sync(session); /* the number counts from the displayed time, before another gesture begins */
 }
 
+/* Adds the errors of a plan with the names in place of the ids. */
+static void add_named(const HouseSession *session, Fault *fault, const Fault *own) {
+    Arena arena = {0};
+    const House *house = session->runs[RUN_SHOWN] ? &session->runs[RUN_SHOWN]->house : NULL;
+    for (size_t i = 0; i < own->count; i++)
+        fault_add(fault, "%s", names_plan_text(draft_plan(session->draft), house, own->lines[i], &arena));
+    arena_clear(&arena);
+}
+
 /* Sets the value of a row in the draft: as its own step, unless a number is being dragged. */
 static bool set_in_draft(HouseSession *session, size_t row, Fault *fault) {
     const PanelParameter *value = &session->values.rows[row];
@@ -92,7 +102,11 @@ bool house_control_set(void *context, const char *name, double value, Fault *fau
         return false;
     if (value == before)
         return true;
-    if (!set_in_draft(session, row, fault)) {
+    Fault own = {0};
+    bool is_set = set_in_draft(session, row, &own);
+    add_named(session, fault, &own);
+    fault_clear(&own);
+    if (!is_set) {
         session->values.rows[row].value = before;
         if (editor_drags_number(session->editor)) /* an earlier valid value, if there was one, is put back */
             put_back(session, row);

@@ -192,14 +192,15 @@ static void close_house(void *context) {
 
 /* Display --------------------------------------------------------------------------------------------------------- */
 
-/* A crowd is followed by how many are out. */
+/* A crowd is followed by how many are out; where nobody sets off there is nothing to plot. */
 static const char *plots_for(const void *context) {
     const HouseSession *session = context;
     const Plan *plan = draft_plan(session->draft);
     size_t people = plan->person_count;
     for (size_t i = 0; i < plan->crowd_count; i++)
         people += (size_t)plan->crowds[i].count;
-    return people > PEOPLE_SCENE_INDIVIDUALS ? "out,flow" : NULL;
+    bool stands = session->whole && session->observation && session->observation->time <= 0;
+    return stands ? "" : people > PEOPLE_SCENE_INDIVIDUALS ? "out,flow" : NULL;
 }
 
 static RecordSpan span(const void *context) {
@@ -483,6 +484,7 @@ const Laboratory house_laboratory = {
     .name = "House",
     .word = "house",
     .plots_at_first = "speed,clearance",
+    .plots_in_order = "speed,clearance,force,ring",
     .layers = layer_names,
     .meanings = layer_meanings,
     .layer_count = LAYERS,

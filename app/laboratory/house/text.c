@@ -53,8 +53,8 @@ static void add_moment(HouseSession *session, size_t person, double time) {
     bool free = row[TRACE_CLEARANCE] >= reach;
     double speed = round(100 * row[TRACE_SPEED]) / 100 + 0.0; /* no negative zero */
     add_pair(session, "speed now", scene_text(scene, "%.2f m/s", speed));
-    add_pair(session, "room to spare now",
-             free ? scene_text(scene, "over %.2f m", reach) : headline_clearance(row[TRACE_CLEARANCE], &scene->arena));
+    const char *gap = tight_to_spare(free ? reach : row[TRACE_CLEARANCE], &scene->arena);
+    add_pair(session, "room to spare now", free ? scene_text(scene, "over %s", gap) : gap);
     add_pair(session, "force now", scene_text(scene, "%.0f N", row[TRACE_BODY_FORCE]));
 }
 
@@ -390,8 +390,9 @@ static const char *against(HouseSession *session, const Observation *now) {
         return scene_text(scene, "%s %s", word, headline_duration(before, &scene->arena));
     if (fabs(more) < ALIKE)
         return scene_text(scene, "%s %s, the same", word, headline_duration(before, &scene->arena));
-    return scene_text(scene, "%s %s, %c%s (%+.0f %%)", word, headline_duration(before, &scene->arena),
-                      more < 0 ? '-' : '+', headline_duration(fabs(more), &scene->arena), 100 * more / before);
+    const char *sign = more < 0 ? "\u2212" : "+";
+    return scene_text(scene, "%s %s, %s%s (%s%.0f %%)", word, headline_duration(before, &scene->arena), sign,
+                      headline_duration(fabs(more), &scene->arena), sign, 100 * fabs(more) / before);
 }
 
 static void make_answer(HouseSession *session) {

@@ -122,6 +122,22 @@ static void check_bad(const char *name, const char *text) {
     desk_remove();
 }
 
+TEST(text_below_its_own_size_and_in_quarters_is_remembered) {
+    static const double sizes[] = {0.75, 1, 1.25, 2};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        Settings settings;
+        desk_make();
+        open_quietly(&settings);
+        settings.preferences.text = sizes[i];
+        save_quietly(&settings);
+        settings_close(&settings);
+        open_quietly(&settings);
+        CHECK(settings.preferences.text == sizes[i]);
+        settings_close(&settings);
+        desk_remove();
+    }
+}
+
 TEST(a_broken_file_is_kept_beside_and_all_is_as_at_first) {
     check_bad("config/clearance/settings.json", "{\"text\": 3, ");
     check_bad("config/clearance/settings.json", "{\"text\": 4}");

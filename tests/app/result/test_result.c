@@ -55,7 +55,7 @@ TEST(long_times_are_read_in_minutes_in_the_panel) {
     static const struct {
         double seconds;
         const char *text;
-    } times[] = {{18.4, "18.40 s"}, {99.9, "99.90 s"}, {99.96, "1:40"}, {411.9, "6:52"}};
+    } times[] = {{18.4, "18.4 s"}, {20.83, "20.8 s"}, {99.9, "99.9 s"}, {99.96, "1:40"}, {411.9, "6:52"}};
     Arena arena = {0};
     for (size_t i = 0; i < sizeof times / sizeof *times; i++) {
         ResultRow row = {
@@ -64,6 +64,28 @@ TEST(long_times_are_read_in_minutes_in_the_panel) {
         CHECK(result_panel_row(&line, &row, &arena) && result_panel_pair(&pair, &row, &row, &arena));
         CHECK_TEXT(line.cells[1], times[i].text);
         CHECK_TEXT(pair.cells[2], times[i].text);
+    }
+    arena_clear(&arena);
+}
+
+TEST(lengths_in_the_panel_are_gaps_in_centimetres_and_widths_in_metres) {
+    static const struct {
+        double length;
+        bool gap;
+        const char *text;
+    } lengths[] = {{0.044, true, "4.4 cm"},   {0.135, true, "13.5 cm"}, {1.25, true, "1.25 m"},
+                   {-0.002, true, "touches"}, {0.83, false, "0.83 m"},  {8.451, false, "8.45 m"}};
+    Arena arena = {0};
+    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++) {
+        ResultRow row = {.label = "length",
+                         .kind = RESULT_NUMBER,
+                         .number = lengths[i].length,
+                         .unit = "m",
+                         .decimals = 3,
+                         .gap = lengths[i].gap};
+        SceneRow line;
+        CHECK(result_panel_row(&line, &row, &arena));
+        CHECK_TEXT(line.cells[1], lengths[i].text);
     }
     arena_clear(&arena);
 }

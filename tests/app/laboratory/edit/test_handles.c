@@ -95,12 +95,12 @@ TEST(a_door_stops_at_the_end_of_its_wall_and_says_why) {
     editing_move(session, 3, 0);
     editing_move(session, 3.9, 0);
     CHECK(editor_gesture(laboratory->editor(session))->refusal &&
-          strstr(editor_gesture(laboratory->editor(session))->refusal, "past the end of wall w1"));
+          strstr(editor_gesture(laboratory->editor(session))->refusal, "past the end of the wall"));
     editing_release(session, 3.9, 0);
     CHECK(strstr(editor_text(laboratory->editor(session)), "\"at\": 3.55, \"width\": 0.9"));
     Fault fault = {0};
     CHECK(!laboratory->set(session, "door.d1.width", 9, &fault));
-    CHECK(fault.count && strstr(fault.lines[0], "must be at most 4 m in wall w1"));
+    CHECK(fault.count && strstr(fault.lines[0], "must be at most 4 m in the wall"));
     CHECK(strstr(editor_text(laboratory->editor(session)), "\"at\": 3.55, \"width\": 0.9"));
     fault_clear(&fault);
     editing_click(session, 3.55, 0); /* its handle is grabbed */
