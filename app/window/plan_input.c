@@ -80,6 +80,10 @@ static void send_pointer_now(Window *window, Tab *tab) {
     send_pointer(window, tab, &pointer);
 }
 
+static void say_fixed(Window *window, const char *fixed) {
+    notice_post(window, "%s are fixed while watching: Edit plan (W)", fixed);
+}
+
 void plan_input_mouse(Window *window, const UiGrab *grab) {
     Tab *tab = window_tab(window);
     Editor *editor = tab_editor(tab);
@@ -101,7 +105,7 @@ void plan_input_mouse(Window *window, const UiGrab *grab) {
     window->plan_input.refused = fixed;
     sdl_window_refuse(window->sdl_window, fixed);
     if (fixed)
-        notice_post(window, "%s are fixed while watching: Edit plan (W)", fixed);
+        say_fixed(window, fixed);
 }
 
 /* Keys ------------------------------------------------------------------------------------------------------------- */
@@ -292,7 +296,11 @@ static bool nudge(Window *window, Tab *tab, Action action, int mods) {
     }
     if (!is_selected(tab))
         return false;
-    report_result(window, editor_nudge(tab_editor(tab), vec2_scale(ways[way], far), &fault), "Nudge", &fault);
+    const char *fixed = editor_fixed_selected(tab_editor(tab));
+    if (fixed)
+        say_fixed(window, fixed);
+    else
+        report_result(window, editor_nudge(tab_editor(tab), vec2_scale(ways[way], far), &fault), "Nudge", &fault);
     return true;
 }
 

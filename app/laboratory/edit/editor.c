@@ -187,6 +187,10 @@ void editor_fix(Editor *edit, bool fixed) {
     edit->fixed = fixed;
 }
 
+const char *editor_fixed_selected(const Editor *edit) {
+    return edit_select_fixed(edit);
+}
+
 const char *editor_fixed_dragged(const Editor *edit) {
     return edit->down && edit->moved ? edit->fixed_pressed : NULL;
 }

@@ -43,6 +43,15 @@ for manner, keys in (("watching", []), ("editing", ["key Ctrl+J"]), ("after a to
         check(moves or not any(mark["kind"] == "handle" for mark in held["gesture"]["marks"]), f"{manner}: {name}: no handles",
               held["gesture"]["marks"])
 
+# nor by the arrow keys
+for name, item, moves in (("walls", "wall w2", False), ("doors", "door d1", False), ("wardrobe", "furniture f1", True)):
+    found = act(f"keys-{name}", "until answered", "pause", f'select "{item}"', "wait 3", "key Left", "wait 5", "state STATE",
+                arguments=[HOUSE, "--size", "1280x720"])
+    check((found[0]["undo_name"] is not None) == moves, f"watching: {name}: arrows move {'it' if moves else 'nothing'}",
+          found[0]["undo_name"])
+    check(moves or found[0]["message"] == f"{name} are fixed while watching: Edit plan (W)", f"watching: {name}: words say why",
+          found[0]["message"])
+
 # the width of a door is edited in the panel all the same
 found = act("width", "until answered", "pause", 'select "door d1"', "wait 3", "key Return", "wait 5", "key Left", "wait 5",
             "until answered", "state STATE", arguments=[HOUSE, "--size", "1280x720"])
