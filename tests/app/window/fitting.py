@@ -55,7 +55,7 @@ for name, path in FILES.items():
             check(not overlapping(texts), f"22: {name}, {size}, text {text}, {step}: none lies over another",
                   overlapping(texts))
             rows = [t["string"].split(":")[0] for t in texts if step == "export"]
-            check((step != "export") or ("Report" in rows) == ("Walkable area" in rows) == (name == "house"),
+            check((step != "export") or ("Report" in rows) == ("Walkable area" in rows) == (name in ("house", "blocked")),
                   f"{name}: a report and an area are offered for a house only", rows)
 
 # the labels of the beam's drawing lie apart, whatever its forces are

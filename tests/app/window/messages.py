@@ -44,7 +44,7 @@ for width, height in ((1280, 720), (1920, 1080)):
     house.write_text(open(stage.house("ube-techno-house")).read())
     screen = Screen(f"messages-{height}", house, width=width, height=height, minutes=20, texts=True)
     screen.until(lambda s: s["complete"] and s["time"] > 1)
-    screen.keys("space")
+    screen.keys("space", "ctrl+j")
     settle(screen)
     screen.point_to(width - 2, height - 2)
     screen.until(lambda s: not s["said"])
