@@ -44,7 +44,7 @@ for manner, keys in (("watching", []), ("editing", ["key Ctrl+J"]), ("after a to
               held["gesture"]["marks"])
 
 # nor by the arrow keys
-for name, item, moves in (("walls", "wall w2", False), ("doors", "door d1", False), ("wardrobe", "wardrobe", True)):
+for name, item, moves in (("walls", "wall w2", False), ("doors", "door d1", False), ("person", "person p1", True)):
     found = act(f"keys-{name}", "until answered", "pause", f'select "{item}"', "wait 3", "key Left", "wait 5", "state STATE",
                 arguments=[HOUSE, "--size", "1280x720"])
     check((found[0]["undo_name"] is not None) == moves, f"watching: {name}: arrows move {'it' if moves else 'nothing'}",
