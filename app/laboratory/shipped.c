@@ -163,3 +163,12 @@ const Shipped *shipped_places(void) {
     pthread_once(&once, find);
     return &shipped;
 }
+
+const char *shipped_title(const char *name) {
+    static const char *const titles[][2] = {
+        {"ibs", "Impact beam (set B)"}, {"ibs-r", "Impact beam (set R)"}, {"ssc", "Slider crank (desk rig)"}};
+    for (size_t i = 0; i < sizeof titles / sizeof *titles; i++)
+        if (strcmp(titles[i][0], name) == 0)
+            return titles[i][1];
+    return name;
+}

@@ -27,3 +27,7 @@ const char *shipped_own(size_t i);
 /* Returns the places of the shipped files. They are searched once and stay valid as long as the program. Any thread
  * may call it. */
 const Shipped *shipped_places(void);
+
+/* Returns the title of a shipped machine from the name in its file: "Impact beam (set B)" for "ibs"; other names stay.
+ */
+const char *shipped_title(const char *name);

@@ -6,9 +6,7 @@
 
 #include "base/text.h"
 #include "house/house.h"
-#include "laboratory/beam/beam_machine.h"
-#include "laboratory/crank/crank_machine.h"
-#include "laboratory/machine/words.h"
+#include "laboratory/shipped.h"
 #include "visual/beam/beam_scene.h"
 #include "visual/beam/beam_shape.h"
 #include "visual/crank/crank_scene.h"
@@ -135,7 +133,7 @@ bool thumbnail_read_beam(Thumbnail *thumbnail, const char *path, Fault *fault) {
     Rig rig;
     bool good = beam_read(&beam, path, NULL, 0, fault);
     if (good && (good = rig_build(&rig, &beam, path, fault))) {
-        set_texts(thumbnail, path, beam.name ? machine_words_name(&beam_machine, beam.name) : NULL, beam.note);
+        set_texts(thumbnail, path, beam.name ? shipped_title(beam.name) : NULL, beam.note);
         draw_beam(&thumbnail->scene, &beam, &rig);
         rig_clear(&rig);
     }
@@ -153,7 +151,7 @@ bool thumbnail_read_crank(Thumbnail *thumbnail, const char *path, Fault *fault) 
     Crank crank = {.name = NULL};
     if (!crank_read(&crank, path, NULL, 0, fault))
         return false;
-    set_texts(thumbnail, path, crank.name ? machine_words_name(&crank_machine, crank.name) : NULL, crank.note);
+    set_texts(thumbnail, path, crank.name ? shipped_title(crank.name) : NULL, crank.note);
     Tree tree = tree_of(&crank);
     CrankScale scale = crank_scene_scale(&crank, &tree, 0, 1);
     double state[TREE_STATES_MOST] = {0};

@@ -126,7 +126,6 @@ const MachineKind beam_machine = {
     .hits = "hits",
     .peak = "hardest hit (peak force)",
     .drive = "how fast it is shaken (excitation)",
-    .names = {{"ibs", "Impact beam (set B)"}, {"ibs-r", "Impact beam (set R)"}},
     .provenances = offsetof(Beam, provenance),
     .table = beam_table,
     .looks = all_looks,

@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "laboratory/beam/picture.h"
 #include "laboratory/machine/item.h"
-#include "laboratory/machine/words.h"
+#include "laboratory/shipped.h"
 #include "laboratory/save_file.h"
 #include "visual/beam/beam_film.h"
 
@@ -192,7 +192,7 @@ static const char *note(void *context) {
 }
 
 static const char *title(const void *context) {
-    return machine_words_name(&beam_machine, ((const BeamSession *)context)->opened.name);
+    return shipped_title(((const BeamSession *)context)->opened.name);
 }
 
 static const TimelineMark *marks(void *context, size_t *count) {

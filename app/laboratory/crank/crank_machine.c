@@ -121,7 +121,6 @@ const MachineKind crank_machine = {
     .hits = "pushes",
     .peak = "hardest push (peak force)",
     .drive = "how fast it turns (speed of the crank)",
-    .names = {{"ssc", "Slider crank (desk rig)"}},
     .provenances = offsetof(Crank, provenance),
     .table = crank_table,
     .looks = all_looks,

@@ -6,7 +6,7 @@
 #include "base/stopwatch.h"
 #include "laboratory/crank/picture.h"
 #include "laboratory/machine/item.h"
-#include "laboratory/machine/words.h"
+#include "laboratory/shipped.h"
 #include "laboratory/save_file.h"
 
 #define BUSY_MOST 2e-3 /* s, longest time for which the motion is computed without a pause */
@@ -239,7 +239,7 @@ static const char *note(void *context) {
 }
 
 static const char *title(const void *context) {
-    return machine_words_name(&crank_machine, ((const CrankSession *)context)->opened.name);
+    return shipped_title(((const CrankSession *)context)->opened.name);
 }
 
 static const TimelineMark *marks(void *context, size_t *count) {

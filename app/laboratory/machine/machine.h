@@ -28,7 +28,7 @@ typedef struct MachineLooks {
     bool logarithmic, first;
 } MachineLooks;
 
-enum { MACHINE_CHANGES = 2, MACHINE_PRESETS_MOST = 6, MACHINE_SWEEPS = 2, MACHINE_NAMES = 2 };
+enum { MACHINE_CHANGES = 2, MACHINE_PRESETS_MOST = 6, MACHINE_SWEEPS = 2 };
 
 /* A machine of interest: the file's, with some numbers changed. */
 typedef struct MachinePreset {
@@ -70,16 +70,13 @@ typedef struct MachineMapAxis {
 enum { MACHINE_MAP_AXES = 2, MACHINE_MAP_CELLS = 128 };
 
 typedef struct MachineKind {
-    const char *word;  /* "beam" */
-    const char *cycle; /* "cycle", "revolution" */
-    const char *from;  /* "From rest", a heading */
-    const char *hit;   /* "hit", "push": the largest force of a cycle in plain words, */
-    const char *hits;  /* and several of them */
-    const char *peak;  /* "hardest hit (peak force)", the title of an axis */
-    const char *drive; /* "how fast it is shaken (excitation)" */
-    struct {
-        const char *name, *title; /* the name in a shipped file, and its title in the window; NULL: none */
-    } names[MACHINE_NAMES];
+    const char *word;   /* "beam" */
+    const char *cycle;  /* "cycle", "revolution" */
+    const char *from;   /* "From rest", a heading */
+    const char *hit;    /* "hit", "push": the largest force of a cycle in plain words, */
+    const char *hits;   /* and several of them */
+    const char *peak;   /* "hardest hit (peak force)", the title of an axis */
+    const char *drive;  /* "how fast it is shaken (excitation)" */
     size_t provenances; /* offset of the provenances, one per row of the table, in a machine */
     const ParameterTable *(*table)(void);
     const MachineLooks *looks; /* (look_count) at most MACHINE_VALUES */

@@ -143,10 +143,3 @@ const char *machine_words_value(const char *value, Arena *arena) {
     bool negative = value && value[0] == '-' && (isdigit((unsigned char)value[1]) || value[1] == '.');
     return negative ? text_in_arena(arena, MINUS "%s", value + 1) : value;
 }
-
-const char *machine_words_name(const MachineKind *kind, const char *name) {
-    for (size_t i = 0; i < MACHINE_NAMES && kind->names[i].name; i++)
-        if (strcmp(kind->names[i].name, name) == 0)
-            return kind->names[i].title;
-    return name;
-}

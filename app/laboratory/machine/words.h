@@ -35,6 +35,3 @@ const char *machine_words_label(const MachineKind *kind, const ResultRow *row, A
 
 /* Returns a value with a minus sign instead of a hyphen before a negative number. */
 const char *machine_words_value(const char *value, Arena *arena);
-
-/* Returns the title of a machine from the name in its file: "Impact beam (set B)" for "ibs"; other names stay. */
-const char *machine_words_name(const MachineKind *kind, const char *name);

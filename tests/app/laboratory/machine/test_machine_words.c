@@ -6,6 +6,7 @@
 #include "laboratory/beam/beam_machine.h"
 #include "laboratory/crank/crank_machine.h"
 #include "laboratory/machine/words.h"
+#include "laboratory/shipped.h"
 
 TEST(a_period_is_told_in_hits_and_in_the_term_of_the_trade) {
     Arena arena = {0};
@@ -74,7 +75,7 @@ TEST(types_labels_and_names_are_plain_and_keep_their_terms) {
     CHECK_TEXT(machine_words_label(&beam_machine, &row, &arena), "grazing contacts");
     CHECK_TEXT(machine_words_value("-0.214", &arena), "\u22120.214");
     CHECK_TEXT(machine_words_value("- N", &arena), "- N");
-    CHECK_TEXT(machine_words_name(&beam_machine, "ibs"), "Impact beam (set B)");
-    CHECK_TEXT(machine_words_name(&beam_machine, "my beam"), "my beam");
+    CHECK_TEXT(shipped_title("ibs"), "Impact beam (set B)");
+    CHECK_TEXT(shipped_title("my beam"), "my beam");
     arena_clear(&arena);
 }
