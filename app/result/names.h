@@ -32,5 +32,5 @@ const char *names_thing(const House *house, const char *thing, Vec2 at, Arena *a
 /* Returns a text with the names in place of the ids of doors, walls, furniture, people and profiles. */
 const char *names_text(const House *house, const char *text, Arena *arena);
 
-/* Does the same for a plan; its people are those of a house, NULL: they have no names yet. */
+/* Returns such a text for a plan whose people are those of a house; NULL: they have no names yet. */
 const char *names_plan_text(const Plan *plan, const House *house, const char *text, Arena *arena);

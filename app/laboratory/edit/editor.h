@@ -211,9 +211,10 @@ const EditToolRow *editor_tool_row(EditTool tool);
 void editor_set_tool(Editor *editor, EditTool tool); /* ends the gesture in progress */
 EditTool editor_tool(const Editor *editor);
 
-/* While `fixed`, walls, doors, rooms and exits can be selected, but not moved by the pointer. Returns which of them is
- * selected, "walls", or what a drag tries to move all the same; NULL: nothing. */
+/* While `fixed`, the pointer selects walls, doors, rooms and exits, but does not move them. */
 void editor_fix(Editor *editor, bool fixed);
+
+/* Return what is fixed and selected, "walls", and what a drag tries to move all the same; NULL: nothing. */
 const char *editor_fixed_selected(const Editor *editor);
 const char *editor_fixed_dragged(const Editor *editor);
 

@@ -10,7 +10,9 @@
 
 enum { WRITTEN_MOST = 10 /* numbers up to this one are written as words */ };
 
-static const double CLEAR = 1.1; /* 1: a drift below this factor is told with three digits */
+static const double CLEAR = 1.1; /* 1: a drift below this factor is told with three digits, */
+static const double LARGE = 100; /* 1: and one from this on in whole numbers */
+static const double ALIKE = 0.5; /* N: hits that differ by less have one number */
 
 /* Returns "two", or "12" for numbers above ten. */
 static const char *count_words(size_t count, Arena *arena) {
@@ -60,7 +62,7 @@ const char *machine_words_title(const MachineKind *kind, const MachineFacts *fac
 const char *machine_words_hits(const MachineKind *kind, const SectionPeaks *peaks, Arena *arena) {
     if (!peaks->count)
         return "";
-    if (peaks->max - peaks->min < 0.5)
+    if (peaks->max - peaks->min < ALIKE)
         return text_in_arena(arena, "hardest %s %.0f N", kind->hit, peaks->max);
     return text_in_arena(arena, "hardest %s %.0f to %.0f N", kind->hits, peaks->min, peaks->max);
 }
@@ -98,8 +100,10 @@ const char *machine_words_rhythm(const MachineKind *kind, const MachineFacts *fa
 
 const char *machine_words_drift(const MachineKind *kind, double exponent, Arena *arena) {
     double factor = exp(exponent);
-    return text_in_arena(arena, "two almost equal starts drift %.*g times apart each %s (Lyapunov %s%.2f)",
-                         factor < CLEAR ? 3 : 2, factor, kind->cycle, exponent < 0 ? MINUS : "+", fabs(exponent));
+    const char *times = factor < LARGE ? text_in_arena(arena, "%.*g", factor < CLEAR ? 3 : 2, factor)
+                                       : text_in_arena(arena, "%.0f", factor);
+    return text_in_arena(arena, "two almost equal starts drift %s times apart each %s (Lyapunov %s%.2f)", times,
+                         kind->cycle, exponent < 0 ? MINUS : "+", fabs(exponent));
 }
 
 const char *machine_words_type(TypesKind type) {

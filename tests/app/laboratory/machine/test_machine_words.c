@@ -57,6 +57,8 @@ TEST(the_drift_is_the_exponential_of_the_exponent) {
                "two almost equal starts drift 2.6 times apart each cycle (Lyapunov +0.95)");
     CHECK_TEXT(machine_words_drift(&crank_machine, 0.02, &arena),
                "two almost equal starts drift 1.02 times apart each revolution (Lyapunov +0.02)");
+    CHECK_TEXT(machine_words_drift(&crank_machine, 5.3, &arena),
+               "two almost equal starts drift 200 times apart each revolution (Lyapunov +5.30)");
     CHECK_TEXT(machine_words_drift(&beam_machine, -0.5, &arena),
                "two almost equal starts drift 0.607 times apart each cycle (Lyapunov \u22120.50)");
     arena_clear(&arena);
