@@ -18,6 +18,7 @@
 #include "result/check.h"
 #include "result/danger.h"
 #include "result/drivers.h"
+#include "result/grade.h"
 #include "result/json.h"
 #include "result/text.h"
 #include "visual/house/drivers_band.h"
@@ -36,8 +37,10 @@ static json_t *answer_of(const House *house, const Observation *observation, Rep
                                       "routes", result_json_take_list(result_drivers_routes(house, drivers)),
                                       "measured", result_json_take_list(result_drivers_measured(house, drivers))));
     json_object_set_new(answer, "places", result_json_take_list(result_danger_places(house, observation, drivers)));
+    const Grade *grades = fleets.grades ? fleets.grades : fleets.letters;
+    if (grades)
+        json_object_set_new(answer, "grades", result_json_take_list(result_check_grades(house, grades)));
     if (fleets.grades) {
-        json_object_set_new(answer, "grades", result_json_take_list(result_check_grades(house, fleets.grades)));
         json_object_set_new(answer, "grade_places",
                             result_json_take_list(result_check_grade_places(house, fleets.grades)));
     }
@@ -73,6 +76,8 @@ static bool write_data(const House *house, const Observation *observation, Repor
 
 /* Adds the band, the touches and the grades to a scene, and what they are to its answer. */
 static void add_fleets(Scene *scene, const House *house, const Observation *observation, ReportedDrivers fleets) {
+    if (fleets.letters && scene->title)
+        result_grade_add(&scene->title, &scene->detail, house, fleets.letters, &scene->arena);
     const char *more = result_drivers_headline(house, fleets.drivers, fleets.grades, &scene->arena);
     if (*more && scene->title)
         scene->detail = observation->completed ? more : scene_text(scene, "%s \u00b7 %s", scene->detail, more);
@@ -138,7 +143,8 @@ static void print_drivers(const House *house, const Observation *observation, co
 
 static void print_answer(const House *house, const Observation *observation, ReportedDrivers fleets) {
     Arena arena = {0};
-    answer_text_print(house, observation, result_drivers_headline(house, fleets.drivers, fleets.grades, &arena));
+    const Grade *grades = fleets.grades ? fleets.grades : fleets.letters;
+    answer_text_print(house, observation, result_drivers_headline(house, fleets.drivers, grades, &arena));
     arena_clear(&arena);
 }
 
@@ -160,6 +166,26 @@ static void print_json(const House *house, const Observation *observation, Repor
     json_t *answer = answer_of(house, observation, fleets);
     answer_mark_interrupted(answer, interrupted);
     answer_print(answer);
+}
+
+/* True if the answer tells a grade without being asked: all are out, and they are few. */
+static bool is_graded(const Observation *observation) {
+    size_t people = 0;
+    for (size_t i = 0; i < observation->person_count; i++)
+        people += observation->people[i].took_part;
+    return observation->completed && people <= CENSUS_FEW;
+}
+
+/* Grades all ways, or finds the letters alone of those who are out. Returns false if interrupted. */
+static bool grade(Grade *grades, const House *house, const Observation *observation, const Options *options) {
+    if (options->grades)
+        return grade_all(grades, house, options->jobs, &progress_stop);
+    bool *out = memory_zeroed(house->person_count, sizeof *out);
+    for (size_t i = 0; i < house->person_count; i++)
+        out[i] = observation->people[i].completed;
+    bool whole = grade_all_letters(grades, house, out, options->jobs, &progress_stop);
+    memory_free(out);
+    return whole;
 }
 
 int command_run(const Options *options) {
@@ -198,17 +224,19 @@ int command_run(const Options *options) {
     }
     Observation observation;
     Drivers drivers = {0};
-    ReportedDrivers fleets = {&drivers, &population, NULL};
+    ReportedDrivers fleets = {&drivers, &population, NULL, NULL};
     house_file_run(&observation, &house, options, route);
     if (count && !observation.interrupted)
         drivers_run(&drivers, &house, &population, count, route, options->jobs, &progress_stop);
     report_divergence(&house, &observation);
     bool told = observation.interrupted || drivers.interrupted;
     Grade *grades = NULL;
-    if (options->grades && !told) {
+    if (!told && (options->grades || is_graded(&observation))) {
         grades = memory_zeroed(house.person_count, sizeof *grades);
-        told = !grade_all(grades, &house, options->jobs, &progress_stop);
-        fleets.grades = told ? NULL : grades;
+        told = !grade(grades, &house, &observation, options);
+        const Grade *known = told ? NULL : grades;
+        fleets.grades = options->grades ? known : NULL;
+        fleets.letters = options->grades ? NULL : known;
         if (told)
             fprintf(stderr, "clearance: interrupted before all ways were graded; no grades are told\n");
     }

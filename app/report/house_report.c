@@ -5,6 +5,7 @@
 #include "visual/house/house_scene.h"
 #include "visual/house/people_scene.h"
 #include "result/drivers.h"
+#include "result/grade.h"
 #include "result/headline.h"
 #include "result/names.h"
 #include "report/report_basis.h"
@@ -42,6 +43,12 @@ static void add_house(Document *document, const HouseReport *report, const char 
     house_scene_make(&scene, run->house, run->observation);
     const char *detail = scene.detail ? scene.detail : "";
     const ReportedDrivers *of = &report->drivers;
+    const char *grade =
+        of->letters
+            ? names_text(run->house, result_grade_phrase(run->house, of->letters, &document->arena), &document->arena)
+            : "";
+    if (*grade)
+        document_add_paragraph(document, document_text(document, "%c%s.", toupper((unsigned char)*grade), grade + 1));
     if (of->drivers && (of->drivers->count || of->grades))
         document_add_paragraph(
             document, document_text(document, "That is what the nominal driver does; %s.",

@@ -12,7 +12,8 @@
 typedef struct ReportedDrivers {
     const Drivers *drivers; /* count 0: none */
     const Population *population;
-    const Grade *grades; /* (person_count) or NULL */
+    const Grade *grades;  /* (person_count) or NULL */
+    const Grade *letters; /* (person_count), where only the letters are known (grade_all_letters), or NULL */
 } ReportedDrivers;
 
 /* The same drivers in both houses. */

@@ -9,6 +9,7 @@
 #include "experiment/danger.h"
 #include "house/touch.h"
 #include "result/danger.h"
+#include "result/grade.h"
 #include "plan/observed_times.h"
 #include "result/names.h"
 #include "study/montecarlo.h"
@@ -512,12 +513,9 @@ const char *result_drivers_headline(const House *house, const Drivers *drivers, 
                     people > 1 ? " of each start" : "", from_to(touch[0], touch[1], arena));
     if (people == 1 && fleet.time.count)
         text_format(&text, ", %.1f s in the mean", fleet.time.mean);
-    int worst = -1;
-    for (size_t i = 0; grades && i < house->person_count; i++)
-        worst = grades[i].letter > worst ? grades[i].letter : worst;
-    if (worst >= 0)
-        text_format(&text, "%s%s %s%s", people ? ", " : "", house->person_count > 1 ? "worst grade" : "grade",
-                    grade_letter(worst), contradicted ? " by room alone" : "");
+    const char *grade = grades ? result_grade_phrase(house, grades, arena) : "";
+    if (*grade)
+        text_format(&text, "%s%s%s", people ? ", " : "", grade, contradicted ? ", by room alone" : "");
     const char *said = text_in_arena(arena, "%s", text.text ? text.text : "");
     memory_free(text.text);
     return said;

@@ -34,8 +34,8 @@ void result_drivers_paired_say(Text *text, const House houses[2], const Drivers 
 const char *result_drivers_brief(const House *house, const Drivers *drivers, size_t person, Arena *arena);
 
 /* Returns what the drivers add to the nominal answer, "65 of 100 drivers get out, 32 % touch something, 28.9 s in the
- * mean, grade D", in the arena; "": no drivers, and `grades` (person_count) is NULL. A grade that the drivers
- * contradict reads "grade C by room alone". */
+ * mean, grade D, touching likely, at door d3", in the arena; "": no drivers, and `grades` (person_count) is NULL. A
+ * grade that the drivers contradict ends with ", by room alone". */
 const char *result_drivers_headline(const House *house, const Drivers *drivers, const Grade *grades, Arena *arena);
 
 /* Adds a sentence for each person whose grade is C or better though at least 10 % of the drivers touch something;

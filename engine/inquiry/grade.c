@@ -11,6 +11,15 @@
 /* 1: changes of direction that grade C allows. */
 enum { A_FEW = 2 };
 
+static int few_of(int any) {
+    return any < A_FEW ? any : A_FEW;
+}
+
+/* Returns the clearance that costs no speed, m: the limit of grade A. */
+static double easy_for(const Profile *profile) {
+    return fmax(profile->free_speed * profile->steering_time / 2, GRADE_HANDS);
+}
+
 typedef struct Grading {
     const House *house;
     size_t person;
@@ -67,42 +76,66 @@ static double largest_growth(Grading *grading, int reversals, double most) {
     return fmin(low, most);
 }
 
+/* True if there is a way for a body that is so much larger, but for the resolution: if the way `known` has room for it,
+ * or by a try, which `known` then is. */
+static bool has_room(Grading *grading, GradeTry *known, double growth, int reversals) {
+    if (known->holds >= growth && known->reversals <= reversals)
+        return true;
+    GradeTry tried = try_growth(grading, growth - GRADE_RESOLUTION, reversals);
+    if (tried.found)
+        *known = tried;
+    return tried.found;
+}
+
+/* Finds the letter, and what stands in the way of the next one. */
+static void find_letter(Grading *grading) {
+    Grade *grade = grading->grade;
+    const House *house = grading->house;
+    int any = house->plan.run.reversals;
+    GradeTry known = try_growth(grading, 0, any);
+    if (!known.found)
+        grade->letter = known.weak || known.fits ? GRADE_E : GRADE_F;
+    else if (!has_room(grading, &known, GRADE_ARMS_IN, few_of(any)))
+        grade->letter = GRADE_D;
+    else if (!has_room(grading, &known, GRADE_HANDS, 0))
+        grade->letter = GRADE_C;
+    else if (!has_room(grading, &known, easy_for(house->people[grading->person].profile), 0))
+        grade->letter = GRADE_B;
+    else
+        grade->letter = GRADE_A;
+    grade->weak = grading->weak;
+}
+
+Grade grade_person_letter(const House *house, size_t person, const Stop *stop) {
+    Grade grade = {.tightness = (double)NAN, .to_next = (double)NAN};
+    find_letter(&(Grading){house, person, stop, HUGE_VAL, false, &grade});
+    return stop_requested(stop) ? (Grade){.interrupted = true} : grade;
+}
+
 Grade grade_person(const House *house, size_t person, const Stop *stop) {
-    Grade grade = {.letter = GRADE_D};
+    Grade grade = {.tightness = (double)NAN, .to_next = (double)NAN};
     Grading grading = {house, person, stop, HUGE_VAL, false, &grade};
-    const Profile *profile = house->people[person].profile;
-    int any = house->plan.run.reversals, few = any < A_FEW ? any : A_FEW;
-    double easy = fmax(profile->free_speed * profile->steering_time / 2, GRADE_HANDS);
-    double least = largest_growth(&grading, any, easy);
-    if (grading.weak) { /* room is not what is missing */
-        grade.letter = GRADE_E;
-        grade.weak = true;
-        grade.tightness = grade.to_next = (double)NAN;
+    int any = house->plan.run.reversals, few = few_of(any);
+    double easy = easy_for(house->people[person].profile);
+    find_letter(&grading);
+    if (grade.weak) /* room is not what is missing */
         return grade;
-    }
+    double least = largest_growth(&grading, any, easy);
     grade.tightness = least;
     grade.wider = least >= easy;
-    double straight = any > 0 ? largest_growth(&grading, 0, easy) : least;
-    double limit = easy, has = straight, with_few = straight;
-    if (straight >= easy) {
-        grade.letter = GRADE_A;
-    } else if (straight >= GRADE_HANDS) {
-        grade.letter = GRADE_B;
-    } else {
+    double straight = any > 0 ? largest_growth(&grading, 0, easy) : least, with_few = straight;
+    if (grade.letter > GRADE_B)
         with_few = fmax(straight, few == any ? least : largest_growth(&grading, few, GRADE_ARMS_IN));
-        limit = GRADE_HANDS;
-        if (with_few >= GRADE_ARMS_IN) {
-            grade.letter = GRADE_C;
-        } else if (least >= 0) {
-            limit = GRADE_ARMS_IN;
-            has = with_few;
-        } else {
-            grade.letter = try_growth(&grading, 0, any).fits ? GRADE_E : GRADE_F;
-            limit = 0;
-            has = least;
-        }
-    }
-    grade.to_next = grade.letter == GRADE_A ? 0 : limit - has;
+    const double limits[] = {[GRADE_B] = easy, [GRADE_C] = GRADE_HANDS, [GRADE_D] = GRADE_ARMS_IN, [GRADE_E] = 0};
+    double has = straight;
+    int before = grade.letter > GRADE_E ? GRADE_E : grade.letter;
+    if (before == GRADE_D)
+        has = with_few = fmin(with_few, GRADE_ARMS_IN - GRADE_RESOLUTION);
+    else if (before == GRADE_E)
+        has = least;
+    else if (before > GRADE_A)
+        has = straight = fmin(straight, limits[before] - GRADE_RESOLUTION);
+    grade.to_next = grade.letter == GRADE_A ? 0 : limits[before] - has;
     const GradeLevel better[] = {{GRADE_A, easy, 0, straight},
                                  {GRADE_B, GRADE_HANDS, 0, straight},
                                  {GRADE_C, GRADE_ARMS_IN, few, with_few},
@@ -125,18 +158,35 @@ Grade grade_person(const House *house, size_t person, const Stop *stop) {
 typedef struct GradingAll {
     Grade *grades; /* (person_count) */
     const House *house;
+    const bool *part; /* (person_count) */
     const Stop *stop;
 } GradingAll;
 
+static bool is_driven(const House *house, size_t person) {
+    return house->people[person].profile->driving == DRIVING_DRIVER;
+}
+
 static void grade_one(void *context, size_t i) {
     const GradingAll *all = context;
-    if (all->house->people[i].profile->driving == DRIVING_DRIVER)
+    if (is_driven(all->house, i))
         all->grades[i] = grade_person(all->house, i, all->stop);
 }
 
 bool grade_all(Grade *grades, const House *house, int jobs, const Stop *stop) {
-    GradingAll all = {grades, house, stop};
+    GradingAll all = {grades, house, NULL, stop};
     parallel_for(jobs, house->person_count, grade_one, &all);
+    return !stop_requested(stop);
+}
+
+static void letter_one(void *context, size_t i) {
+    const GradingAll *all = context;
+    bool asked = is_driven(all->house, i) && all->part[i];
+    all->grades[i] = asked ? grade_person_letter(all->house, i, all->stop) : (Grade){.interrupted = true};
+}
+
+bool grade_all_letters(Grade *grades, const House *house, const bool *part, int jobs, const Stop *stop) {
+    GradingAll all = {grades, house, part, stop};
+    parallel_for(jobs, house->person_count, letter_one, &all);
     return !stop_requested(stop);
 }
 

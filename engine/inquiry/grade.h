@@ -12,6 +12,8 @@
  *     E  helper only       the body fits through, but cannot be driven, or the driver is too weak (strength.h)
  *     F  impossible        the body does not fit
  *
+ * A limit is reached if a body that is smaller than it by GRADE_RESOLUTION finds a way.
+ *
  * Places: for each better grade in turn the house is tried with the body of that grade's limit. What blocks it is a
  * place of the present grade; it is then eased as far as possible (a door as wide as its wall allows, a piece of
  * furniture taken away), and the same is tried again, until the body passes or blocks where nothing can be eased. So
@@ -60,8 +62,16 @@ typedef struct Grade {
 /* Grades the way of a person in a chair that is driven (profile `driver`). */
 Grade grade_person(const House *house, size_t person, const Stop *stop);
 
+/* Finds the grade alone, by three tries at most: the tightness, the distance to the next grade and what buys it are not
+ * known (NAN, no places). The place is the one that stands in the way of the next better grade first. */
+Grade grade_person_letter(const House *house, size_t person, const Stop *stop);
+
 /* Grades all of them into `grades` (person_count). Returns false if interrupted. */
 bool grade_all(Grade *grades, const House *house, int jobs, const Stop *stop);
+
+/* Finds the letters of those drivers who are of `part` (person_count); the others are `interrupted`: nothing
+ * is known of them. Returns false if interrupted. */
+bool grade_all_letters(Grade *grades, const House *house, const bool *part, int jobs, const Stop *stop);
 
 /* Return "A", "B", ... and "easy", "with care", ... */
 const char *grade_letter(int letter);

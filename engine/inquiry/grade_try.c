@@ -32,6 +32,7 @@ GradeTry grade_try_growth(const House *house, size_t person, double growth, int 
     GradeTry tried = {.found = route->answer == ROUTE_FOUND,
                       .fits = route->fits,
                       .holds = growth + fmax(route->narrowest, 0) * CORNER,
+                      .reversals = route->reversals,
                       .blocked = route->answer == ROUTE_CANNOT_PASS && *route->blockage.what,
                       .weak = route->answer == ROUTE_TOO_WEAK,
                       .blockage = route->blockage};

@@ -7,7 +7,8 @@
 
 typedef struct GradeTry {
     bool found, fits;
-    double holds;      /* m, growth that this way has room for, at least */
+    double holds;      /* m, growth that this way has room for, at least, */
+    int reversals;     /* with so many changes of direction */
     bool blocked;      /* True if it is known what blocks it: */
     bool weak;         /* True if there is a way, but not for the driver's strength, */
     Blockage blockage; /* which this tells; the texts are its own */

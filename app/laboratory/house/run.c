@@ -24,6 +24,7 @@ HouseRun *house_run_create(const HouseWish *wish) {
 void house_run_destroy(HouseRun *run) {
     observation_free(&run->observation);
     scene_clear(&run->routes);
+    memory_free(run->grades);
     for (int step = 0; step < CREW_STEPS; step++)
         crew_clear(&run->crews[step]);
     house_free(&run->house);
@@ -130,6 +131,19 @@ static void make_routes(HouseRun *run) {
     observation_free(&all);
 }
 
+/* Grades the people of the wanted route. */
+static void make_grades(HouseRun *run) {
+    const House *house = &run->house;
+    bool *part = memory_zeroed(house->person_count, sizeof *part);
+    run->grades = memory_zeroed(house->person_count, sizeof *run->grades);
+    for (size_t i = 0; i < house->person_count; i++) {
+        const PlanRoute *route = house->people[i].route;
+        part[i] = !run->wish.route || (route && strcmp(route->id, run->wish.route) == 0);
+    }
+    grade_all_letters(run->grades, house, part, run->wish.jobs, &run->stop);
+    memory_free(part);
+}
+
 static void make_crews(HouseRun *run) {
     const HouseWish *wish = &run->wish;
     size_t route = wish->route ? plan_find_route(&run->house.plan, wish->route) : SIZE_MAX;
@@ -164,6 +178,8 @@ void house_run_make(HouseRun *run) {
     enter(run, HOUSE_PLANS);
     if (run->wish.job == HOUSE_JOB_ROUTES)
         make_routes(run);
+    else if (run->wish.job == HOUSE_JOB_GRADES)
+        make_grades(run);
     else if (run->wish.job == HOUSE_JOB_CREW)
         make_crews(run);
     else

@@ -10,6 +10,7 @@
 #include "house/house.h"
 #include "house/observation.h"
 #include "draw/scene.h"
+#include "inquiry/grade.h"
 #include "laboratory/house/crew.h"
 #include "laboratory/house/history.h"
 
@@ -19,6 +20,7 @@ typedef enum HouseJob {
     HOUSE_JOB_MIXED,  /* the run of a plan that changes */
     HOUSE_JOB_RIVAL,  /* the run of another driving model, for comparison */
     HOUSE_JOB_ROUTES, /* only the planned routes, as a scene */
+    HOUSE_JOB_GRADES, /* the grades of the ways, their letters alone */
     HOUSE_JOB_CREW,   /* many drivers, as scenes */
     HOUSE_JOBS,
 } HouseJob;
@@ -56,6 +58,7 @@ typedef struct HouseRun {
     House *earlier; /* (wish.epoch_count - 1) the houses of the earlier epochs */
     Observation observation;
     Scene routes;
+    Grade *grades;          /* (house.person_count) of HOUSE_JOB_GRADES */
     Crew crews[CREW_STEPS]; /* (crew_count) */
     Fault fault;
 

@@ -19,6 +19,13 @@ static bool wants_routes(const HouseSession *session) {
            session->runs[RUN_SHOWN]->house.person_count <= PEOPLE_SCENE_INDIVIDUALS;
 }
 
+/* Those who do not get out are told why; a crowd, and a plan that changed on the way, have no grade. */
+static bool wants_grades(const HouseSession *session) {
+    const HouseRun *shown = session->runs[RUN_SHOWN];
+    return session->observation->completed && shown->wish.epoch_count == 1 && !draft_is_open(session->draft) &&
+           shown->house.person_count <= PEOPLE_SCENE_INDIVIDUALS;
+}
+
 static bool wants_crew(const HouseSession *session) {
     return session->layers & 1u << LAYER_DRIVERS && !draft_is_open(session->draft) &&
            session->runs[RUN_SHOWN]->house.person_count <= PEOPLE_SCENE_INDIVIDUALS;
@@ -40,6 +47,7 @@ static const RoleRow roles[RUN_ROLES] = {
     [RUN_BEFORE] = {HOUSE_JOB_RUN, RUNS_CLOSE, NULL},
     [RUN_RIVAL] = {HOUSE_JOB_RIVAL, RUNS_CLOSE | RUNS_DISPLAY, wants_rival},
     [RUN_ROUTES] = {HOUSE_JOB_ROUTES, RUNS_CLOSE | RUNS_DISPLAY, wants_routes},
+    [RUN_GRADES] = {HOUSE_JOB_GRADES, RUNS_CLOSE | RUNS_DISPLAY | RUNS_EDIT, wants_grades},
     [RUN_CREW] = {HOUSE_JOB_CREW, RUNS_CLOSE | RUNS_DISPLAY | RUNS_EDIT, wants_crew},
 };
 
@@ -49,7 +57,8 @@ void house_runs_retain(HouseRun *run) {
 }
 
 static HouseWorker *worker_of(const HouseSession *session, const HouseRun *run) {
-    return run->wish.job == HOUSE_JOB_CREW ? session->crew_worker : session->worker;
+    bool low = run->wish.job == HOUSE_JOB_CREW || run->wish.job == HOUSE_JOB_GRADES;
+    return low ? session->crew_worker : session->worker;
 }
 
 void house_runs_release(HouseSession *session, HouseRun *run) {

@@ -12,6 +12,7 @@
  *     before    run     - saved for comparison                       by clear, or when another run is saved
  *     rival     rival   while it is chosen as the ghost              when another run is displayed or needed
  *     routes    routes  while the widths are displayed               when another run is displayed or needed
+ *     grades    grades  when all who are displayed are out           by the next edit or another displayed run
  *     crew      crew    while the drivers are displayed              by the next edit or another displayed run */
 #pragma once
 
@@ -37,7 +38,7 @@ void house_runs_ask(HouseSession *session, HouseRunRole role, bool brief);
 /* True if the run of this role is over and the session has noticed its end. */
 bool house_runs_is_over(const HouseSession *session, HouseRunRole role);
 
-/* True if the role (rival, routes, crew) is wanted in the present state of the session. */
+/* True if the role (rival, routes, grades, crew) is wanted in the present state of the session. */
 bool house_runs_wants(const HouseSession *session, HouseRunRole role);
 
 /* Returns the run that is displayed as a ghost; none: without an observation. */

@@ -353,8 +353,6 @@ static bool update_companion(HouseSession *session, HouseRunRole role) {
     if (!session->runs[role])
         house_runs_ask(session, role, false);
     session->runs[role]->noticed = house_run_stage(session->runs[role]) == HOUSE_OVER;
-    if (session->runs[role]->noticed)
-        house_picture_void_film(session);
     return session->runs[role]->noticed;
 }
 
@@ -376,10 +374,14 @@ static void update_companions(HouseSession *session) {
     if (!session->whole || session->runs[RUN_LATEST] || session->runs[RUN_MIXED])
         return;
     if (update_companion(session, RUN_RIVAL)) {
+        house_picture_void_film(session);
         session->texts_are_stale = true;
         session->changed |= LABORATORY_TEXTS | LABORATORY_PLOTS;
     }
-    update_companion(session, RUN_ROUTES);
+    if (update_companion(session, RUN_ROUTES))
+        house_picture_void_film(session);
+    if (update_companion(session, RUN_GRADES))
+        session->changed |= LABORATORY_TEXTS;
     update_crew(session);
 }
 

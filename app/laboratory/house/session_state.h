@@ -67,6 +67,7 @@ typedef enum HouseRunRole {
     RUN_BEFORE,
     RUN_RIVAL,
     RUN_ROUTES,
+    RUN_GRADES,
     RUN_CREW,
     RUN_ROLES,
 } HouseRunRole;

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "laboratory/house/runs.h"
 #include "plan/plan_geometry.h"
+#include "result/grade.h"
 #include "result/headline.h"
 #include "result/house.h"
 #include "result/names.h"
@@ -418,9 +419,12 @@ static void make_answer(HouseSession *session) {
         than = scene_text(&texts->moment, "after the change at %.1f s", wish->epochs[wish->epoch_count - 1].time);
     texts->title = run->title;
     texts->role = run->title_role;
-    texts->detail = !*than         ? run->detail
-                    : *run->detail ? scene_text(&texts->moment, "%s; %s", than, run->detail)
-                                   : than;
+    texts->detail = run->detail;
+    if (house_runs_is_over(session, RUN_GRADES))
+        result_grade_add(&texts->title, &texts->detail, &shown->house, session->runs[RUN_GRADES]->grades,
+                         &texts->moment.arena);
+    if (*than)
+        texts->detail = *texts->detail ? scene_text(&texts->moment, "%s; %s", than, texts->detail) : than;
     size_t person = session->crew ? crew_person(session) : 0;
     if (session->crew && person < session->crew->person_count)
         texts->detail = scene_text(&texts->moment, "%s: %s", names_person(&shown->house, person, &texts->moment.arena),
@@ -506,6 +510,8 @@ static const char *describe_progress(HouseSession *session) {
     }
     if (!run && session->runs[RUN_ROUTES] && !house_runs_is_over(session, RUN_ROUTES))
         run = session->runs[RUN_ROUTES];
+    if (!run && session->runs[RUN_GRADES] && !house_runs_is_over(session, RUN_GRADES))
+        return "grading how tight it is";
     if (!run && session->runs[RUN_CREW] && !house_runs_is_over(session, RUN_CREW)) {
         const Crew *crew = house_run_crew(session->runs[RUN_CREW]);
         size_t size = crew_size(crew ? CREW_STEPS - 1 : 0, draft_plan(session->draft));

@@ -41,6 +41,19 @@ def check_answers():
     check(json.loads(expect(0, "check", sunk[0], "--json").stdout)["notes"] == [], "check --json remarks nothing else")
 
 
+def check_grade():
+    """Nobody is said to get out without a grade, and it is that of check --grades."""
+    for name, letter, words in (("corner-1.00-1.00", "C", "arms in"), ("corner-1.50-1.50", "A", "easy")):
+        answer = json.loads(expect(0, "run", house(name), "--json").stdout)
+        graded = json.loads(expect(0, "check", house(name), "--grades", "--json").stdout)["grades"]
+        check([row["grade"] for row in answer["grades"]] == [row["grade"] for row in graded] == [letter],
+              f"{name}: run tells the grade of check: {answer['grades']}, {graded}")
+        said = expect(0, "run", house(name)).stdout.splitlines()[0]
+        check(f"; grade {letter}, {words}" in said, f"{name}: run says {said}")
+    stuck = expect(1, "run", house("flat-0.910-module"), "--json").stdout
+    check("grades" not in json.loads(stuck), "who does not get out is told why instead")
+
+
 def check_crowds():
     """40 people on foot and a wheelchair: totals in text, all people in JSON, no invented values for those on foot."""
     plan = {
@@ -362,7 +375,7 @@ def check_interrupt():
         check(os.path.exists(os.path.join(out, "summary.json")), "interrupted: what there is is kept")
 
 
-for part in (check_answers, check_crowds, check_beams, check_options, check_rules, check_fit, check_wrong_use, check_numbers, check_help,
+for part in (check_answers, check_grade, check_crowds, check_beams, check_options, check_rules, check_fit, check_wrong_use, check_numbers, check_help,
              check_open, check_files, check_cases, check_interrupt):
     part()
 end()

@@ -6,6 +6,7 @@
 #include "case.h"
 #include "check.h"
 #include "result/check.h"
+#include "result/grade.h"
 #include "result/json.h"
 #include "result/text.h"
 
@@ -37,5 +38,31 @@ TEST(a_tight_place_has_its_grade_its_centimetres_and_the_change_in_text_and_json
     CHECK(strstr(text.text, "widen door d1 by 3 cm to 0.73 m") && strstr(text.text, "1.5"));
     CHECK(strstr(text.text, "no door or piece nearby is enough"));
     memory_free(text.text);
+    house_free(&house);
+}
+
+TEST(an_answer_has_the_worst_grade_of_those_that_are_known) {
+    House house;
+    Arena arena = {0};
+    case_house(&house, "two-chairs-corridor", -1, NULL);
+    Grade grades[2] = {{.letter = GRADE_B, .has_place = true, .what = "door d1"},
+                       {.letter = GRADE_D, .has_place = true, .what = "start, beside wall w1"}};
+    const char *title = "All 2 out in 9.0 s", *detail = "no contact";
+    CHECK_TEXT(result_grade_phrase(&house, grades, &arena),
+               "worst grade D, touching likely, at the start, beside wall w1");
+    result_grade_add(&title, &detail, &house, grades, &arena);
+    CHECK_TEXT(title, "All 2 out in 9.0 s, worst grade D");
+    CHECK_TEXT(detail, "touching likely; no contact");
+    grades[1].interrupted = true;
+    CHECK_TEXT(result_grade_phrase(&house, grades, &arena), "grade B, with care, at door d1");
+    grades[0] = (Grade){.letter = GRADE_E, .weak = true, .has_place = true, .what = "turn"};
+    CHECK_TEXT(result_grade_phrase(&house, grades, &arena), "grade E, helper only, driver too weak");
+    grades[0].interrupted = true;
+    title = "No person takes part";
+    detail = "";
+    result_grade_add(&title, &detail, &house, grades, &arena);
+    CHECK(!*result_grade_phrase(&house, grades, &arena) && !*detail);
+    CHECK_TEXT(title, "No person takes part");
+    arena_clear(&arena);
     house_free(&house);
 }

@@ -41,6 +41,13 @@ check(abs(large["unit"] - 1.22) < 0.01, "2: a point of Full HD is 1.22 pixels", 
 check(len(large["text_in_view"]) > len(small["text_in_view"]), "2: Full HD shows more names",
       (len(large["text_in_view"]), len(small["text_in_view"])))
 
+# the grade follows the time as soon as it is known
+timed, graded = act("graded", "until complete", "pause", "state STATE", "until idle", "state STATE",
+                    arguments=[stage.house("flat-0.910-widened"), "--size", "1280x720"])
+check(graded["answer"]["title"] == "Out in 23.0 s, grade D" and graded["answer"]["detail"].startswith("touching likely; "),
+      "nobody is out without a grade", graded["answer"])
+check(timed["answer"]["title"] in ("Out in 23.0 s", graded["answer"]["title"]), "the time is told first", timed["answer"])
+
 # 3, 4, 12, 28: labels of every house
 for name in HOUSES:
     if not (stage.source / "houses" / f"{name}.json").exists():

@@ -54,9 +54,32 @@ TEST(a_corridor_of_0_80_m_is_driven_with_care) {
 static Grade grade_corner(double w, double angle) {
     House house;
     case_made(&house, case_corner(w, w, angle), -1, NULL);
-    Grade grade = grade_person(&house, 0, NULL);
+    Grade grade = grade_person(&house, 0, NULL), alone = grade_person_letter(&house, 0, NULL);
+    CHECK(alone.letter == grade.letter && isnan(alone.tightness));
     house_free(&house);
     return grade;
+}
+
+/* The limits of a corridor are closed forms. Within the resolution of them the better grade is told. */
+TEST(the_letter_alone_is_that_of_the_room_and_only_of_those_asked_for) {
+    static const struct {
+        double spare; /* m, on each side */
+        int letter;
+    } known[] = {{0.142, GRADE_A}, {0.132, GRADE_B}, {0.054, GRADE_B}, {0.044, GRADE_C},
+                 {0.019, GRADE_C}, {0.009, GRADE_D}, {-0.01, GRADE_F}};
+    for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
+        House house;
+        json_t *plan = case_corridor(0.63 + 2 * known[k].spare);
+        case_add_person(plan, "manual-chair", 14, 0, 0);
+        case_add_person(plan, "manual-chair", 12, 0, 0);
+        case_made(&house, plan, -1, NULL);
+        Grade grades[2];
+        CHECK(grade_all_letters(grades, &house, (const bool[]){true, false}, 2, NULL));
+        CHECK_NEAR(grades[0].letter, known[k].letter, 0);
+        CHECK(!grades[0].interrupted && grades[1].interrupted && isnan(grades[0].tightness));
+        CHECK(grades[0].has_place == (known[k].letter != GRADE_A));
+        house_free(&house);
+    }
 }
 
 LONG_TEST(a_corner_is_as_tight_turned_and_no_tighter_when_wider) {

@@ -1,0 +1,50 @@
+#include "result/grade.h"
+
+#include <stdint.h>
+#include <string.h>
+
+static bool is_known(const House *house, const Grade *grades, size_t person) {
+    return house->people[person].profile->driving == DRIVING_DRIVER && !grades[person].interrupted;
+}
+
+size_t result_grade_worst(const House *house, const Grade *grades) {
+    size_t worst = SIZE_MAX;
+    for (size_t i = 0; i < house->person_count; i++)
+        if (is_known(house, grades, i) && (worst == SIZE_MAX || grades[i].letter > grades[worst].letter))
+            worst = i;
+    return worst;
+}
+
+/* Returns "grade" or, of several people, "worst grade". */
+static const char *noun(const House *house, const Grade *grades) {
+    size_t known = 0;
+    for (size_t i = 0; i < house->person_count; i++)
+        known += is_known(house, grades, i);
+    return known > 1 ? "worst grade" : "grade";
+}
+
+const char *result_grade_phrase(const House *house, const Grade *grades, Arena *arena) {
+    static const char start[] = "start, ";
+    size_t worst = result_grade_worst(house, grades);
+    if (worst == SIZE_MAX)
+        return "";
+    const Grade *grade = &grades[worst];
+    const char *said =
+        text_in_arena(arena, "%s %s, %s", noun(house, grades), grade_letter(grade->letter), grade_words(grade->letter));
+    if (grade->weak)
+        return text_in_arena(arena, "%s, driver too weak", said);
+    if (!grade->has_place)
+        return said;
+    if (strncmp(grade->what, start, strlen(start)) == 0)
+        return text_in_arena(arena, "%s, at the start, %s", said, grade->what + strlen(start));
+    return text_in_arena(arena, "%s, at %s", said, grade->what);
+}
+
+void result_grade_add(const char **title, const char **detail, const House *house, const Grade *grades, Arena *arena) {
+    size_t worst = result_grade_worst(house, grades);
+    if (worst == SIZE_MAX)
+        return;
+    int letter = grades[worst].letter;
+    *title = text_in_arena(arena, "%s, %s %s", *title, noun(house, grades), grade_letter(letter));
+    *detail = text_in_arena(arena, **detail ? "%s; %s" : "%s%s", grade_words(letter), *detail);
+}
