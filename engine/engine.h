@@ -59,6 +59,8 @@
 #include "rules/corridor.h"
 #include "rules/doorway.h"
 #include "rules/turning.h"
+#include "rules/places.h"
+#include "rules/turnround.h"
 #include "rules/inspection.h"
 #include "inquiry/suggest.h"
 #include "inquiry/measure.h"

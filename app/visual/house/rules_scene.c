@@ -78,7 +78,7 @@ static void add_shape(Scene *scene, const Finding *finding, Role role) {
 
 /* Returns the role of what decides: a quiet one where its number was not read in its source. */
 static Role role_of(const Dimension *dimension) {
-    return dimension->first->rule->status != STATUS_READ ? ROLE_DIM_TEXT : dimension->fails ? ROLE_ERROR : ROLE_EXIT;
+    return dimension->first->status != STATUS_READ ? ROLE_DIM_TEXT : dimension->fails ? ROLE_ERROR : ROLE_EXIT;
 }
 
 /* Adds a line with the number that it has in the list, and a tick or a cross. */
@@ -112,7 +112,10 @@ static void add_stop(Scene *scene, const RulePlace *place) {
 }
 
 /* Returns the place's name without the words in brackets, which have no room in the list. */
-static const char *short_name(Scene *scene, const char *name) {
+static const char *name_of(Scene *scene, const Inspection *inspection, const Finding *finding) {
+    if (finding->place == SIZE_MAX)
+        return "the house";
+    const char *name = inspection->places[finding->place].name;
     const char *bracket = strstr(name, " (");
     return scene_text(scene, "%.*s", (int)(bracket ? (size_t)(bracket - name) : strlen(name)), name);
 }
@@ -125,13 +128,13 @@ static void add_list(Scene *scene, const Inspection *inspection, const Dimension
     head->cells[2] = "must have";
     for (size_t d = 0; d < count && d < ROWS_MOST; d++) {
         const Finding *finding = dimensions[d].first;
-        SceneRow *row = scene_add_row(scene, ROW_DISC, short_name(scene, inspection->places[finding->place].name));
-        bool read = finding->rule->status == STATUS_READ;
+        SceneRow *row = scene_add_row(scene, ROW_DISC, name_of(scene, inspection, finding));
+        bool read = finding->status == STATUS_READ;
         row->role = role_of(&dimensions[d]);
         row->mark = scene_text(scene, "%zu", d + 1);
-        row->cells[1] = scene_text(scene, "%.3f", finding->has);
-        row->cells[2] =
-            scene_text(scene, read ? "%.3f %s" : "(%.3f) %s", finding->requires, dimensions[d].fails ? CROSS : TICK);
+        const char *limit = scene_text(scene, finding->at_most ? "\xe2\x89\xa4 %g" : "%.3f", finding->requires);
+        row->cells[1] = scene_text(scene, finding->at_most ? "%.1f" : "%.3f", finding->has);
+        row->cells[2] = scene_text(scene, read ? "%s %s" : "(%s) %s", limit, dimensions[d].fails ? CROSS : TICK);
     }
     if (count > ROWS_MOST)
         scene_add_row(scene, ROW_PLAIN, scene_text(scene, "and %zu more", count - ROWS_MOST));
