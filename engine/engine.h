@@ -19,6 +19,7 @@
 #include "mechanics/clock.h"
 #include "mechanics/trace.h"
 #include "plan/plan.h"
+#include "plan/work.h"
 #include "plan/plan_geometry.h"
 #include "plan/profile.h"
 #include "mechanics/broadphase.h"

@@ -106,8 +106,30 @@ static const Parameter rule_rows[] = {
 };
 static const ParameterTable rule_table = {"rule", rule_rows, sizeof rule_rows / sizeof *rule_rows};
 
-static const char *const file_keys[] = {"format",  "version", "id",   "title", "jurisdiction",
-                                        "applies", "edition", "note", "rules", NULL};
+static const Parameter pay_rows[] = {
+    CHOICE_ROW(RulePay, change, PLAN_WORK_WORDS, true, "the work that a change needs"),
+    CHOICE_ROW(RulePay, pays, RULE_PAYS_WORDS, true, "whether it is paid for"),
+    TEXT_ROW(RulePay, condition, false, "on which condition"),
+    TEXT_ROW(RulePay, clause, true, "clause of the text"),
+    TEXT_ROW(RulePay, source, true, "where that was found"),
+    CHOICE_ROW(RulePay, status, RULE_STATUS_WORDS, true, "as of a rule"),
+};
+static const ParameterTable pay_table = {"pay", pay_rows, sizeof pay_rows / sizeof *pay_rows};
+
+static const char *const file_keys[] = {"format", "version", "id",   "title", "jurisdiction", "applies", "edition",
+                                        "note",   "rules",   "pays", NULL};
+
+const RulePay *rule_set_pay(const RuleSet *set, int change) {
+    for (size_t i = 0; i < set->pay_count; i++)
+        if (set->pays[i].change == change)
+            return &set->pays[i];
+    return NULL;
+}
+
+const char *rule_set_pays_name(int pays) {
+    static const char *const names[] = {"payable", "not listed"};
+    return names[pays];
+}
 
 const char *rule_set_what_name(int what) {
     static const char *const names[RULE_WHATS] = {
@@ -205,10 +227,31 @@ static void read_rule(RuleSet *set, const JsonNode *node, Arena *arena, Fault *f
         set->rules[set->count++] = rule;
 }
 
+static void read_pay(RuleSet *set, const JsonNode *node, Arena *arena, Fault *fault) {
+    RulePay pay = {0};
+    if (!parameters_read(&pay_table, &pay, node, arena, fault))
+        return;
+    if (rule_set_pay(set, pay.change))
+        json_fault(node, fault, "this change occurs twice, must be unique");
+    else
+        set->pays[set->pay_count++] = pay;
+}
+
+/* Returns a list of the file, or a node without a value. A set must have one that is not empty. */
+static JsonNode read_list(const JsonNode *root, const char *name, Fault *fault) {
+    JsonNode list = json_member(root, name);
+    if (!list.value || (json_is_array(list.value) && json_array_size(list.value)))
+        return list;
+    json_fault(&list, fault, "a file of rules must have \"%s\", a list [ ... ] of them", name);
+    return (JsonNode){0};
+}
+
 static void read_set(RuleSet *set, const JsonNode *root, Arena *arena, Fault *fault) {
     static const Parameter id_row = {.name = "id", .kind = PARAMETER_ID, .unit = "", .needed = true};
     json_check_keys(root, file_keys, fault);
-    JsonNode id = json_member(root, "id"), rules = json_member(root, "rules");
+    size_t before = fault->total;
+    JsonNode id = json_member(root, "id"), rules = read_list(root, "rules", fault),
+             pays = read_list(root, "pays", fault);
     if (id.value)
         parameters_read_value(&id_row, &set->id, &id, arena, fault);
     else
@@ -218,14 +261,17 @@ static void read_set(RuleSet *set, const JsonNode *root, Arena *arena, Fault *fa
     set->applies = json_read_text(root, "applies", arena, fault);
     set->edition = json_read_text(root, "edition", arena, fault);
     set->note = json_read_text(root, "note", arena, fault);
-    if (!json_is_array(rules.value) || !json_array_size(rules.value)) {
-        json_fault(rules.value ? &rules : root, fault, "a file of rules must have \"rules\", a list [ ... ] of them");
-        return;
-    }
+    if (!rules.value && !pays.value && fault->total == before)
+        json_fault(root, fault, "a file of rules must have \"rules\", a list [ ... ] of them, or \"pays\"");
     set->rules = arena_allocate(arena, json_array_size(rules.value) * sizeof *set->rules);
     for (size_t i = 0; i < json_array_size(rules.value); i++) {
         JsonNode rule = json_element(&rules, i);
         read_rule(set, &rule, arena, fault);
+    }
+    set->pays = arena_allocate(arena, json_array_size(pays.value) * sizeof *set->pays);
+    for (size_t i = 0; i < json_array_size(pays.value); i++) {
+        JsonNode pay = json_element(&pays, i);
+        read_pay(set, &pay, arena, fault);
     }
 }
 
@@ -327,13 +373,15 @@ void rule_set_free_all(RuleSets *sets) {
 json_t *rule_set_schema(void) {
     json_t *rules =
         json_pack("{s:s, s:i, s:o}", "type", "array", "minItems", 1, "items", parameters_schema_table(&rule_table));
+    json_t *pays =
+        json_pack("{s:s, s:i, s:o}", "type", "array", "minItems", 1, "items", parameters_schema_table(&pay_table));
     json_t *properties =
-        json_pack("{s:{s:s}, s:{s:i}, s:{s:s, s:s}, s:{s:s}, s:{s:s}, s:{s:s}, s:{s:s}, s:{s:s}, s:o}", "format",
+        json_pack("{s:{s:s}, s:{s:i}, s:{s:s, s:s}, s:{s:s}, s:{s:s}, s:{s:s}, s:{s:s}, s:{s:s}, s:o, s:o}", "format",
                   "const", "clearance-rules", "version", "const", 1, "id", "type", "string", "pattern",
                   "^[A-Za-z0-9_-]+$", "title", "type", "string", "jurisdiction", "type", "string", "applies", "type",
-                  "string", "edition", "type", "string", "note", "type", "string", "rules", rules);
-    return json_pack("{s:s, s:s, s:s, s:o, s:[s, s, s, s], s:b}", "$schema",
+                  "string", "edition", "type", "string", "note", "type", "string", "rules", rules, "pays", pays);
+    return json_pack("{s:s, s:s, s:s, s:o, s:[s, s, s], s:[{s:[s]}, {s:[s]}], s:b}", "$schema",
                      "https://json-schema.org/draft/2020-12/schema", "title", "rules of accessibility", "type",
-                     "object", "properties", properties, "required", "format", "version", "id", "rules",
-                     "additionalProperties", 0);
+                     "object", "properties", properties, "required", "format", "version", "id", "anyOf", "required",
+                     "rules", "required", "pays", "additionalProperties", 0);
 }

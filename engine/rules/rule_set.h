@@ -11,6 +11,7 @@
 #include "base/json.h"
 #include "base/memory.h"
 #include "base/parameters.h"
+#include "plan/work.h"
 
 /* What a rule is about; how each is measured is told in the headers of this folder. */
 typedef enum RuleWhat {
@@ -96,6 +97,20 @@ typedef struct Rule {
     int status; /* RuleStatus */
 } Rule;
 
+/* Whether a kind of work is paid for. */
+typedef struct RulePay {
+    int change;            /* PlanWork */
+    int pays;              /* RulePays */
+    const char *condition; /* "if a sliding door replaces it", or "" */
+    const char *clause;
+    const char *source;
+    int status; /* RuleStatus */
+} RulePay;
+
+typedef enum RulePays { PAYS_PAYABLE, PAYS_NOT_LISTED } RulePays;
+
+#define RULE_PAYS_WORDS "payable|not listed"
+
 typedef struct RuleSet {
     const char *id;
     const char *title;
@@ -105,6 +120,8 @@ typedef struct RuleSet {
     const char *note; /* what is not checked */
     Rule *rules;      /* (count) */
     size_t count;
+    RulePay *pays; /* (pay_count), at most one for each change */
+    size_t pay_count;
 } RuleSet;
 
 /* A zeroed list is empty; rule_set_free_all releases it. */
@@ -123,7 +140,11 @@ bool rule_set_read_all(RuleSets *sets, const char *folder, const char *names, Fa
 
 void rule_set_free_all(RuleSets *sets);
 
-/* Returns "corridor width", and "read second-hand". */
+/* Returns what a set says about paying for a kind of work, or NULL. */
+const RulePay *rule_set_pay(const RuleSet *set, int change);
+
+/* Returns "payable", "corridor width", and "read second-hand". */
+const char *rule_set_pays_name(int pays);
 const char *rule_set_what_name(int what);
 const char *rule_set_status_name(int status);
 
