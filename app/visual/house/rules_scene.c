@@ -19,6 +19,7 @@
 #define DISC_OPACITY 0.10
 
 #define TICK "\xe2\x9c\x93"
+#define DOT "\xc2\xb7"
 #define CROSS "\xe2\x9c\x97"
 
 enum { ROWS_MOST = 16 };
@@ -81,16 +82,26 @@ static Role role_of(const Dimension *dimension) {
     return dimension->first->status != STATUS_READ ? ROLE_DIM_TEXT : dimension->fails ? ROLE_ERROR : ROLE_EXIT;
 }
 
-/* Adds a line with the number that it has in the list, and a tick or a cross. */
-static void add_dimension(Scene *scene, const Dimension *dimension, size_t number) {
+/* Returns " · 76 %", the share of the drivers whose chair can be driven through the place; "" where none were tried. */
+static const char *drivers_share(Scene *scene, const Inspection *inspection, const Finding *finding) {
+    const RulePlace *place = finding->place == SIZE_MAX ? NULL : &inspection->places[finding->place];
+    if (!place || !place->drivers)
+        return "";
+    return scene_text(scene, " " DOT " %.0f %%",
+                      100 * (double)(place->drivers - place->refused) / (double)place->drivers);
+}
+
+/* Adds a line with the number that it has in the list, a tick or a cross, and the share of drivers. */
+static void add_dimension(Scene *scene, const Inspection *inspection, const Dimension *dimension, size_t number) {
     const Finding *finding = dimension->first;
     bool fails = dimension->fails > 0;
     Role role = role_of(dimension);
     Vec2 middle = vec2_scale(vec2_add(finding->from, finding->to), 0.5);
     add_shape(scene, finding, role);
     scene_add_dimension(scene, role, LINE_WIDTH, finding->from, finding->to)->keep_clear = KEEP_SIGN;
-    Primitive *tag = scene_add_label(scene, ROLE_TEXT, TEXT_SIZE, middle,
-                                     scene_text(scene, fails ? "%zu " CROSS : "%zu " TICK, number));
+    Primitive *tag = scene_add_label(
+        scene, ROLE_TEXT, TEXT_SIZE, middle,
+        scene_text(scene, "%zu %s%s", number, fails ? CROSS : TICK, drivers_share(scene, inspection, finding)));
     tag->shape = LABEL_TAG;
     tag->fill = role;
     tag->leader = true;
@@ -139,6 +150,9 @@ static void add_list(Scene *scene, const Inspection *inspection, const Dimension
     if (count > ROWS_MOST)
         scene_add_row(scene, ROW_PLAIN, scene_text(scene, "and %zu more", count - ROWS_MOST));
     scene_add_row(scene, ROW_PLAIN, "source not read")->cells[2] = "( )";
+    if (inspection->population)
+        scene_add_row(scene, ROW_PLAIN, scene_text(scene, "of %zu drivers get through", inspection->driver_count))
+            ->cells[2] = "%";
 }
 
 void rules_scene_make(Scene *scene, const House *house, const Inspection *inspection, const char *title,
@@ -157,7 +171,7 @@ void rules_scene_make(Scene *scene, const House *house, const Inspection *inspec
         if (inspection->places[p].stopped)
             add_stop(scene, &inspection->places[p]);
     for (size_t d = 0; d < count; d++)
-        add_dimension(scene, &dimensions[d], d + 1);
+        add_dimension(scene, inspection, &dimensions[d], d + 1);
     plan_scene_tags(scene, house, NULL);
     plan_scene_names(scene, house);
     add_list(scene, inspection, dimensions, count);
