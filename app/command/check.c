@@ -18,6 +18,7 @@
 #include "result/shares.h"
 #include "result/suggest.h"
 #include "result/text.h"
+#include "rules/rule_set.h"
 
 /* Prints a line per person; with many people a line per crowd, and one per person without a crowd. */
 static void print_answer(const House *house, const Journeys *journeys) {
@@ -108,8 +109,8 @@ static bool find_suggestions(SuggestList *list, const Options *options, Fault *f
 }
 
 /* Adds "suggestions", and "suggestion_notes" about what was tried, to the answer. */
-static void add_suggestions(json_t *answer, const SuggestList *list) {
-    json_t *suggestions = result_json_take_list(result_suggest_changes(list)), *notes = json_array();
+static void add_suggestions(json_t *answer, const SuggestList *list, const RuleSets *payers) {
+    json_t *suggestions = result_json_take_list(result_suggest_changes(list, payers)), *notes = json_array();
     for (size_t i = 0; i < list->note_count; i++)
         json_array_append_new(notes, json_string(list->notes[i]));
     json_object_set_new(answer, "suggestions", suggestions);
@@ -117,29 +118,47 @@ static void add_suggestions(json_t *answer, const SuggestList *list) {
     json_object_set_new(answer, "suggestions_complete", json_boolean(!list->stopped && !list->exhausted));
 }
 
-static void print_suggestions(const SuggestList *list) {
+static void print_suggestions(const SuggestList *list, const RuleSets *payers) {
     Arena arena = {0};
     Text text = {0};
     text_format(&text, "\n%s\n", result_suggest_sentence(list, &arena));
-    result_text_take(&text, "", result_suggest_changes(list));
+    result_text_take(&text, "", result_suggest_changes(list, payers));
     if (!list->out_already)
         text_format(&text, "\n%s\n", result_suggest_tried(list, &arena));
     for (size_t i = 0; i < list->note_count; i++)
         text_format(&text, "note: %s\n", list->notes[i]);
+    for (size_t s = 0; s < payers->count && list->count; s++)
+        text_format(&text, "%s: %s\n", payers->sets[s].id, payers->sets[s].note);
     output_text(&text);
     memory_free(text.text);
     arena_clear(&arena);
 }
 
+/* Reads the sets of rules that say what is paid for. Returns false after an error. */
+static bool read_payers(RuleSets *payers, const Options *options, Fault *fault) {
+    if (!options->rules)
+        return true;
+    if (!options->suggest)
+        fault_add(fault, "--rules: says who pays for the changes of --suggest, which must be given, too");
+    else if (rule_set_read_all(payers, shipped_places()->rules, options->rules, fault))
+        for (size_t s = 0; s < payers->count; s++)
+            if (!payers->sets[s].pay_count)
+                fault_add(fault,
+                          "--rules: %s does not say what is paid for, must be a set with \"pays\", such as "
+                          "jp-care-insurance",
+                          payers->sets[s].id);
+    return !fault->total;
+}
+
 /* Adds the smallest changes to the answer, or prints them. */
-static bool suggest(const Options *options, json_t *answer, bool *interrupted, Fault *fault) {
+static bool suggest(const Options *options, const RuleSets *payers, json_t *answer, bool *interrupted, Fault *fault) {
     SuggestList list = {0};
     fflush(stdout);
     if (!find_suggestions(&list, options, fault))
         return false;
-    add_suggestions(answer, &list);
+    add_suggestions(answer, &list, payers);
     if (!options->json)
-        print_suggestions(&list);
+        print_suggestions(&list, payers);
     *interrupted |= list.stopped;
     suggest_clear(&list);
     return true;
@@ -193,9 +212,9 @@ static void share(const Options *options, const House *house, const Population *
     memory_free(shares);
 }
 
-/* Reads the house and, for --drivers, the population. Returns false after an error. */
-static bool read_files(House *house, Population *population, const Options *options, Fault *fault) {
-    bool read = house_file_read(house, options, 0, fault);
+/* Reads the house and, for --drivers, the population, and for --rules, who pays. Returns false after an error. */
+static bool read_files(House *house, Population *population, RuleSets *payers, const Options *options, Fault *fault) {
+    bool read = read_payers(payers, options, fault) && house_file_read(house, options, 0, fault);
     if (!read || !options->drivers || house_file_population(population, options, &house->plan, fault))
         return read;
     house_free(house);
@@ -205,8 +224,10 @@ static bool read_files(House *house, Population *population, const Options *opti
 int command_check(const Options *options) {
     House house = {0};
     Population population = {0};
+    RuleSets payers = {0};
     Fault fault = {0};
-    if (!read_files(&house, &population, options, &fault)) {
+    if (!read_files(&house, &population, &payers, options, &fault)) {
+        rule_set_free_all(&payers);
         population_free(&population);
         if (options->json && !text_read_interrupted()) /* the verb's caller answers for an interruption */
             answer_print(json_pack("{s:s, s:o, s:[]}", "kind", "check", "faults", fault_lines(&fault), "people"));
@@ -229,7 +250,7 @@ int command_check(const Options *options) {
         grade(options, &house, answer, &interrupted);
     if (options->drivers && !interrupted)
         share(options, &house, &population, answer, &interrupted);
-    bool good = !options->suggest || suggest(options, answer, &interrupted, &fault);
+    bool good = !options->suggest || suggest(options, &payers, answer, &interrupted, &fault);
     answer_mark_interrupted(answer, interrupted);
     if (interrupted && good)
         fprintf(stderr, "clearance: interrupted; what is not known yet is neither a yes nor a no\n");
@@ -238,6 +259,7 @@ int command_check(const Options *options) {
     json_decref(answer);
     journey_free_all(&journeys);
     population_free(&population);
+    rule_set_free_all(&payers);
     house_free(&house);
     return !good ? house_file_report(&fault) : all && !interrupted ? EXIT_ANSWERED : EXIT_ANSWER_NO;
 }

@@ -24,7 +24,8 @@ const Verb verb_rows[VERBS] = {
          "way that is planned is not tried by simulation: see run.",
          "clearance check houses/flat-0.910-module.json\n"
          "clearance check houses/flat-0.910-module.json --set door.d1.width=0.90 --json\n"
-         "clearance check houses/flat-0.910-module.json --suggest\n"},
+         "clearance check houses/flat-0.910-module.json --suggest\n"
+         "clearance check houses/flat-0.910-module.json --suggest --rules jp-care-insurance\n"},
     [VERB_COMPARE] = {"compare", 2, 2, "HOUSE_A HOUSE_B", ".json", "", "Run two houses and print how they differ.",
                       "clearance compare houses/flat-0.910-module.json houses/flat-0.910-widened.json\n"
                       "clearance compare houses/flat-0.910-module.json houses/flat-0.910-widened.json --report "

@@ -96,7 +96,7 @@ static void add_plan(Document *document, const char *name, const Reported *run, 
         document,
         "%s with the paths of %zu drivers: the dark band holds half of them, the dashed outline 9 of 10. Discs: places "
         "where drivers touch something, by area the share of them, by shade the fastest impact, by letter the part of "
-        "the chair (F front, S side, T tail); hands are in the list alone (H).",
+        "the chair (F front, S side, T tail). Dashed rings (H): the same of hands at the rims that meet something.",
         name, drivers->count);
     report_pictures_add(document, &scene, caption, caption);
 }

@@ -10,7 +10,17 @@ const char *result_rules_verdict(const Finding *finding, Arena *arena) {
     double lacks = finding->requires - finding->has;
     if (finding->verdict == RULE_OPEN)
         return "cannot be told";
-    return finding->verdict == RULE_PASSES ? "pass" : text_in_arena(arena, "fails by %.0f mm", 1000 * lacks);
+    if (finding->verdict == RULE_PASSES)
+        return "pass";
+    return finding->at_most ? text_in_arena(arena, "fails by %.1f m", -lacks)
+                            : text_in_arena(arena, "fails by %.0f mm", 1000 * lacks);
+}
+
+/* Returns "0.850 m of 0.900 m", or "18.0 m of way without a place for turning, of at most 15 m". */
+static const char *dimension_words(const Finding *finding, Arena *arena) {
+    return finding->at_most ? text_in_arena(arena, "%.1f m of way without a place for turning, of at most %g m",
+                                            finding->has, finding->requires)
+                            : text_in_arena(arena, "%.3f m of %.3f m", finding->has, finding->requires);
 }
 
 /* Returns "pass", "fail" or "unknown", for scripts. */
@@ -43,7 +53,9 @@ static const Finding *worst_failure(const Inspection *inspection) {
     const Finding *worst = NULL;
     for (size_t i = 0; i < inspection->finding_count; i++) {
         const Finding *finding = &inspection->findings[i];
-        bool worse = !worst || finding->requires - finding->has > worst->requires - worst->has;
+        bool worse = !worst || worst->at_most > finding->at_most ||
+                     (worst->at_most == finding->at_most &&
+                      fabs(finding->requires - finding->has) > fabs(worst->requires - worst->has));
         if (finding->verdict == RULE_FAILS && worse)
             worst = finding;
     }
@@ -63,11 +75,10 @@ static const char *legal_impassable(const Inspection *inspection, const Finding 
     const char *drivers = drivers_words(inspection, place, arena);
     const char *helped =
         place->carried == place->stopped ? "only a helper could lift and shift it through" : "it does not even fit";
-    const char *grey = finding->rule->status == STATUS_READ
-                           ? ""
-                           : text_in_arena(arena, ", %s", rule_set_status_name(finding->rule->status));
-    const char *has = text_in_arena(arena, "Legal and impassable: %s has %.3f m of %.3f m (%s, %s%s), and", place->name,
-                                    finding->has, finding->requires, finding->set->id, finding->rule->clause, grey);
+    const char *grey =
+        finding->status == STATUS_READ ? "" : text_in_arena(arena, ", %s", rule_set_status_name(finding->status));
+    const char *has = text_in_arena(arena, "Legal and impassable: %s has %s (%s, %s%s), and", place->name,
+                                    dimension_words(finding, arena), finding->set->id, finding->rule->clause, grey);
     if (!place->stopped)
         return text_in_arena(arena, "%s only %s", has, drivers);
     return text_in_arena(arena, "%s the chair of %s does not get through: %s%s%s", has, place->who, helped,
@@ -89,9 +100,9 @@ const char *result_rules_sentence(const Inspection *inspection, Arena *arena) {
                                                              : "None of the rules can be checked here%.0zu%s",
                              inspection->counts[RULE_PASSES], open);
     return text_in_arena(
-        arena, "%zu of %zu checks fail%s; most is lacking at %s: %.3f m of %.3f m (%s, %s)",
-        inspection->counts[RULE_FAILS], inspection->counts[RULE_FAILS] + inspection->counts[RULE_PASSES], open,
-        place_name(inspection, worst), worst->has, worst->requires, worst->set->id, worst->rule->clause);
+        arena, "%zu of %zu checks fail%s; most is lacking at %s: %s (%s, %s)", inspection->counts[RULE_FAILS],
+        inspection->counts[RULE_FAILS] + inspection->counts[RULE_PASSES], open, place_name(inspection, worst),
+        dimension_words(worst, arena), worst->set->id, worst->rule->clause);
 }
 
 const char *result_rules_title(const Inspection *inspection, Arena *arena) {
@@ -103,15 +114,20 @@ const char *result_rules_title(const Inspection *inspection, Arena *arena) {
                  : text_in_arena(arena, "All %zu checks that can be made pass", passes);
 }
 
+static const char *enough_words(const Finding *finding, Arena *arena) {
+    return finding->at_most ? text_in_arena(arena, "A place for turning each %.1f m", finding->has)
+                            : text_in_arena(arena, "%.3f m", finding->has);
+}
+
 const char *result_rules_detail(const Inspection *inspection, Arena *arena) {
     const Finding *legal = inspection_legal_impassable(inspection);
     if (!legal)
         return result_rules_counts(inspection, arena);
     const RulePlace *place = &inspection->places[legal->place];
     if (!place->stopped)
-        return text_in_arena(arena, "%.3f m is enough for %s; only %s", legal->has, legal->set->id,
+        return text_in_arena(arena, "%s is enough for %s; only %s", enough_words(legal, arena), legal->set->id,
                              drivers_words(inspection, place, arena));
-    return text_in_arena(arena, "%.3f m is enough for %s; the chair of %s does not get through", legal->has,
+    return text_in_arena(arena, "%s is enough for %s; the chair of %s does not get through", enough_words(legal, arena),
                          legal->set->id, place->who);
 }
 
@@ -180,12 +196,11 @@ static void add_finding(ResultTable *table, const Inspection *inspection, const 
     result_add(table, (ResultRow){.key = "set", .label = "rules", .text = finding->set->id});
     result_add(table, (ResultRow){.key = "rule", .text = finding->rule->id});
     result_add(table, (ResultRow){.key = "what", .label = "what", .text = rule_set_what_name(finding->rule->what)});
-    Role role = finding->rule->status == STATUS_READ ? ROLE_TEXT : ROLE_DIM_TEXT;
+    Role role = finding->status == STATUS_READ ? ROLE_TEXT : ROLE_DIM_TEXT;
     result_add(table, (ResultRow){.key = "clause", .label = "clause", .text = finding->rule->clause, .role = role});
-    result_add(table, (ResultRow){.key = "status",
-                                  .label = "source",
-                                  .text = rule_set_status_name(finding->rule->status),
-                                  .role = role});
+    result_add(
+        table,
+        (ResultRow){.key = "status", .label = "source", .text = rule_set_status_name(finding->status), .role = role});
     result_add(table, (ResultRow){.key = "source", .text = finding->rule->source});
     add_dimension(table, "requires", "requires", finding->requires);
     table->rows[table->used - 1].role = role;
@@ -193,6 +208,7 @@ static void add_finding(ResultTable *table, const Inspection *inspection, const 
     if (finding->at_least)
         table->rows[table->used - 1].text = text_in_arena(arena, "%.3f or more", finding->has);
     add_dimension(table, "furnished", "between furniture", finding->furnished);
+    result_add(table, (ResultRow){.key = "limit", .text = finding->at_most ? "most" : "least"});
     result_add(table, (ResultRow){.key = "why", .label = "measured", .text = finding->why});
     result_add(table, (ResultRow){.key = "verdict", .text = verdict_word(finding->verdict)});
     result_add(table, (ResultRow){.label = "verdict",

@@ -3,9 +3,11 @@
 
 #include "inquiry/suggest.h"
 #include "result/result.h"
+#include "rules/rule_set.h"
 
-/* A record for each suggestion, the smallest change first. The list must outlive the table. */
-ResultTable result_suggest_changes(const SuggestList *list);
+/* A record for each suggestion, the smallest change first, with what each set of `payers` (NULL: none) says about
+ * paying for it. The list must outlive the table. */
+ResultTable result_suggest_changes(const SuggestList *list, const RuleSets *payers);
 
 /* Returns "Smallest changes that let all people out", or why none is listed. */
 const char *result_suggest_sentence(const SuggestList *list, Arena *arena);

@@ -86,6 +86,7 @@ static void add_suggestion(SuggestList *list, const Plan *plan, const Change *ch
     for (size_t i = 0; i < count; i++) {
         one.size += suggest_change_size(plan, &changes[i]);
         one.setting_count += suggest_change_settings(plan, &changes[i], settings + one.setting_count, &list->arena);
+        one.works[suggest_change_work(plan, &changes[i])] = true;
         text_add(&words, i ? (i + 1 < count ? ", " : " and ") : "");
         text_add(&words, suggest_change_words(plan, &changes[i], &list->arena));
     }

@@ -23,6 +23,7 @@
 #include "base/memory.h"
 #include "base/stop.h"
 #include "house/house.h"
+#include "plan/work.h"
 
 enum {
     SUGGEST_TRIES = 1000, /* largest number of houses tried, unless the task sets it */
@@ -33,8 +34,9 @@ typedef struct Suggestion {
     const char *text;            /* "Widen door d2 from 0.75 m to 0.79 m" */
     const char *const *settings; /* (setting_count) NAME=VALUE, the settings of the change */
     size_t setting_count;
-    double size; /* m */
-    double time; /* s, until all people are out with the change */
+    double size;            /* m */
+    double time;            /* s, until all people are out with the change */
+    bool works[PLAN_WORKS]; /* kinds of work that it needs */
 } Suggestion;
 
 /* A zeroed list is empty. Texts live in the arena; suggest_clear releases everything. */

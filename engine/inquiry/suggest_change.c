@@ -178,6 +178,13 @@ size_t suggest_change_settings(const Plan *plan, const Change *change, const cha
     return count;
 }
 
+PlanWork suggest_change_work(const Plan *plan, const Change *change) {
+    if (change->kind != CHANGE_WIDEN)
+        return WORK_FURNITURE;
+    int kind = plan->doors[change->index].kind;
+    return kind == DOOR_HINGED ? WORK_HINGED_DOOR : kind == DOOR_OPENING ? WORK_OPENING : WORK_SLIDING_DOOR;
+}
+
 /* Returns "0.30 m to the right and 0.10 m up", as on the plan. */
 static const char *way_words(Vec2 by, Arena *arena) {
     const char *across = by.x > 0 ? "to the right" : "to the left", *along = by.y > 0 ? "up" : "down";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plan/plan.h"
+#include "plan/work.h"
 
 typedef enum ChangeKind {
     CHANGE_WIDEN, /* a door */
@@ -36,6 +37,9 @@ Change suggest_change_move(size_t piece, double far, double direction);
 bool suggest_change_stands_free(const Plan *plan, const Change *change);
 
 double suggest_change_size(const Plan *plan, const Change *change); /* m */
+
+/* Returns the kind of work that the change needs. */
+PlanWork suggest_change_work(const Plan *plan, const Change *change);
 
 /* Writes the settings NAME=VALUE of the change, at most CHANGE_SETTINGS_MOST; the texts live in the arena. Returns
  * their number. */

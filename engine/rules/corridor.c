@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "plan/plan_geometry.h"
 #include "rules/surroundings.h"
@@ -10,7 +11,6 @@ static const double BESIDE = 0.05; /* m, left out beside an opening */
 static const double ASKEW = 0.7;   /* 1, cosine of the angle between way and line from which on a place is left out */
 static const double BRIDGED = 0.5; /* m of a way that may be wider, at a corner, without ending a corridor */
 static const double EQUAL = 1e-5;  /* m: numerics, of widths that count as equal */
-static const double HAIR = 1e-9;   /* m */
 static const double CELL = 0.3;    /* m, of the grid on which ways count as the same */
 static const double LARGEST = 4e6; /* cells of that grid */
 
@@ -19,7 +19,7 @@ typedef enum PlaceKind { PLACE_LEFT_OUT, PLACE_OPENING, PLACE_WIDE, PLACE_MEASUR
 
 typedef struct Measuring {
     const House *house;
-    Surroundings near;
+    Surroundings walls, near; /* the walls alone, and everything */
     Corridors *corridors;
     size_t *doors_of_room; /* (room_count) */
     bool *exits_of_room;   /* (room_count) */
@@ -77,49 +77,17 @@ static bool meets_opening(const Plan *plan, Vec2 a, Vec2 b) {
     return false;
 }
 
-/* True if a place lies in the opening of a door, or 5 cm before it. */
-static bool is_in_opening(const Plan *plan, Vec2 at) {
-    for (size_t d = 0; d < plan->door_count; d++) {
-        Vec2 from, to;
-        plan_geometry_door_ends(plan, &plan->doors[d], &from, &to);
-        Vec2 along = vec2_unit(vec2_sub(to, from)), place = vec2_unturn(vec2_sub(at, from), along);
-        double half = plan->walls[plan->doors[d].wall_index].thickness / 2;
-        if (fabs(place.y) <= half + BESIDE && place.x >= -BESIDE && place.x <= vec2_distance(from, to) + BESIDE)
-            return true;
-    }
-    return false;
-}
-
-/* Finds the point of the seen faces that is nearest; false: it is a corner, or there is none in reach. */
-static bool nearest_face(const Surroundings *near, Vec2 at, SeenFaces seen, Vec2 *nearest) {
-    double best = CORRIDOR_WIDEST;
-    bool inside = false;
-    for (size_t i = 0; i < near->count; i++) {
-        const Face *face = surroundings_face(near, i, seen, -1);
-        if (!face || vec2_dot(vec2_sub(at, face->a), face->normal) < 0)
-            continue;
-        Vec2 point = vec2_nearest_on_segment(at, face->a, face->b);
-        double distance = vec2_distance(point, at);
-        if (distance >= best)
-            continue;
-        best = distance;
-        *nearest = point;
-        inside = vec2_distance(point, face->a) > HAIR && vec2_distance(point, face->b) > HAIR;
-    }
-    return inside && best > HAIR;
-}
-
 static PlaceKind measure_place(Measuring *measuring, Vec2 at, Vec2 along, CorridorWidth *width) {
     const Plan *plan = &measuring->house->plan;
     Vec2 wall = at;
-    if (is_in_opening(plan, at))
+    if (ways_in_opening(plan, at, BESIDE))
         return PLACE_OPENING;
-    if (!nearest_face(&measuring->near, at, SEE_WALLS, &wall))
+    if (!surroundings_nearest(&measuring->walls, at, CORRIDOR_WIDEST, SEE_WALLS, &wall))
         return PLACE_LEFT_OUT;
     Vec2 across = vec2_unit(vec2_sub(at, wall));
     if (fabs(vec2_dot(across, along)) > ASKEW)
         return PLACE_LEFT_OUT;
-    double rest = surroundings_ray(&measuring->near, at, across, CORRIDOR_WIDEST, SEE_WALLS);
+    double rest = surroundings_ray(&measuring->walls, at, across, CORRIDOR_WIDEST, SEE_WALLS);
     width->at = at;
     width->from = wall;
     width->width = vec2_distance(wall, at) + rest;
@@ -129,8 +97,11 @@ static PlaceKind measure_place(Measuring *measuring, Vec2 at, Vec2 along, Corrid
     if (width->width >= CORRIDOR_WIDEST)
         return PLACE_WIDE;
     double left = surroundings_ray(&measuring->near, at, across, rest, SEE_ALL);
-    double right = surroundings_ray(&measuring->near, at, vec2_scale(across, -1), vec2_distance(wall, at), SEE_ALL);
+    double near = vec2_distance(wall, at);
+    double right = surroundings_ray(&measuring->near, at, vec2_scale(across, -1), near, SEE_ALL);
     measuring->furnished = fmin(measuring->furnished, left + right);
+    width->rails[0] = near - surroundings_ray(&measuring->near, at, vec2_scale(across, -1), near, SEE_RAILS);
+    width->rails[1] = rest - surroundings_ray(&measuring->near, at, across, rest, SEE_RAILS);
     return PLACE_MEASURED;
 }
 
@@ -160,10 +131,7 @@ size_t corridor_at(const Corridors *corridors, Vec2 at) {
 static void add_width(Corridor *corridor, const CorridorWidth *width) {
     corridor->widths =
         memory_reserve(corridor->widths, &corridor->capacity, corridor->count + 1, sizeof *corridor->widths);
-    corridor->widths[corridor->count] = *width;
-    if (width->width < corridor->widths[corridor->narrowest].width)
-        corridor->narrowest = corridor->count;
-    corridor->count++;
+    corridor->widths[corridor->count++] = *width;
 }
 
 /* Ends the stretch: what no corridor covers yet belongs to the one that covers a part of it, or is a new one. */
@@ -207,6 +175,7 @@ static void measure_way(Measuring *measuring, const RuleWay *way) {
         CorridorWidth width = {.s = s};
         if (is_dead_end(measuring, way, at))
             continue;
+        surroundings_look(&measuring->walls, at, CORRIDOR_WIDEST);
         surroundings_look(&measuring->near, at, CORRIDOR_WIDEST);
         PlaceKind kind = measure_place(measuring, at, vec2_unit(vec2_sub(way->at[i + 1], at)), &width);
         if (kind == PLACE_MEASURED) {
@@ -223,26 +192,45 @@ static void measure_way(Measuring *measuring, const RuleWay *way) {
     end_run(measuring);
 }
 
-/* Of places that are equally narrow, chooses the one in the middle. */
-static void choose_middle(Corridor *corridor) {
-    double least = corridor->widths[corridor->narrowest].width + EQUAL;
-    size_t equal = 0, k = 0;
-    for (size_t i = 0; i < corridor->count; i++)
-        equal += corridor->widths[i].width <= least;
-    for (size_t i = 0; i < corridor->count; i++)
-        if (corridor->widths[i].width <= least && k++ == equal / 2)
-            corridor->narrowest = i;
+double corridor_width_between_rails(const CorridorWidth *width, double allowed) {
+    double lost = 0;
+    for (int k = 0; k < 2 && allowed > 0; k++)
+        lost += fmax(width->rails[k] - allowed, 0);
+    return width->width - lost;
 }
 
-Corridors corridor_measure_all(const House *house, const RuleWays *ways) {
+size_t corridor_narrowest_between_rails(const Corridor *corridor, double allowed) {
+    double least = HUGE_VAL;
+    size_t equal = 0, k = 0, narrowest = 0;
+    for (size_t i = 0; i < corridor->count; i++)
+        least = fmin(least, corridor_width_between_rails(&corridor->widths[i], allowed));
+    for (size_t i = 0; i < corridor->count; i++)
+        equal += corridor_width_between_rails(&corridor->widths[i], allowed) <= least + EQUAL;
+    for (size_t i = 0; i < corridor->count; i++)
+        if (corridor_width_between_rails(&corridor->widths[i], allowed) <= least + EQUAL && k++ == equal / 2)
+            narrowest = i;
+    return narrowest;
+}
+
+/* Lists which pieces are rails. */
+static bool *list_rails(const Plan *plan) {
+    bool *rails = memory_zeroed(plan->furniture_count + 1, sizeof *rails);
+    for (size_t f = 0; f < plan->furniture_count; f++)
+        rails[f] = strcasestr(plan->furniture[f].name, "rail") || strcasestr(plan->furniture[f].id, "rail");
+    return rails;
+}
+
+Corridors corridor_measure_all(const House *house, const Outline *walls, const RuleWays *ways) {
     Box box = house->outline.box;
     Corridors corridors = {.origin = box.low};
     corridors.cell = fmax(CELL, sqrt(fmax(box_width(box), 0) * fmax(box_height(box), 0) / LARGEST));
     corridors.nx = (int)(fmax(box_width(box), 0) / corridors.cell) + 1;
     corridors.ny = (int)(fmax(box_height(box), 0) / corridors.cell) + 1;
     corridors.covered = memory_zeroed((size_t)corridors.nx * (size_t)corridors.ny, sizeof *corridors.covered);
+    bool *rails = list_rails(&house->plan);
     Measuring measuring = {.house = house,
-                           .near = {.outline = &house->outline},
+                           .walls = {.outline = walls},
+                           .near = {.outline = &house->outline, .rails = rails},
                            .corridors = &corridors,
                            .doors_of_room = memory_zeroed(house->plan.room_count + 1, sizeof(size_t)),
                            .exits_of_room = memory_zeroed(house->plan.room_count + 1, sizeof(bool)),
@@ -253,12 +241,14 @@ Corridors corridor_measure_all(const House *house, const RuleWays *ways) {
         measure_way(&measuring, &ways->ways[w]);
     for (size_t c = 0; c < corridors.count; c++) {
         Corridor *corridor = &corridors.list[c];
-        choose_middle(corridor);
+        corridor->narrowest = corridor_narrowest_between_rails(corridor, 0);
         corridor->room = ways_room(&house->plan, corridor->widths[corridor->narrowest].at);
     }
     memory_free(measuring.doors_of_room);
     memory_free(measuring.exits_of_room);
     memory_free(measuring.run);
+    memory_free(rails);
+    surroundings_clear(&measuring.walls);
     surroundings_clear(&measuring.near);
     return corridors;
 }
@@ -271,12 +261,12 @@ void corridor_free_all(Corridors *corridors) {
     *corridors = (Corridors){0};
 }
 
-double corridor_narrow_stretch(const Corridor *corridor, double least) {
+double corridor_narrow_stretch(const Corridor *corridor, double least, double allowed) {
     double longest = 0, since = -1, last = -1;
     for (size_t i = 0; i < corridor->count; i++) {
         const CorridorWidth *width = &corridor->widths[i];
         bool goes_on = since >= 0 && width->s > last && width->s - last < BESIDE;
-        if (width->width >= least) {
+        if (corridor_width_between_rails(width, allowed) >= least) {
             since = -1;
             continue;
         }

@@ -8,16 +8,23 @@
 
 #include "base/text.h"
 #include "plan/plan_geometry.h"
+#include "rules/places.h"
+#include "rules/turnround.h"
 
 static const double NEAR = 1.0;        /* m: a chair that is stopped this near to a corridor is stopped in it */
+static const double STRAIGHT = 0.98;   /* 1: a stretch of a way is drawn as a line if it is so much of its length */
 static const double LATCH_DEPTH = 0.3; /* m, before the wall, that is free beside a latch: assumed */
 
 typedef struct Inspecting {
     Inspection *inspection;
     const House *house;
+    Outline walls; /* of the walls alone */
     RuleWays ways;
     Doorway *doorways;      /* (door_count) */
     TurningPlace *turnings; /* (2 x room_count) circle and square; size NAN: not measured yet */
+    Places places;          /* for squares of places_side m, those of the rule before */
+    double places_side;     /* m; 0: none were looked for */
+    const Stop *stop;
 } Inspecting;
 
 /* Places ------------------------------------------------------------------------------------------------------------
@@ -201,6 +208,7 @@ static Finding begin_finding(const RuleSet *set, const Rule *rule, size_t place)
     return (Finding){.set = set,
                      .rule = rule,
                      .place = place,
+                     .status = rule->status,
                      .requires = rule->least >= 0 ? rule->least : rule->most,
                      .has = NAN,
                      .furnished = NAN};
@@ -213,32 +221,146 @@ static void add_unknown(Inspection *inspection, const RuleSet *set, const Rule *
     add_finding(inspection, finding);
 }
 
-static void inspect_corridors(Inspecting *inspecting, const RuleSet *set, const Rule *rule) {
-    Inspection *inspection = inspecting->inspection;
-    if (!inspecting->inspection->corridors.count)
-        add_unknown(inspection, set, rule, SIZE_MAX, "no way in this house leads through a corridor");
-    for (size_t c = 0; c < inspecting->inspection->corridors.count; c++) {
-        const Corridor *corridor = &inspecting->inspection->corridors.list[c];
-        const CorridorWidth *narrowest = &corridor->widths[corridor->narrowest];
-        if (!in_rooms(&rule->where, &inspecting->house->plan, (size_t[2]){corridor->room, SIZE_MAX}))
-            continue;
-        Finding finding = begin_finding(set, rule, c);
-        finding.has = narrowest->width;
-        finding.furnished =
-            corridor->furnished < narrowest->width - INSPECTION_TOLERANCE ? corridor->furnished : (double)NAN;
-        finding.from = narrowest->from;
-        finding.to = narrowest->to;
-        finding.drawn = true;
-        finding.verdict = verdict_of(finding.has, rule->least);
-        if (finding.verdict == RULE_FAILS && rule->pillar.least > 0 &&
-            corridor_narrow_stretch(corridor, rule->least - INSPECTION_TOLERANCE) <=
-                rule->pillar.longest + INSPECTION_TOLERANCE) {
-            finding.requires = rule->pillar.least;
-            finding.verdict = verdict_of(finding.has, rule->pillar.least);
-            finding.why = "at a pillar";
-        }
-        add_finding(inspection, finding);
+/* Returns how the verdict on a corridor is known: where a rail stands out, by the number for rails, too. */
+static int corridor_status(const Rule *rule, const Corridor *corridor) {
+    bool rails = false;
+    for (size_t i = 0; i < corridor->count && rule->rails.each_side > 0; i++)
+        rails |= corridor->widths[i].rails[0] > 0 || corridor->widths[i].rails[1] > 0;
+    return rails && rule->rails.status > rule->status ? rule->rails.status : rule->status;
+}
+
+/* Holds a corridor that is too narrow against the stretch that a rule allows at a pillar. */
+static void allow_pillar(Finding *finding, const Corridor *corridor) {
+    const Rule *rule = finding->rule;
+    double stretch = corridor_narrow_stretch(corridor, rule->least - INSPECTION_TOLERANCE, rule->rails.each_side);
+    if (rule->pillar.least <= 0 || stretch > rule->pillar.longest + INSPECTION_TOLERANCE)
+        return;
+    finding->requires = rule->pillar.least;
+    finding->verdict = verdict_of(finding->has, rule->pillar.least);
+    finding->why = "at a pillar";
+}
+
+/* Holds the longest stretch without a place for turning against what is asked for. The texts do not say whether a way
+ * that is shorter, and has no place at all, needs one. */
+static void hold_stretch(Finding *finding, const PlacesStretch *stretch, double square, double each, Arena *arena) {
+    const char *size = text_in_arena(arena, "%.2f m by %.2f m", square, square);
+    finding->at_most = true;
+    finding->requires = each;
+    finding->has = stretch->longest;
+    finding->from = stretch->from;
+    finding->to = stretch->to;
+    finding->drawn = stretch->longest > 0 && vec2_distance(stretch->from, stretch->to) > STRAIGHT * stretch->longest;
+    finding->verdict = stretch->longest <= each + INSPECTION_TOLERANCE ? RULE_PASSES : RULE_FAILS;
+    finding->why = text_in_arena(arena, "way without a place of %s", size);
+    if (finding->verdict == RULE_FAILS || stretch->any)
+        return;
+    finding->verdict = RULE_OPEN;
+    finding->why = text_in_arena(arena, "no place of %s, but the way is shorter than %g m", size, each);
+}
+
+/* Returns the places for turning of a side; those of one side are looked for once. */
+static const Places *find_places(Inspecting *inspecting, double side) {
+    if (inspecting->places_side != side) {
+        places_free(&inspecting->places);
+        inspecting->places = places_find(inspecting->house, &inspecting->ways, side, inspecting->stop);
+        inspecting->places_side = side;
+        inspecting->inspection->interrupted |= inspecting->places.interrupted;
     }
+    return &inspecting->places;
+}
+
+/* Holds a corridor that is too narrow against the width that a rule allows with places for turning. */
+static void allow_places(Finding *finding, Inspecting *inspecting, size_t corridor) {
+    const RulePlaces *allowed = &finding->rule->places;
+    if (allowed->least <= 0)
+        return;
+    if (verdict_of(finding->has, allowed->least) == RULE_FAILS) {
+        finding->requires = allowed->least;
+        finding->why = "with places for turning";
+        return;
+    }
+    PlacesStretch stretch = places_stretch(find_places(inspecting, allowed->square - INSPECTION_TOLERANCE),
+                                           &inspecting->ways, &inspecting->inspection->corridors, corridor);
+    hold_stretch(finding, &stretch, allowed->square, allowed->each, &inspecting->inspection->arena);
+}
+
+static void inspect_corridor(Inspecting *inspecting, const RuleSet *set, const Rule *rule, size_t c) {
+    const Corridor *corridor = &inspecting->inspection->corridors.list[c];
+    double allowed = rule->rails.each_side;
+    const CorridorWidth *narrowest = &corridor->widths[corridor_narrowest_between_rails(corridor, allowed)];
+    Vec2 across = vec2_unit(vec2_sub(narrowest->to, narrowest->from));
+    Finding finding = begin_finding(set, rule, c);
+    finding.status = corridor_status(rule, corridor);
+    finding.has = corridor_width_between_rails(narrowest, allowed);
+    finding.furnished = corridor->furnished < finding.has - INSPECTION_TOLERANCE ? corridor->furnished : (double)NAN;
+    finding.from = narrowest->from;
+    finding.to = narrowest->to;
+    if (allowed > 0) {
+        finding.from = vec2_along(finding.from, fmax(narrowest->rails[0] - allowed, 0), across);
+        finding.to = vec2_along(finding.to, -fmax(narrowest->rails[1] - allowed, 0), across);
+    }
+    finding.drawn = true;
+    finding.verdict = verdict_of(finding.has, rule->least);
+    if (finding.verdict == RULE_FAILS)
+        allow_pillar(&finding, corridor);
+    if (finding.verdict == RULE_FAILS)
+        allow_places(&finding, inspecting, c);
+    add_finding(inspecting->inspection, finding);
+}
+
+static void inspect_place(Inspecting *inspecting, const RuleSet *set, const Rule *rule, size_t c) {
+    Inspection *inspection = inspecting->inspection;
+    PlacesStretch stretch = places_stretch(find_places(inspecting, rule->least - INSPECTION_TOLERANCE),
+                                           &inspecting->ways, &inspection->corridors, c);
+    Finding finding = begin_finding(set, rule, c);
+    hold_stretch(&finding, &stretch, rule->least, rule->each, &inspection->arena);
+    add_finding(inspection, finding);
+}
+
+static void inspect_corridors(Inspecting *inspecting, const RuleSet *set, const Rule *rule) {
+    const Corridors *corridors = &inspecting->inspection->corridors;
+    if (!corridors->count)
+        add_unknown(inspecting->inspection, set, rule, SIZE_MAX, "no way in this house leads through a corridor");
+    for (size_t c = 0; c < corridors->count; c++) {
+        if (!in_rooms(&rule->where, &inspecting->house->plan, (size_t[2]){corridors->list[c].room, SIZE_MAX}))
+            continue;
+        if (rule->what == RULE_TURNING_PLACE)
+            inspect_place(inspecting, set, rule, c);
+        else
+            inspect_corridor(inspecting, set, rule, c);
+    }
+}
+
+/* Holds a turn against the width at it and before and after it; what lacks most decides. */
+static void inspect_turn(Inspecting *inspecting, const RuleSet *set, const Rule *rule, const TurnRound *turn) {
+    static const char *const names[TURN_PARTS] = {"before the turn", "at the turn", "after the turn"};
+    Finding finding =
+        begin_finding(set, rule, inspection_place(inspecting->inspection, inspecting->house, "", turn->end));
+    bool instead = rule->turn.instead > 0 && verdict_of(turn->parts[TURN_AT].width, rule->turn.instead) == RULE_PASSES;
+    double worst = HUGE_VAL;
+    for (int k = 0; k < TURN_PARTS; k++) {
+        double least = k != TURN_AT ? rule->least : instead ? rule->turn.instead : rule->turn.at_turn;
+        double more = turn->parts[k].width - least;
+        if (more >= worst || (instead && k != TURN_AT))
+            continue;
+        worst = more;
+        finding.requires = least;
+        finding.has = turn->parts[k].width;
+        finding.from = turn->parts[k].from;
+        finding.to = turn->parts[k].to;
+        finding.why = names[k];
+    }
+    finding.at_least = finding.has >= TURNROUND_WIDEST - INSPECTION_TOLERANCE;
+    finding.drawn = true;
+    finding.verdict = verdict_of(finding.has, finding.requires);
+    add_finding(inspecting->inspection, finding);
+}
+
+static void inspect_turns(Inspecting *inspecting, const RuleSet *set, const Rule *rule) {
+    TurnRounds turns = turnround_find(inspecting->house, &inspecting->walls, &inspecting->ways, rule->turn.narrower);
+    for (size_t t = 0; t < turns.count; t++)
+        inspect_turn(inspecting, set, rule, &turns.list[t]);
+    memory_free(turns.list);
 }
 
 static void inspect_clear(Inspecting *inspecting, const RuleSet *set, const Rule *rule, const Doorway *doorway) {
@@ -345,12 +467,16 @@ static void inspect_rooms(Inspecting *inspecting, const RuleSet *set, const Rule
 static void inspect_rule(Inspecting *inspecting, const RuleSet *set, const Rule *rule) {
     switch (rule->what) {
     case RULE_CORRIDOR_WIDTH:
+    case RULE_TURNING_PLACE:
         inspect_corridors(inspecting, set, rule);
         break;
     case RULE_DOOR_CLEAR:
     case RULE_MANOEUVRE:
     case RULE_LATCH_SPACE:
         inspect_doors(inspecting, set, rule);
+        break;
+    case RULE_TURN_ROUND:
+        inspect_turns(inspecting, set, rule);
         break;
     case RULE_TURNING_CIRCLE:
     case RULE_TURNING_SQUARE:
@@ -364,9 +490,13 @@ static void inspect_rule(Inspecting *inspecting, const RuleSet *set, const Rule 
 Inspection inspection_make(const House *house, const RuleSets *sets, int jobs, const Stop *stop) {
     Inspection inspection = {.place_count = 0};
     const Plan *plan = &house->plan;
-    Inspecting inspecting = {.inspection = &inspection, .house = house, .ways = ways_find(house, stop)};
-    inspection.interrupted = inspecting.ways.interrupted;
-    inspection.corridors = corridor_measure_all(house, &inspecting.ways);
+    Inspecting inspecting = {.inspection = &inspection, .house = house, .ways = ways_find(house, stop), .stop = stop};
+    Plan bare = *plan;
+    Fault fault = {0};
+    bare.furniture_count = 0;
+    inspection.interrupted = inspecting.ways.interrupted | !outline_build(&inspecting.walls, &bare, &fault);
+    fault_clear(&fault);
+    inspection.corridors = corridor_measure_all(house, &inspecting.walls, &inspecting.ways);
     inspecting.doorways = memory_zeroed(plan->door_count + 1, sizeof *inspecting.doorways);
     for (size_t d = 0; d < plan->door_count; d++)
         inspecting.doorways[d] = doorway_measure(house, &inspecting.ways, d);
@@ -381,6 +511,8 @@ Inspection inspection_make(const House *house, const RuleSets *sets, int jobs, c
             inspect_rule(&inspecting, &sets->sets[s], &sets->sets[s].rules[r]);
     memory_free(inspecting.doorways);
     memory_free(inspecting.turnings);
+    places_free(&inspecting.places);
+    outline_free(&inspecting.walls);
     ways_free(&inspecting.ways);
     return inspection;
 }
@@ -423,8 +555,8 @@ static bool is_worse(const Inspection *inspection, const Finding *finding, const
     const RulePlace *place = &inspection->places[finding->place], *other = &inspection->places[before->place];
     if ((place->stopped > 0) != (other->stopped > 0))
         return place->stopped > 0;
-    if (finding->rule->status != before->rule->status)
-        return finding->rule->status < before->rule->status;
+    if (finding->status != before->status)
+        return finding->status < before->status;
     return (double)place->refused * (double)other->drivers > (double)other->refused * (double)place->drivers;
 }
 

@@ -40,8 +40,10 @@ typedef struct Finding {
     const Rule *rule;
     size_t place;         /* index in places; SIZE_MAX: the whole house */
     int verdict;          /* RuleVerdict */
+    int status;           /* RuleStatus of what decided: of the rule, or worse, of its number for rails */
     const char *why;      /* RULE_OPEN: the reason; otherwise what was measured ("depth"), or NULL */
     double requires, has; /* m; has is NAN when it cannot be told */
+    bool at_most;         /* True if `has` must not exceed `requires`: a way without a place for turning */
     bool at_least;        /* True if there may be more: it was not looked further than needed */
     double furnished;     /* m, the width between furniture where it is less; NAN: not */
     bool drawn;           /* True if there is a line that was measured */

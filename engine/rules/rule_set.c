@@ -2,12 +2,14 @@
 
 #include <dirent.h>
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/choice.h"
 #include "base/parameters_schema.h"
 #include "base/text.h"
+#include "rules/places.h"
 
 static const double LARGEST = 100; /* m */
 static const double NONE = -1;     /* of a limit that is absent */
@@ -48,6 +50,33 @@ static const Parameter pillar_rows[] = {
 };
 static const ParameterTable pillar_table = {"at_pillar", pillar_rows, sizeof pillar_rows / sizeof *pillar_rows};
 
+static const Parameter places_rows[] = {
+    LENGTH_ROW(RulePlaces, least, 0, 0, "width that is enough with them; 0: no exception"),
+    LENGTH_ROW(RulePlaces, square, 0, 0, "side of the free square"),
+    LENGTH_ROW(RulePlaces, each, 0, 0, "length of the way in which there must be one"),
+};
+static const ParameterTable places_table = {"with_places", places_rows, sizeof places_rows / sizeof *places_rows};
+
+static const Parameter rails_rows[] = {
+    LENGTH_ROW(RuleRails, each_side, 0, 0, "depth on either side that does not narrow the corridor"),
+    CHOICE_ROW(RuleRails, status, RULE_STATUS_WORDS, true, "how well that number is known"),
+};
+static const ParameterTable rails_table = {"reduces", rails_rows, sizeof rails_rows / sizeof *rails_rows};
+
+static const Parameter turn_rows[] = {
+    LENGTH_ROW(RuleTurn, at_turn, 0, 0, "width between the end of the obstacle and the wall opposite"),
+    LENGTH_ROW(RuleTurn, instead, 0, 0, "width there that is enough by itself; 0: none is"),
+    LENGTH_ROW(RuleTurn, narrower, 0, 0, "only round obstacles that are narrower"),
+};
+static const ParameterTable turn_table = {"around", turn_rows, sizeof turn_rows / sizeof *turn_rows};
+
+/* A table within a rule. */
+#define TABLE_ROW(name_, field_, table_, meaning_)                                                                     \
+    {                                                                                                                  \
+        .name = name_, .kind = PARAMETER_TABLE, .offset = offsetof(Rule, field_), .unit = "", .table = table_,         \
+        .meaning = meaning_                                                                                            \
+    }
+
 static const Parameter rule_rows[] = {
     {.name = "id",
      .kind = PARAMETER_ID,
@@ -64,18 +93,12 @@ static const Parameter rule_rows[] = {
      .offset = offsetof(Rule, at_hinge),
      .unit = "",
      .meaning = "true if that width lies beside the hinge, not beside the latch"},
-    {.name = "at_pillar",
-     .kind = PARAMETER_TABLE,
-     .offset = offsetof(Rule, pillar),
-     .unit = "",
-     .table = &pillar_table,
-     .meaning = "a narrower stretch that is allowed"},
-    {.name = "where",
-     .kind = PARAMETER_TABLE,
-     .offset = offsetof(Rule, where),
-     .unit = "",
-     .table = &where_table,
-     .meaning = "where the rule holds"},
+    LENGTH_ROW(Rule, each, 0, 0, "of turning places: length of the way in which there must be one"),
+    TABLE_ROW("at_pillar", pillar, &pillar_table, "a narrower stretch that is allowed"),
+    TABLE_ROW("with_places", places, &places_table, "a narrower corridor that is allowed with places for turning"),
+    TABLE_ROW("reduces", rails, &rails_table, "rails, pieces with rail in their name or id, that do not count in full"),
+    TABLE_ROW("around", turn, &turn_table, "of a turn_180: the turn itself"),
+    TABLE_ROW("where", where, &where_table, "where the rule holds"),
     TEXT_ROW(Rule, clause, true, "clause of the text"),
     TEXT_ROW(Rule, source, true, "where the number was found"),
     CHOICE_ROW(Rule, status, RULE_STATUS_WORDS, true,
@@ -83,15 +106,38 @@ static const Parameter rule_rows[] = {
 };
 static const ParameterTable rule_table = {"rule", rule_rows, sizeof rule_rows / sizeof *rule_rows};
 
-static const char *const file_keys[] = {"format",  "version", "id",   "title", "jurisdiction",
-                                        "applies", "edition", "note", "rules", NULL};
+static const Parameter pay_rows[] = {
+    CHOICE_ROW(RulePay, change, PLAN_WORK_WORDS, true, "the work that a change needs"),
+    CHOICE_ROW(RulePay, pays, RULE_PAYS_WORDS, true, "whether it is paid for"),
+    TEXT_ROW(RulePay, condition, false, "on which condition"),
+    TEXT_ROW(RulePay, clause, true, "clause of the text"),
+    TEXT_ROW(RulePay, source, true, "where that was found"),
+    CHOICE_ROW(RulePay, status, RULE_STATUS_WORDS, true, "as of a rule"),
+};
+static const ParameterTable pay_table = {"pay", pay_rows, sizeof pay_rows / sizeof *pay_rows};
+
+static const char *const file_keys[] = {"format", "version", "id",   "title", "jurisdiction", "applies", "edition",
+                                        "note",   "rules",   "pays", NULL};
+
+const RulePay *rule_set_pay(const RuleSet *set, int change) {
+    for (size_t i = 0; i < set->pay_count; i++)
+        if (set->pays[i].change == change)
+            return &set->pays[i];
+    return NULL;
+}
+
+const char *rule_set_pays_name(int pays) {
+    static const char *const names[] = {"payable", "not listed"};
+    return names[pays];
+}
 
 const char *rule_set_what_name(int what) {
     static const char *const names[RULE_WHATS] = {
-        [RULE_CORRIDOR_WIDTH] = "corridor width", [RULE_DOOR_CLEAR] = "door clear width",
-        [RULE_MANOEUVRE] = "manoeuvring space",   [RULE_LATCH_SPACE] = "space beside the latch",
-        [RULE_TURNING_CIRCLE] = "turning circle", [RULE_TURNING_SQUARE] = "turning square",
-        [RULE_STEP_HEIGHT] = "step height",       [RULE_SLOPE] = "slope",
+        [RULE_CORRIDOR_WIDTH] = "corridor width",    [RULE_DOOR_CLEAR] = "door clear width",
+        [RULE_MANOEUVRE] = "manoeuvring space",      [RULE_LATCH_SPACE] = "space beside the latch",
+        [RULE_TURNING_CIRCLE] = "turning circle",    [RULE_TURNING_SQUARE] = "turning square",
+        [RULE_TURNING_PLACE] = "places for turning", [RULE_TURN_ROUND] = "turn by 180 degrees",
+        [RULE_STEP_HEIGHT] = "step height",          [RULE_SLOPE] = "slope",
     };
     return names[what];
 }
@@ -108,6 +154,43 @@ static bool is_of_door(int what) {
     return what == RULE_DOOR_CLEAR || what == RULE_MANOEUVRE || what == RULE_LATCH_SPACE;
 }
 
+/* Checks what a rule says about places for turning and about rails. */
+static void check_places(const Rule *rule, const JsonNode *node, Fault *fault) {
+    const RulePlaces *places = &rule->places;
+    bool corridor = rule->what == RULE_CORRIDOR_WIDTH, place = rule->what == RULE_TURNING_PLACE;
+    if ((rule->each > 0) != place)
+        json_fault(node, fault,
+                   place ? "rule %s must have each, the metres of the way in which there must be a place"
+                         : "rule %s has each, which only a turning_place has",
+                   rule->id);
+    if (places->least > 0 && !corridor)
+        json_fault(node, fault, "rule %s has with_places, which only a corridor_width has", rule->id);
+    else if (places->least > 0 && (places->least >= rule->least || places->square <= 0 || places->each <= 0))
+        json_fault(
+            node, fault,
+            "rule %s must have with_places.least below %g m, and with_places.square and with_places.each above 0",
+            rule->id, rule->least);
+    if (fmax(places->square, place ? rule->least : 0) > PLACES_LARGEST)
+        json_fault(node, fault, "rule %s has places of more than %g m, which are not looked for", rule->id,
+                   PLACES_LARGEST);
+    if (places->least > 0 && rule->pillar.least > 0)
+        json_fault(node, fault, "rule %s has at_pillar and with_places, must have one of them", rule->id);
+    if (rule->rails.each_side > 0 && !corridor)
+        json_fault(node, fault, "rule %s has reduces, which only a corridor_width has", rule->id);
+}
+
+/* Checks what a rule says about a turn. */
+static void check_turn(const Rule *rule, const JsonNode *node, Fault *fault) {
+    const RuleTurn *turn = &rule->turn;
+    bool around = turn->at_turn > 0 || turn->instead > 0 || turn->narrower > 0;
+    if (rule->what != RULE_TURN_ROUND && around)
+        json_fault(node, fault, "rule %s has around, which only a turn_180 has", rule->id);
+    if (rule->what == RULE_TURN_ROUND && (turn->at_turn <= 0 || turn->narrower <= 0))
+        json_fault(node, fault, "rule %s must have around.at_turn and around.narrower above 0", rule->id);
+    if (rule->what == RULE_TURN_ROUND && turn->instead > 0 && turn->instead <= turn->at_turn)
+        json_fault(node, fault, "rule %s must have around.instead above %g m, or none", rule->id, turn->at_turn);
+}
+
 /* Checks what a row alone does not say. */
 static void check_rule(const Rule *rule, const JsonNode *node, Fault *fault) {
     bool least = rule->least >= 0, most = rule->most >= 0;
@@ -122,6 +205,8 @@ static void check_rule(const Rule *rule, const JsonNode *node, Fault *fault) {
     if (rule->pillar.least > 0 && (rule->pillar.least >= rule->least || rule->pillar.longest <= 0))
         json_fault(node, fault, "rule %s must have at_pillar.least below %g m, and at_pillar.longest above 0", rule->id,
                    rule->least);
+    check_places(rule, node, fault);
+    check_turn(rule, node, fault);
     const RuleWhere *where = &rule->where;
     bool doors = where->doors || where->kind || where->approach || where->side || where->space_least > 0 ||
                  where->space_below < LARGEST;
@@ -142,10 +227,31 @@ static void read_rule(RuleSet *set, const JsonNode *node, Arena *arena, Fault *f
         set->rules[set->count++] = rule;
 }
 
+static void read_pay(RuleSet *set, const JsonNode *node, Arena *arena, Fault *fault) {
+    RulePay pay = {0};
+    if (!parameters_read(&pay_table, &pay, node, arena, fault))
+        return;
+    if (rule_set_pay(set, pay.change))
+        json_fault(node, fault, "this change occurs twice, must be unique");
+    else
+        set->pays[set->pay_count++] = pay;
+}
+
+/* Returns a list of the file, or a node without a value. A set must have one that is not empty. */
+static JsonNode read_list(const JsonNode *root, const char *name, Fault *fault) {
+    JsonNode list = json_member(root, name);
+    if (!list.value || (json_is_array(list.value) && json_array_size(list.value)))
+        return list;
+    json_fault(&list, fault, "a file of rules must have \"%s\", a list [ ... ] of them", name);
+    return (JsonNode){0};
+}
+
 static void read_set(RuleSet *set, const JsonNode *root, Arena *arena, Fault *fault) {
     static const Parameter id_row = {.name = "id", .kind = PARAMETER_ID, .unit = "", .needed = true};
     json_check_keys(root, file_keys, fault);
-    JsonNode id = json_member(root, "id"), rules = json_member(root, "rules");
+    size_t before = fault->total;
+    JsonNode id = json_member(root, "id"), rules = read_list(root, "rules", fault),
+             pays = read_list(root, "pays", fault);
     if (id.value)
         parameters_read_value(&id_row, &set->id, &id, arena, fault);
     else
@@ -155,14 +261,17 @@ static void read_set(RuleSet *set, const JsonNode *root, Arena *arena, Fault *fa
     set->applies = json_read_text(root, "applies", arena, fault);
     set->edition = json_read_text(root, "edition", arena, fault);
     set->note = json_read_text(root, "note", arena, fault);
-    if (!json_is_array(rules.value) || !json_array_size(rules.value)) {
-        json_fault(rules.value ? &rules : root, fault, "a file of rules must have \"rules\", a list [ ... ] of them");
-        return;
-    }
+    if (!rules.value && !pays.value && fault->total == before)
+        json_fault(root, fault, "a file of rules must have \"rules\", a list [ ... ] of them, or \"pays\"");
     set->rules = arena_allocate(arena, json_array_size(rules.value) * sizeof *set->rules);
     for (size_t i = 0; i < json_array_size(rules.value); i++) {
         JsonNode rule = json_element(&rules, i);
         read_rule(set, &rule, arena, fault);
+    }
+    set->pays = arena_allocate(arena, json_array_size(pays.value) * sizeof *set->pays);
+    for (size_t i = 0; i < json_array_size(pays.value); i++) {
+        JsonNode pay = json_element(&pays, i);
+        read_pay(set, &pay, arena, fault);
     }
 }
 
@@ -264,13 +373,15 @@ void rule_set_free_all(RuleSets *sets) {
 json_t *rule_set_schema(void) {
     json_t *rules =
         json_pack("{s:s, s:i, s:o}", "type", "array", "minItems", 1, "items", parameters_schema_table(&rule_table));
+    json_t *pays =
+        json_pack("{s:s, s:i, s:o}", "type", "array", "minItems", 1, "items", parameters_schema_table(&pay_table));
     json_t *properties =
-        json_pack("{s:{s:s}, s:{s:i}, s:{s:s, s:s}, s:{s:s}, s:{s:s}, s:{s:s}, s:{s:s}, s:{s:s}, s:o}", "format",
+        json_pack("{s:{s:s}, s:{s:i}, s:{s:s, s:s}, s:{s:s}, s:{s:s}, s:{s:s}, s:{s:s}, s:{s:s}, s:o, s:o}", "format",
                   "const", "clearance-rules", "version", "const", 1, "id", "type", "string", "pattern",
                   "^[A-Za-z0-9_-]+$", "title", "type", "string", "jurisdiction", "type", "string", "applies", "type",
-                  "string", "edition", "type", "string", "note", "type", "string", "rules", rules);
-    return json_pack("{s:s, s:s, s:s, s:o, s:[s, s, s, s], s:b}", "$schema",
+                  "string", "edition", "type", "string", "note", "type", "string", "rules", rules, "pays", pays);
+    return json_pack("{s:s, s:s, s:s, s:o, s:[s, s, s], s:[{s:[s]}, {s:[s]}], s:b}", "$schema",
                      "https://json-schema.org/draft/2020-12/schema", "title", "rules of accessibility", "type",
-                     "object", "properties", properties, "required", "format", "version", "id", "rules",
-                     "additionalProperties", 0);
+                     "object", "properties", properties, "required", "format", "version", "id", "anyOf", "required",
+                     "rules", "required", "pays", "additionalProperties", 0);
 }

@@ -11,8 +11,9 @@
 #include "base/json.h"
 #include "base/memory.h"
 #include "base/parameters.h"
+#include "plan/work.h"
 
-/* What a rule is about; how each is measured is told in measure.h. */
+/* What a rule is about; how each is measured is told in the headers of this folder. */
 typedef enum RuleWhat {
     RULE_CORRIDOR_WIDTH,
     RULE_DOOR_CLEAR,
@@ -20,13 +21,16 @@ typedef enum RuleWhat {
     RULE_LATCH_SPACE,
     RULE_TURNING_CIRCLE,
     RULE_TURNING_SQUARE,
+    RULE_TURNING_PLACE,
+    RULE_TURN_ROUND,
     RULE_STEP_HEIGHT,
     RULE_SLOPE,
     RULE_WHATS
 } RuleWhat;
 
 #define RULE_WHAT_WORDS                                                                                                \
-    "corridor_width|door_clear|manoeuvre|latch_space|turning_circle|turning_square|step_height|slope"
+    "corridor_width|door_clear|manoeuvre|latch_space|turning_circle|turning_square|turning_place|turn_180|"            \
+    "step_height|slope"
 
 typedef enum RuleStatus { STATUS_READ, STATUS_SECOND_HAND, STATUS_KNOWN, STATUS_ASSUMED } RuleStatus;
 
@@ -56,18 +60,56 @@ typedef struct RulePillar {
     double longest; /* m, of the way */
 } RulePillar;
 
+/* A narrower corridor that is enough with a free square each `each` m of the way. */
+typedef struct RulePlaces {
+    double least;  /* m; 0: none */
+    double square; /* m, its side */
+    double each;   /* m, of the way */
+} RulePlaces;
+
+/* Rails: so much of what stands out from either wall does not narrow a corridor. */
+typedef struct RuleRails {
+    double each_side; /* m; 0: the rule does not mention rails */
+    int status;       /* RuleStatus of that number */
+} RuleRails;
+
+/* A turn by 180 degrees round an obstacle; the rule's `least` is for the paths to and from it. */
+typedef struct RuleTurn {
+    double at_turn;  /* m, between the obstacle's end and the wall opposite */
+    double instead;  /* m, there: enough by itself, whatever the paths have; 0: nothing is */
+    double narrower; /* m: the obstacle is narrower than this */
+} RuleTurn;
+
 typedef struct Rule {
     const char *id;
     int what;           /* RuleWhat */
     double least, most; /* m, or 1 of a slope; exactly one of them is not negative */
     double beyond;      /* m, of a manoeuvring space: beside the opening; `least` is its depth */
     bool at_hinge;      /* True if `beyond` lies beside the hinge instead of the latch */
+    double each;        /* m of the way, of turning places */
     RulePillar pillar;
+    RulePlaces places;
+    RuleRails rails;
+    RuleTurn turn;
     RuleWhere where;
     const char *clause;
     const char *source;
     int status; /* RuleStatus */
 } Rule;
+
+/* Whether a kind of work is paid for. */
+typedef struct RulePay {
+    int change;            /* PlanWork */
+    int pays;              /* RulePays */
+    const char *condition; /* "if a sliding door replaces it", or "" */
+    const char *clause;
+    const char *source;
+    int status; /* RuleStatus */
+} RulePay;
+
+typedef enum RulePays { PAYS_PAYABLE, PAYS_NOT_LISTED } RulePays;
+
+#define RULE_PAYS_WORDS "payable|not listed"
 
 typedef struct RuleSet {
     const char *id;
@@ -78,6 +120,8 @@ typedef struct RuleSet {
     const char *note; /* what is not checked */
     Rule *rules;      /* (count) */
     size_t count;
+    RulePay *pays; /* (pay_count), at most one for each change */
+    size_t pay_count;
 } RuleSet;
 
 /* A zeroed list is empty; rule_set_free_all releases it. */
@@ -96,7 +140,11 @@ bool rule_set_read_all(RuleSets *sets, const char *folder, const char *names, Fa
 
 void rule_set_free_all(RuleSets *sets);
 
-/* Returns "corridor width", and "read second-hand". */
+/* Returns what a set says about paying for a kind of work, or NULL. */
+const RulePay *rule_set_pay(const RuleSet *set, int change);
+
+/* Returns "payable", "corridor width", and "read second-hand". */
+const char *rule_set_pays_name(int pays);
 const char *rule_set_what_name(int what);
 const char *rule_set_status_name(int status);
 

@@ -2,11 +2,12 @@
 
 #include <math.h>
 
-static const double HAIR = 1e-6; /* m, numerics: SOLIDS_GRID, on which faces are rounded */
+static const double HAIR = 1e-6;   /* m, numerics: SOLIDS_GRID, on which faces are rounded */
+static const double CORNER = 1e-9; /* m: numerics, a point this near to the end of a face is its end */
 
 void surroundings_clear(Surroundings *near) {
     memory_free(near->items);
-    *near = (Surroundings){.outline = near->outline};
+    *near = (Surroundings){.outline = near->outline, .rails = near->rails};
 }
 
 void surroundings_look(Surroundings *near, Vec2 at, double reach) {
@@ -22,8 +23,9 @@ const Face *surroundings_face(const Surroundings *near, size_t i, SeenFaces seen
         return NULL;
     const Face *face = &near->outline->faces[near->items[i]];
     bool own = face->owner == OWNER_DOOR && face->index == but_door;
-    bool is_seen =
-        seen == SEE_ALL || face->owner == OWNER_WALL || (seen == SEE_WALLS_AND_LEAVES && face->owner == OWNER_DOOR);
+    bool rail = face->owner == OWNER_FURNITURE && near->rails && near->rails[face->index];
+    bool is_seen = seen == SEE_ALL || (seen == SEE_RAILS ? rail : face->owner == OWNER_WALL) ||
+                   (seen == SEE_WALLS_AND_LEAVES && face->owner == OWNER_DOOR);
     return is_seen && !own && outline_planned(face->presence) ? face : NULL;
 }
 
@@ -43,6 +45,24 @@ double surroundings_ray(const Surroundings *near, Vec2 from, Vec2 along, double 
             best = s;
     }
     return best;
+}
+
+bool surroundings_nearest(const Surroundings *near, Vec2 at, double reach, SeenFaces seen, Vec2 *nearest) {
+    double best = reach;
+    bool inside = false;
+    for (size_t i = 0; i < near->count; i++) {
+        const Face *face = surroundings_face(near, i, seen, -1);
+        if (!face || vec2_dot(vec2_sub(at, face->a), face->normal) < 0)
+            continue;
+        Vec2 point = vec2_nearest_on_segment(at, face->a, face->b);
+        double distance = vec2_distance(point, at);
+        if (distance >= best)
+            continue;
+        best = distance;
+        *nearest = point;
+        inside = vec2_distance(point, face->a) > CORNER && vec2_distance(point, face->b) > CORNER;
+    }
+    return inside && best > CORNER;
 }
 
 bool surroundings_clip(const Face *face, RuleFrame frame, RuleStrip strip, RuleStrip *u) {

@@ -10,12 +10,14 @@
 
 typedef struct Surroundings {
     const Outline *outline;
-    int *items; /* (capacity) of queries */
+    const bool *rails; /* which pieces of furniture are rails; NULL: none */
+    int *items;        /* (capacity) of queries */
     size_t capacity, count;
 } Surroundings;
 
-/* The faces of walls; or of all solids except the leaf of a door, `but_door` (-1: none). */
-typedef enum SeenFaces { SEE_WALLS, SEE_WALLS_AND_LEAVES, SEE_ALL } SeenFaces;
+/* The faces of walls; with the leaves of doors; of rails alone; or of all solids except the leaf of a door, `but_door`
+ * (-1: none). */
+typedef enum SeenFaces { SEE_WALLS, SEE_WALLS_AND_LEAVES, SEE_RAILS, SEE_ALL } SeenFaces;
 
 void surroundings_clear(Surroundings *near);
 
@@ -27,6 +29,10 @@ const Face *surroundings_face(const Surroundings *near, size_t i, SeenFaces seen
 
 /* Returns how far, m, the ray from `from` along the unit vector `along` goes before a seen face, at most `reach`. */
 double surroundings_ray(const Surroundings *near, Vec2 from, Vec2 along, double reach, SeenFaces seen);
+
+/* Finds the point of the seen faces that is nearest within `reach` m. Returns false if it is a corner, or if there is
+ * none. */
+bool surroundings_nearest(const Surroundings *near, Vec2 at, double reach, SeenFaces seen, Vec2 *nearest);
 
 /* A frame of axes: `along` is unit, and the other axis points to its left. */
 typedef struct RuleFrame {

@@ -1,5 +1,6 @@
 #include "rules/ways.h"
 
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -47,6 +48,18 @@ size_t ways_room(const Plan *plan, Vec2 at) {
         if (plan->rooms[r].outline.count > 2 && is_inside(&plan->rooms[r].outline, at))
             return r;
     return SIZE_MAX;
+}
+
+bool ways_in_opening(const Plan *plan, Vec2 at, double beside) {
+    for (size_t d = 0; d < plan->door_count; d++) {
+        Vec2 from, to;
+        plan_geometry_door_ends(plan, &plan->doors[d], &from, &to);
+        Vec2 along = vec2_unit(vec2_sub(to, from)), place = vec2_unturn(vec2_sub(at, from), along);
+        double half = plan->walls[plan->doors[d].wall_index].thickness / 2;
+        if (fabs(place.y) <= half + beside && place.x >= -beside && place.x <= vec2_distance(from, to) + beside)
+            return true;
+    }
+    return false;
 }
 
 /* Walks along the poses of a route and leaves a place each step. */

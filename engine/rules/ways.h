@@ -35,3 +35,6 @@ size_t ways_room(const Plan *plan, Vec2 at);
 
 /* True if two segments have a point in common. */
 bool ways_meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
+
+/* True if a place lies in the opening of a door, or up to `beside` m before it or beside it. */
+bool ways_in_opening(const Plan *plan, Vec2 at, double beside);

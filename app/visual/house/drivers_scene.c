@@ -15,9 +15,9 @@ static const double LARGEST = 0.5, SMALLEST = 0.08;
 /* m: a smaller disc has no letter in the picture, which would stand beside it; the list has all. */
 static const double LETTERED = 0.1;
 /* design points */
-static const double LETTERS = 12;
+static const double LETTERS = 12, RING_WIDTH = 2.5;
 
-enum { LISTED = 6 };
+enum { LISTED = 6, RING_POINTS = 48 };
 
 static const char *const letters[] = {"F", "S", "T", "H"}; /* of the body's parts */
 
@@ -74,34 +74,57 @@ static void show_row(Scene *scene, const TouchRow *listed, size_t drivers) {
     row->cells[2] = scene_text(scene, "%.0f %%", 100 * (double)touching / (double)drivers);
 }
 
+/* Adds a letter that stays within its disc, or on its ring; names give way to it. */
+static void add_letter(Scene *scene, const DangerPlace *place, Vec2 at) {
+    Primitive *label = scene_add_label(scene, ROLE_TEXT, LETTERS, at, letters[place->part]);
+    label->bold = label->fixed = true;
+    label->shape = LABEL_TAG; /* over the leaders of other labels */
+    label->fill = role_of(place->fastest);
+}
+
+/* Adds a dashed ring for the hands that meet something, through which the discs of bodies are seen. Its letter stands
+ * on its upper right, since a body may touch at the same place. */
+static void add_ring(Scene *scene, const DangerPlace *place, double radius) {
+    Vec2 points[RING_POINTS + 1];
+    for (int i = 0; i <= RING_POINTS; i++)
+        points[i] = vec2_along(place->at, radius, vec2_heading(2 * M_PI * i / RING_POINTS));
+    Primitive *ring = scene_add_line(scene, role_of(place->fastest), RING_WIDTH, points, RING_POINTS + 1);
+    ring->style = LINE_DASHED;
+    if (radius >= LETTERED)
+        add_letter(scene, place, points[RING_POINTS / 8]);
+}
+
+/* Adds the heat of a place: a disc whose area is the share of drivers who touch there, in the shade of their speed; of
+ * hands, a ring of that size. */
+static void add_heat(Scene *scene, const DangerPlace *place, size_t drivers) {
+    double share = (double)place->share.good / (double)drivers;
+    double radius = fmax(LARGEST * sqrt(fmin(share, 1)), SMALLEST);
+    if (place->part == PART_HAND) {
+        add_ring(scene, place, radius);
+        return;
+    }
+    scene_add_discs(scene, role_of(place->fastest), radius, &place->at, 1);
+    if (radius >= LETTERED)
+        add_letter(scene, place, place->at);
+}
+
 void drivers_scene_add(Scene *scene, const House *house, const Drivers *drivers) {
     Danger danger = danger_of_drivers(house, drivers, SIZE_MAX);
     TouchRow *rows = memory_zeroed(danger.count + 1, sizeof *rows);
     size_t row_count = 0;
     if (danger.count)
         scene_add_row(scene, ROW_HEADING, scene_text(scene, "Touches of %zu drivers", drivers->count));
-    for (size_t p = 0; p < danger.count; p++) {
-        const DangerPlace *place = &danger.places[p];
-        double share = (double)place->share.good / (double)drivers->count;
-        double radius = fmax(LARGEST * sqrt(fmin(share, 1)), SMALLEST);
-        row_count = list_place(scene, house, place, drivers->count, rows, row_count);
-        if (place->part == PART_HAND)
-            continue;
-        scene_add_discs(scene, role_of(place->fastest), radius, &place->at, 1);
-        if (radius >= LETTERED) {
-            Primitive *label = scene_add_label(scene, ROLE_TEXT, LETTERS, place->at, letters[place->part]);
-            label->bold = label->fixed = true; /* within its disc; names give way */
-            label->shape = LABEL_TAG;          /* over the leaders of other labels */
-            label->fill = role_of(place->fastest);
-        }
-    }
+    for (size_t p = 0; p < danger.count; p++)
+        row_count = list_place(scene, house, &danger.places[p], drivers->count, rows, row_count);
+    for (size_t p = danger.count; p > 0; p--) /* hands stand last, and lie below */
+        add_heat(scene, &danger.places[p - 1], drivers->count);
     qsort(rows, row_count, sizeof *rows, by_energy);
     for (size_t r = 0; r < row_count && r < LISTED; r++)
         show_row(scene, &rows[r], drivers->count);
     if (danger.count) {
         SceneRow *row = scene_add_row(scene, ROW_PLAIN, "F front");
         row->cells[1] = "S side, T tail";
-        row->cells[2] = "H hand";
+        row->cells[2] = "H hand (ring)";
     }
     memory_free(rows);
     danger_free(&danger);

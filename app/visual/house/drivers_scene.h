@@ -1,6 +1,6 @@
 /* Where the drivers of a population touch something, on the plan: a disc at each place, its area the share of drivers
  * who touch there, its shade the fastest impact, its letter the part of the chair: F front, S side, T tail.
- * Hands (H) are in the list alone. */
+ * Hands (H) that meet something are dashed rings of the same scale, below the discs. */
 #pragma once
 
 #include "draw/scene.h"

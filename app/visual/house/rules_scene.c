@@ -19,6 +19,7 @@
 #define DISC_OPACITY 0.10
 
 #define TICK "\xe2\x9c\x93"
+#define DOT "\xc2\xb7"
 #define CROSS "\xe2\x9c\x97"
 
 enum { ROWS_MOST = 16 };
@@ -78,19 +79,29 @@ static void add_shape(Scene *scene, const Finding *finding, Role role) {
 
 /* Returns the role of what decides: a quiet one where its number was not read in its source. */
 static Role role_of(const Dimension *dimension) {
-    return dimension->first->rule->status != STATUS_READ ? ROLE_DIM_TEXT : dimension->fails ? ROLE_ERROR : ROLE_EXIT;
+    return dimension->first->status != STATUS_READ ? ROLE_DIM_TEXT : dimension->fails ? ROLE_ERROR : ROLE_EXIT;
 }
 
-/* Adds a line with the number that it has in the list, and a tick or a cross. */
-static void add_dimension(Scene *scene, const Dimension *dimension, size_t number) {
+/* Returns " · 76 %", the share of the drivers whose chair can be driven through the place; "" where none were tried. */
+static const char *drivers_share(Scene *scene, const Inspection *inspection, const Finding *finding) {
+    const RulePlace *place = finding->place == SIZE_MAX ? NULL : &inspection->places[finding->place];
+    if (!place || !place->drivers)
+        return "";
+    return scene_text(scene, " " DOT " %.0f %%",
+                      100 * (double)(place->drivers - place->refused) / (double)place->drivers);
+}
+
+/* Adds a line with the number that it has in the list, a tick or a cross, and the share of drivers. */
+static void add_dimension(Scene *scene, const Inspection *inspection, const Dimension *dimension, size_t number) {
     const Finding *finding = dimension->first;
     bool fails = dimension->fails > 0;
     Role role = role_of(dimension);
     Vec2 middle = vec2_scale(vec2_add(finding->from, finding->to), 0.5);
     add_shape(scene, finding, role);
     scene_add_dimension(scene, role, LINE_WIDTH, finding->from, finding->to)->keep_clear = KEEP_SIGN;
-    Primitive *tag = scene_add_label(scene, ROLE_TEXT, TEXT_SIZE, middle,
-                                     scene_text(scene, fails ? "%zu " CROSS : "%zu " TICK, number));
+    Primitive *tag = scene_add_label(
+        scene, ROLE_TEXT, TEXT_SIZE, middle,
+        scene_text(scene, "%zu %s%s", number, fails ? CROSS : TICK, drivers_share(scene, inspection, finding)));
     tag->shape = LABEL_TAG;
     tag->fill = role;
     tag->leader = true;
@@ -112,7 +123,10 @@ static void add_stop(Scene *scene, const RulePlace *place) {
 }
 
 /* Returns the place's name without the words in brackets, which have no room in the list. */
-static const char *short_name(Scene *scene, const char *name) {
+static const char *name_of(Scene *scene, const Inspection *inspection, const Finding *finding) {
+    if (finding->place == SIZE_MAX)
+        return "the house";
+    const char *name = inspection->places[finding->place].name;
     const char *bracket = strstr(name, " (");
     return scene_text(scene, "%.*s", (int)(bracket ? (size_t)(bracket - name) : strlen(name)), name);
 }
@@ -125,17 +139,20 @@ static void add_list(Scene *scene, const Inspection *inspection, const Dimension
     head->cells[2] = "must have";
     for (size_t d = 0; d < count && d < ROWS_MOST; d++) {
         const Finding *finding = dimensions[d].first;
-        SceneRow *row = scene_add_row(scene, ROW_DISC, short_name(scene, inspection->places[finding->place].name));
-        bool read = finding->rule->status == STATUS_READ;
+        SceneRow *row = scene_add_row(scene, ROW_DISC, name_of(scene, inspection, finding));
+        bool read = finding->status == STATUS_READ;
         row->role = role_of(&dimensions[d]);
         row->mark = scene_text(scene, "%zu", d + 1);
-        row->cells[1] = scene_text(scene, "%.3f", finding->has);
-        row->cells[2] =
-            scene_text(scene, read ? "%.3f %s" : "(%.3f) %s", finding->requires, dimensions[d].fails ? CROSS : TICK);
+        const char *limit = scene_text(scene, finding->at_most ? "\xe2\x89\xa4 %g" : "%.3f", finding->requires);
+        row->cells[1] = scene_text(scene, finding->at_most ? "%.1f" : "%.3f", finding->has);
+        row->cells[2] = scene_text(scene, read ? "%s %s" : "(%s) %s", limit, dimensions[d].fails ? CROSS : TICK);
     }
     if (count > ROWS_MOST)
         scene_add_row(scene, ROW_PLAIN, scene_text(scene, "and %zu more", count - ROWS_MOST));
     scene_add_row(scene, ROW_PLAIN, "source not read")->cells[2] = "( )";
+    if (inspection->population)
+        scene_add_row(scene, ROW_PLAIN, scene_text(scene, "of %zu drivers get through", inspection->driver_count))
+            ->cells[2] = "%";
 }
 
 void rules_scene_make(Scene *scene, const House *house, const Inspection *inspection, const char *title,
@@ -154,7 +171,7 @@ void rules_scene_make(Scene *scene, const House *house, const Inspection *inspec
         if (inspection->places[p].stopped)
             add_stop(scene, &inspection->places[p]);
     for (size_t d = 0; d < count; d++)
-        add_dimension(scene, &dimensions[d], d + 1);
+        add_dimension(scene, inspection, &dimensions[d], d + 1);
     plan_scene_tags(scene, house, NULL);
     plan_scene_names(scene, house);
     add_list(scene, inspection, dimensions, count);

@@ -1,5 +1,5 @@
 /* The plan of a house with what rules have measured: a line for each dimension, with a tick where it passes and a cross
- * where it does not, and where chairs are stopped. */
+ * where it does not, next to it the share of drivers who get through there, and where chairs are stopped. */
 #pragma once
 
 #include "draw/scene.h"

@@ -119,6 +119,11 @@ def check_suggestions(folder):
     check(again["time"] == found[0]["time"], "its time is that of a run", found)
     expect(0, "check", path, "--set", found[0]["settings"][0])
     words = expect(1, "check", path, "--suggest").stdout
+    paid = suggestions(1, path, "--rules", "jp-care-insurance")["suggestions"][0]["paid"]["jp-care-insurance"]
+    check("(read second-hand)" in paid, "who pays", paid)
+    check(paid in expect(1, "check", path, "--suggest", "--rules", "jp-care-insurance").stdout, "who pays, in words")
+    expect(2, "check", path, "--rules", "jp-care-insurance", says="--suggest, which must be given")
+    expect(2, "check", path, "--suggest", "--rules", "ada-2010", says="ada-2010 does not say what is paid for")
     check("\nSmallest changes that let all people out\n" in words and "\n1     Widen door d1 " in words, "words of a suggestion", words)
 
 

@@ -296,14 +296,23 @@ TEST(each_fact_of_a_path_that_is_too_narrow_is_printed_by_all_pens) {
 
 TEST(each_fact_of_a_suggestion_is_printed_by_all_pens) {
     const char *const settings[] = {"door.d3.width=0.83", "door.d4.width=0.9"};
-    SuggestList list = {.list = {{"Widen doors", settings, 2, 0.08, 26.068}}, .count = 1, .tries = 18};
-    ResultTable table = result_suggest_changes(&list), copy = result_copy(&table);
+    SuggestList list = {
+        .list = {{"Widen doors", settings, 2, 0.08, 26.068, {true, false, false, true}}}, .count = 1, .tries = 18};
+    ResultTable table = result_suggest_changes(&list, NULL), copy = result_copy(&table);
     Arena arena = {0};
     pens_check(&table, 5);
     json_t *list_of_changes = result_json_list(&copy);
     char *text = json_dumps(list_of_changes, JSON_COMPACT | JSON_REAL_PRECISION(12));
     CHECK_TEXT(text, "[{\"words\":\"Widen doors\",\"settings\":[\"door.d3.width=0.83\",\"door.d4.width=0.9\"],"
                      "\"size\":0.08,\"time\":26.068}]");
+    result_clear(&table);
+    RulePay pays[] = {{WORK_HINGED_DOOR, PAYS_PAYABLE, "if it slides", "", "", STATUS_SECOND_HAND},
+                      {WORK_FURNITURE, PAYS_NOT_LISTED, "", "", "", STATUS_READ}};
+    RuleSet set = {.id = "insurance", .pays = pays, .pay_count = 2};
+    table = result_suggest_changes(&list, &(RuleSets){.sets = &set, .count = 1});
+    pens_check(&table, 6);
+    CHECK_TEXT(result_find(&table, 0, "paid.insurance")->text,
+               "hinged door: payable, if it slides (read second-hand); furniture: not listed (read)");
     CHECK_TEXT(result_suggest_sentence(&list, &arena), "Smallest changes that let all people out");
     CHECK_TEXT(result_suggest_outcome(&list.list[0], &arena), "all people are out in 26.1 s");
     CHECK_TEXT(result_suggest_tried(&list, &arena), "Houses tried: 18");

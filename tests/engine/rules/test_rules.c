@@ -79,20 +79,67 @@ static size_t inspect(Drawing *drawing, const Rule *rule, const char *place, int
     return count;
 }
 
-/* A corridor of 6 m, at one place as narrow as `pillar` for 0.25 m; 0: nowhere. */
-static Drawing draw_corridor(double angle, const Rule *rule, double width, double pillar) {
+/* A corridor along x, in whose middle something narrows it or makes it wider. */
+typedef struct Hall {
+    double width, length;       /* m */
+    double pillar;              /* m, the width at one place, for 0.25 m of the way; 0: nowhere */
+    double bay;                 /* m, side of a square with the corridor as its lower part; 0: none */
+    double rail_low, rail_high; /* m, by which rails stand out for 2 m; 0: none */
+} Hall;
+
+static void add_rail(Drawing *drawing, const char *id, double x, double y, double depth) {
+    if (depth > 0)
+        add(drawing, "furniture",
+            json_pack("{s:s, s:s, s:o, s:[f, f], s:f, s:f}", "id", id, "name", "handrail", "centre",
+                      point(drawing, x, y), "size", 2.0, depth, "angle", drawing->angle, "height", 0.9));
+}
+
+static Drawing draw_hall(double angle, const Rule *rule, const Hall *hall) {
     Drawing drawing = begin(angle);
-    double y = (width + WALL) / 2;
-    add_wall(&drawing, "w1", -0.5, y, 6.5, y);
-    add_wall(&drawing, "w2", -0.5, -y, 6.5, -y);
+    double width = hall->width, length = hall->length, y = (width + WALL) / 2, x = length / 2, bay = hall->bay / 2;
+    double top = fmax(width, hall->bay) - width / 2; /* of the bay */
+    if (bay > 0) {
+        add_wall(&drawing, "w1", -0.5, y, x - bay, y);
+        add_wall(&drawing, "w5", x + bay, y, length + 0.5, y);
+        add_wall(&drawing, "w6", x - bay - WALL / 2, width / 2, x - bay - WALL / 2, top + WALL);
+        add_wall(&drawing, "w7", x + bay + WALL / 2, width / 2, x + bay + WALL / 2, top + WALL);
+        add_wall(&drawing, "w8", x - bay - WALL, top + WALL / 2, x + bay + WALL, top + WALL / 2);
+    } else {
+        add_wall(&drawing, "w1", -0.5, y, length + 0.5, y);
+    }
+    add_wall(&drawing, "w2", -0.5, -y, length + 0.5, -y);
     add_wall(&drawing, "w3", -WALL / 2, -y, -WALL / 2, y);
-    if (pillar > 0)
+    if (hall->pillar > 0)
         add(&drawing, "walls",
-            json_pack("{s:s, s:[o, o], s:f}", "id", "w4", "points", point(&drawing, 3, width / 2),
-                      point(&drawing, 3, pillar - width / 2), "thickness", 0.25));
-    add_exit(&drawing, 6, -width / 2, width / 2);
-    add_room(&drawing, *rule->where.room ? rule->where.room : "hall", (Box){{0, -width / 2}, {6, width / 2}});
+            json_pack("{s:s, s:[o, o], s:f}", "id", "w4", "points", point(&drawing, x, width / 2),
+                      point(&drawing, x, hall->pillar - width / 2), "thickness", 0.25));
+    add_rail(&drawing, "f1", x, width / 2 - hall->rail_high / 2, hall->rail_high);
+    add_rail(&drawing, "f2", x, hall->rail_low / 2 - width / 2, hall->rail_low);
+    add_exit(&drawing, length, -width / 2, width / 2);
+    add_room(&drawing, *rule->where.room ? rule->where.room : "hall", (Box){{0, -width / 2}, {length, top}});
     add_person(&drawing, 0.4, 0);
+    return drawing;
+}
+
+/* A corridor of 6 m, at one place as narrow as `pillar`; where a rule allows a narrower one with places for turning, so
+ * long that it needs one. */
+static Drawing draw_corridor(double angle, const Rule *rule, double width, double pillar) {
+    Hall hall = {.width = width, .length = fmax(6, rule->places.each + 1.5), .pillar = pillar};
+    return draw_hall(angle, rule, &hall);
+}
+
+/* Two paths beside a wall that ends 4 m from their beginning, and the turn from one to the other. */
+static Drawing draw_turn_round(double angle, double path, double at_turn) {
+    Drawing drawing = begin(angle);
+    double side = path + WALL, far = 4 + at_turn + WALL / 2;
+    add_wall(&drawing, "w1", -0.5, 0, 4, 0);
+    add_wall(&drawing, "w2", -0.5, side, far + WALL / 2, side);
+    add_wall(&drawing, "w3", -0.5, -side, far + WALL / 2, -side);
+    add_wall(&drawing, "w4", far, -side, far, side);
+    add_wall(&drawing, "w5", -WALL / 2, -side, -WALL / 2, 0);
+    add_exit(&drawing, 0, WALL / 2, WALL / 2 + path);
+    add_room(&drawing, "hall", (Box){{0, WALL / 2 - side}, {far - WALL / 2, side - WALL / 2}});
+    add_person(&drawing, 0.4, -side / 2);
     return drawing;
 }
 
@@ -179,9 +226,17 @@ static Drawing draw_turning(double angle, const Rule *rule, double size) {
     return draw_door(angle, &front);
 }
 
+/* Returns the verdict on the one corridor of a hall. */
+static int inspect_hall(double angle, const Rule *rule, Hall hall) {
+    int verdict = -1;
+    Drawing drawing = draw_hall(angle, rule, &hall);
+    CHECK(inspect(&drawing, rule, "corridor", &verdict) == 1);
+    return verdict;
+}
+
 /* Checks one rule with a house off its limit by `off` m. */
 static void check_limit(const RuleSet *set, const Rule *rule, double angle, double off, int expected) {
-    int verdict = -1, pillar = -1, beside = -1;
+    int verdict = -1, pillar = -1, beside = -1, inner = -1;
     size_t count = 0;
     Drawing drawing;
     switch (rule->what) {
@@ -192,6 +247,35 @@ static void check_limit(const RuleSet *set, const Rule *rule, double angle, doub
             drawing = draw_corridor(angle, rule, rule->least + 0.1, rule->pillar.least + off);
             CHECK(inspect(&drawing, rule, "corridor", &pillar) == 1);
         }
+        if (rule->places.least > 0)
+            beside = inspect_hall(angle, rule,
+                                  (Hall){.width = rule->places.least + off,
+                                         .length = rule->places.each + 1.5,
+                                         .bay = rule->places.square + 0.01});
+        if (rule->rails.each_side > 0)
+            beside = inspect_hall(angle, rule,
+                                  (Hall){.width = rule->least,
+                                         .length = 6,
+                                         .rail_low = rule->rails.each_side,
+                                         .rail_high = rule->rails.each_side - off});
+        if (rule->places.least > 0)
+            inner = inspect_hall(angle, rule,
+                                 (Hall){.width = rule->places.least,
+                                        .length = rule->places.each + 1.5,
+                                        .bay = rule->places.square + off});
+        break;
+    case RULE_TURNING_PLACE:
+        verdict = inspect_hall(
+            angle, rule, (Hall){.width = rule->least - 0.2, .length = rule->each + 1.5, .bay = rule->least + off});
+        count = 1;
+        break;
+    case RULE_TURN_ROUND:
+        drawing = draw_turn_round(angle, rule->least, rule->turn.at_turn + off);
+        count = inspect(&drawing, rule, "", &verdict);
+        drawing = draw_turn_round(angle, rule->least + off, rule->turn.at_turn);
+        CHECK(inspect(&drawing, rule, "", &beside) == 1);
+        drawing = draw_turn_round(angle, rule->least - 0.1, rule->turn.instead + off);
+        CHECK(inspect(&drawing, rule, "", &inner) == 1);
         break;
     case RULE_DOOR_CLEAR: {
         Front front = usual_front(rule);
@@ -222,12 +306,12 @@ static void check_limit(const RuleSet *set, const Rule *rule, double angle, doub
         count = inspect(&drawing, rule, "house", &verdict);
         expected = RULE_OPEN; /* no plan holds steps and ramps */
     }
-    bool good =
-        count == 1 && verdict == expected && (pillar < 0 || pillar == expected) && (beside < 0 || beside == expected);
+    bool good = count == 1 && verdict == expected && (pillar < 0 || pillar == expected) &&
+                (beside < 0 || beside == expected) && (inner < 0 || inner == expected);
     if (!good)
         printf("%s, %s, off by %+.3f m, turned by %g degrees: %zu findings, verdict %d, at a pillar %d, beside %d, "
-               "expected %d\n",
-               set->id, rule->id, off, angle, count, verdict, pillar, beside, expected);
+               "within %d, expected %d\n",
+               set->id, rule->id, off, angle, count, verdict, pillar, beside, inner, expected);
     CHECK(good);
 }
 
@@ -271,6 +355,70 @@ TEST(a_pillar_that_is_too_long_is_a_narrow_corridor) {
     CHECK(inspect(&drawing, &rule, "corridor", &verdict) == 1 && verdict == RULE_PASSES);
 }
 
+TEST(the_way_between_places_for_turning_is_measured) {
+    Rule rule = {.id = "place",
+                 .what = RULE_TURNING_PLACE,
+                 .least = 1.4,
+                 .most = -1,
+                 .each = 5,
+                 .where = {.room = "", .not_room = "", .space_below = 100},
+                 .clause = "",
+                 .source = ""};
+    /* From the bay's end to the end of the way, beyond the exit, there are some 4.8 m and 5.3 m. */
+    CHECK(inspect_hall(0, &rule, (Hall){.width = 1.2, .length = 10.4, .bay = 1.4}) == RULE_PASSES);
+    CHECK(inspect_hall(0, &rule, (Hall){.width = 1.2, .length = 11.4, .bay = 1.4}) == RULE_FAILS);
+    /* The texts do not say whether a short corridor needs a place. */
+    CHECK(inspect_hall(30, &rule, (Hall){.width = 1.2, .length = 5}) == RULE_OPEN);
+    CHECK(inspect_hall(30, &rule, (Hall){.width = 1.2, .length = 6}) == RULE_FAILS);
+    CHECK(inspect_hall(30, &rule, (Hall){.width = 1.5, .length = 20}) == RULE_PASSES);
+}
+
+TEST(a_turn_round_a_wide_obstacle_or_through_a_door_is_none) {
+    Rule rule = {.id = "turn",
+                 .what = RULE_TURN_ROUND,
+                 .least = 1.065,
+                 .most = -1,
+                 .turn = {.at_turn = 1.22, .narrower = WALL - 0.01},
+                 .where = {.room = "", .not_room = "", .space_below = 100},
+                 .clause = "",
+                 .source = ""};
+    int verdict = -1;
+    Drawing drawing = draw_turn_round(0, 1, 1);
+    CHECK(inspect(&drawing, &rule, "", &verdict) == 0);
+    rule.turn.narrower = 1.22;
+    drawing = draw_turn_round(0, 1, 1);
+    CHECK(inspect(&drawing, &rule, "", &verdict) == 1 && verdict == RULE_FAILS);
+    drawing = draw_turn_round(0, 1, 1);
+    add_wall(&drawing, "w6", 4, 0, 5, 0);
+    add(&drawing, "doors",
+        json_pack("{s:s, s:s, s:f, s:f, s:s}", "id", "d1", "wall", "w6", "at", 0.5, "width", 0.9, "kind", "opening"));
+    CHECK(inspect(&drawing, &rule, "", &verdict) == 0);
+}
+
+TEST(a_verdict_that_rests_on_rails_is_known_no_better_than_their_number) {
+    Rule rule = {.id = "corridor",
+                 .least = 0.9,
+                 .most = -1,
+                 .rails = {.each_side = 0.1, .status = STATUS_KNOWN},
+                 .where = {.room = "", .not_room = "", .space_below = 100},
+                 .clause = "",
+                 .source = ""};
+    RuleSet set = {.id = "one", .rules = &rule, .count = 1};
+    RuleSets sets = {.sets = &set, .count = 1};
+    for (int rails = 0; rails < 2; rails++) {
+        House house;
+        Drawing drawing = draw_hall(30, &rule, &(Hall){.width = 1, .length = 6, .rail_low = rails ? 0.25 : 0});
+        case_made(&house, drawing.plan, -1, NULL);
+        Inspection inspection = inspection_make(&house, &sets, 1, NULL);
+        CHECK(inspection.finding_count == 1 && inspection.findings[0].verdict == (rails ? RULE_FAILS : RULE_PASSES));
+        CHECK(inspection.findings[0].status == (rails ? STATUS_KNOWN : STATUS_READ));
+        CHECK_NEAR(inspection.findings[0].has, rails ? 0.85 : 1.0, 1e-5);
+        CHECK_NEAR(vec2_distance(inspection.findings[0].from, inspection.findings[0].to), rails ? 0.85 : 1, 1e-5);
+        inspection_free(&inspection);
+        house_free(&house);
+    }
+}
+
 TEST(furniture_narrows_a_corridor_only_beside_the_rule) {
     Rule rule = {.id = "corridor",
                  .least = 1,
@@ -303,7 +451,7 @@ TEST(the_corridor_of_0_78_m_is_legal_and_impassable) {
     case_house(&house, "corner-0.78-0.78", -1, NULL);
     Inspection inspection = inspection_make(&house, &sets, 1, NULL);
     const Finding *finding = inspection_legal_impassable(&inspection);
-    CHECK(finding && finding->rule->what == RULE_CORRIDOR_WIDTH && finding->rule->status == STATUS_READ);
+    CHECK(finding && finding->rule->what == RULE_CORRIDOR_WIDTH && finding->status == STATUS_READ);
     CHECK(finding && inspection.places[finding->place].stopped == 1 && inspection.places[finding->place].carried == 0);
     inspection_free(&inspection);
     house_free(&house);
@@ -324,13 +472,14 @@ TEST(nothing_is_called_read_that_was_not) {
     for (size_t s = 0; s < sets.count; s++)
         for (size_t r = 0; r < sets.sets[s].count; r++) {
             const Rule *rule = &sets.sets[s].rules[r];
+            bool ada = strcmp(sets.sets[s].id, "ada-2010") == 0;
             bool allowed = strcmp(sets.sets[s].id, "jp-senior-housing-1414") == 0 ||
-                           (strcmp(sets.sets[s].id, "ada-2010") == 0 && strcmp(rule->id, "step") == 0);
+                           (ada && (strcmp(rule->id, "step") == 0 || strcmp(rule->id, "turn-180") == 0));
             read += rule->status == STATUS_READ;
             CHECK(rule->status != STATUS_READ || allowed);
             CHECK(*rule->clause && *rule->source);
         }
-    CHECK(read == 5);
+    CHECK(read == 6);
     rule_set_free_all(&sets);
 }
 
