@@ -11,6 +11,7 @@
 #include "plan/plan_geometry.h"
 #include "result/headline.h"
 #include "result/house.h"
+#include "result/jam.h"
 #include "result/names.h"
 #include "result/panel.h"
 #include "result/tight.h"
@@ -113,6 +114,8 @@ static void add_hazard(HouseSession *session, size_t place) {
     if (tight[place].peak_force > 0)
         add_pair(session, "hardest touch", text_in_arena(arena, "%.0f N", tight[place].peak_force));
     add_pair(session, "worst at", text_in_arena(arena, "(%.2f, %.2f) m", at.x, at.y));
+    if (is_crowd(session) && session->whole)
+        add_pair(session, "worst after", headline_duration(session->texts.before[place], arena));
 }
 
 static void add_selected(HouseSession *session, double time) {
@@ -244,11 +247,8 @@ static void add_now(HouseSession *session, double time) {
 /* Rows of the scene's list: dangerous points and people ----------------------------------------------------------- */
 
 /* Finds the time when a person is nearest to each tight place, minus AHEAD; s. */
-static void find_times(HouseSession *session) {
-    const Observation *observation = session->observation;
-    Tight tight[TIGHT_MOST];
-    size_t count = tight_places(&session->runs[RUN_SHOWN]->house, observation, tight);
-    double least[TIGHT_MOST], *before = session->texts.before;
+static void find_nearest(const Observation *observation, const Tight *tight, size_t count, double *before) {
+    double least[TIGHT_MOST];
     for (size_t h = 0; h < count; h++)
         least[h] = HUGE_VAL;
     for (size_t r = 0; r < observation->trace.rows && count; r++) {
@@ -261,6 +261,19 @@ static void find_times(HouseSession *session) {
             before[h] = fmax(0, row[TRACE_TIME] - AHEAD);
         }
     }
+}
+
+/* Finds the time for each tight place, s; in a crowd, once the run is over, the time when its jam is worst. */
+static void find_times(HouseSession *session) {
+    const House *house = &session->runs[RUN_SHOWN]->house;
+    const Observation *observation = session->observation;
+    Tight tight[TIGHT_MOST];
+    size_t count = tight_places(house, observation, tight);
+    if (!is_crowd(session))
+        find_nearest(observation, tight, count, session->texts.before);
+    for (size_t h = 0; h < count && is_crowd(session); h++)
+        session->texts.before[h] =
+            session->whole ? jam_worst(house, observation, &observation->hazards[tight[h].hazard]) : NAN;
 }
 
 /* Returns the first person who is stopped; person_count: none. */
