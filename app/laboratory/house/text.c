@@ -238,10 +238,12 @@ static void add_now(HouseSession *session, double time) {
         }
     }
     add_row(session, ROW_HEADING, "Now");
-    add_pair(session, "out", scene_text(scene, "%zu of %zu", out, observation->person_count));
+    size_t people = observation->person_count;
+    add_pair(session, "out", scene_text(scene, "%s of %zu", headline_count(out, people, &scene->arena), people));
     for (size_t e = 0; e < plan->exit_count && e < EXITS_MOST; e++)
         add_pair(session, scene_text(scene, "exit %s", plan->exits[e].id),
-                 session->whole ? scene_text(scene, "%zu of %zu", now[e], all[e]) : scene_text(scene, "%zu", now[e]));
+                 session->whole ? scene_text(scene, "%s of %zu", headline_count(now[e], all[e], &scene->arena), all[e])
+                                : headline_count(now[e], people, &scene->arena));
 }
 
 /* Rows of the scene's list: dangerous points and people ----------------------------------------------------------- */

@@ -261,7 +261,8 @@ TEST(a_crowd_is_counted_out) {
             text = primitive->kind == PRIMITIVE_LABEL ? primitive->text : text;
         }
         char expected[32];
-        snprintf(expected, sizeof expected, "EXIT: %zu", house.person_count - inside);
+        size_t out = house.person_count - inside;
+        snprintf(expected, sizeof expected, "EXIT: %s%zu", out < 10 ? "\u2007" : "", out);
         CHECK(shown == inside);
         CHECK_TEXT(text, expected);
     }
