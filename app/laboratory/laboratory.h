@@ -174,6 +174,10 @@ typedef struct Laboratory {
     /* Takes over new results; returns LABORATORY_... bits. `time` is the displayed time. */
     unsigned (*update)(void *session, double time);
 
+    /* Brings the texts to the time at which the layers will be shown, which update did not know yet. NULL: no text
+     * counts what the picture counts. */
+    void (*tell)(void *session, double time);
+
     RecordSpan (*span)(const void *session);
 
     /* Extends the record towards a time as far as possible at once; returns the end of the record. */

@@ -19,7 +19,6 @@
 #include "visual/house/people_scene.h"
 
 #define MOMENT 0.1 /* s, of a steady clock, between two updates of the texts of the moment */
-#define LEAP 1.0   /* s: after a jump in time the texts follow at once */
 #define ALIKE 0.05 /* s: times closer than this count as equal */
 #define AHEAD 2.0  /* s, time before a person reaches a dangerous point at which "go to" begins */
 
@@ -489,9 +488,8 @@ void house_text_clear(HouseSession *session) {
 bool house_text_moved(const HouseSession *session, double time) {
     if (!session->runs[RUN_SHOWN] || time == session->texts.time)
         return false;
-    bool later = stopwatch_now() - session->texts.said >= MOMENT || fabs(time - session->texts.time) > LEAP;
-    if (is_crowd(session) && later)
-        return true;
+    if (is_crowd(session))
+        return true; /* its counts stand in the picture, too, and must be of the same time */
     if (session->selected.kind != HOUSE_PERSON)
         return false;
     const Trail *trail = &session->trails.trails[session->selected.index];
