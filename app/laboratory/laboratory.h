@@ -129,6 +129,7 @@ typedef struct LaboratoryPlot {
     double cursor_y_factor;
     Role now;    /* role of the disc at the present end of the series; ROLE_PAPER: each series' own role */
     double tail; /* s: length of the line's end that is drawn thick */
+    bool ahead;  /* the rest of the series, after the displayed time, is drawn pale */
 } LaboratoryPlot;
 
 /* Edits the displayed house: see edit/editor.h. */
