@@ -540,19 +540,30 @@ static Result answer_nothing(HouseSession *session) {
                     .broken = true};
 }
 
+/* Tells who of a crowd is the last one out, if the run is over and all have left. */
+static void add_last(const HouseSession *session, Result *answer) {
+    size_t last = census_last(session->observation);
+    if (!is_crowd(session) || !session->whole || !session->observation->completed || last == SIZE_MAX)
+        return;
+    answer->last = (Item){HOUSE_PERSON, last};
+    answer->last_time = fmax(0, session->observation->people[last].time - AHEAD);
+}
+
 Result house_text_answer(HouseSession *session) {
     const HouseTexts *texts = &session->texts;
     if (!session->runs[RUN_SHOWN])
         return answer_nothing(session);
-    return (Result){.title = texts->title ? texts->title : "Finding ways",
-                    .role = texts->role,
-                    .detail = texts->detail ? texts->detail : "",
-                    .stale = session->settles,
-                    .due = house_runs_is_working(session),
-                    .doing = describe_progress(session),
-                    .part = NAN,
-                    .cure = texts->missing.cure,
-                    .tool = texts->missing.tool};
+    Result answer = {.title = texts->title ? texts->title : "Finding ways",
+                     .role = texts->role,
+                     .detail = texts->detail ? texts->detail : "",
+                     .stale = session->settles,
+                     .due = house_runs_is_working(session),
+                     .doing = describe_progress(session),
+                     .part = NAN,
+                     .cure = texts->missing.cure,
+                     .tool = texts->missing.tool};
+    add_last(session, &answer);
+    return answer;
 }
 
 bool house_text_progress_changed(HouseSession *session) {
