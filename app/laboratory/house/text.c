@@ -7,6 +7,7 @@
 
 #include "base/stopwatch.h"
 #include "base/text.h"
+#include "laboratory/house/passing.h"
 #include "laboratory/house/runs.h"
 #include "plan/plan_geometry.h"
 #include "result/headline.h"
@@ -87,6 +88,18 @@ static void add_person(HouseSession *session, size_t i, double time) {
     add_moment(session, i, time);
 }
 
+/* Adds how many people of a crowd pass a second; nothing among few people. */
+static void add_flow(HouseSession *session, const char *what, double flow) {
+    Scene *scene = &session->texts.moment;
+    if (is_crowd(session))
+        add_pair(session, what, scene_text(scene, "%.1f people/s", flow));
+}
+
+static double flow_of_door(const HouseSession *session, const Door *door, double time) {
+    const House *house = &session->runs[RUN_SHOWN]->house;
+    return passing_door(&house->plan, door, session->trails.trails, session->trails.count, time);
+}
+
 /* Adds what no slider below says. */
 static void add_door(HouseSession *session, const Plan *plan, const Door *door) {
     static const char *const kinds[] = {"opening", "hinged", "sliding"};
@@ -99,7 +112,7 @@ static void add_door(HouseSession *session, const Plan *plan, const Door *door) 
 }
 
 /* Adds the numbers of a tight place, as its row in the list has them. */
-static void add_hazard(HouseSession *session, size_t place) {
+static void add_hazard(HouseSession *session, size_t place, double time) {
     Tight tight[TIGHT_MOST];
     Arena *arena = &session->texts.moment.arena;
     if (place >= tight_places(&session->runs[RUN_SHOWN]->house, session->observation, tight))
@@ -115,6 +128,13 @@ static void add_hazard(HouseSession *session, size_t place) {
     add_pair(session, "worst at", text_in_arena(arena, "(%.2f, %.2f) m", at.x, at.y));
     if (is_crowd(session) && session->whole)
         add_pair(session, "worst after", headline_duration(session->texts.before[place], arena));
+    const Plan *plan = &session->runs[RUN_SHOWN]->house.plan;
+    JamPlace jam = jam_place(plan, &session->observation->hazards[tight[place].hazard]);
+    if (jam.exit)
+        add_flow(session, "through the exit now",
+                 passing_exit(session->observation, (size_t)(jam.exit - plan->exits), time));
+    else if (jam.door)
+        add_flow(session, "through the door now", flow_of_door(session, jam.door, time));
 }
 
 static void add_selected(HouseSession *session, double time) {
@@ -130,13 +150,14 @@ static void add_selected(HouseSession *session, double time) {
     if (item.kind == HOUSE_PERSON) {
         add_person(session, item.index, time);
     } else if (item.kind == HOUSE_HAZARD) {
-        add_hazard(session, item.index);
+        add_hazard(session, item.index, time);
     } else if (item.kind == HOUSE_STOP) {
         const char *widths = blockage_scene_widths(scene, &session->observation->people[item.index].blockage);
         if (*widths)
             add_row(session, ROW_PLAIN, widths);
     } else if (item.kind == HOUSE_DOOR) {
         add_door(session, plan, &plan->doors[item.index]);
+        add_flow(session, "through now", flow_of_door(session, &plan->doors[item.index], time));
     } else if (item.kind == HOUSE_FURNITURE) {
         const Furniture *piece = &plan->furniture[item.index];
         add_pair(session, "size", scene_text(scene, "%.2f x %.2f m", piece->size.x, piece->size.y));
@@ -145,6 +166,7 @@ static void add_selected(HouseSession *session, double time) {
     } else if (item.kind == HOUSE_EXIT) {
         const Exit *exit = &plan->exits[item.index];
         add_pair(session, "width", scene_text(scene, "%.2f m", vec2_distance(exit->from, exit->to)));
+        add_flow(session, "through now", passing_exit(session->observation, item.index, time));
     }
 }
 
@@ -454,6 +476,7 @@ static void make_lists(HouseSession *session, double time) {
 static void make_run_texts(HouseSession *session, double time) {
     make_lists(session, time);
     find_times(session);
+    session->texts.last = census_last(session->observation);
     make_marks(session);
     session->texts_are_stale = false;
 }
@@ -542,7 +565,7 @@ static Result answer_nothing(HouseSession *session) {
 
 /* Tells who of a crowd is the last one out, if the run is over and all have left. */
 static void add_last(const HouseSession *session, Result *answer) {
-    size_t last = census_last(session->observation);
+    size_t last = session->texts.last;
     if (!is_crowd(session) || !session->whole || !session->observation->completed || last == SIZE_MAX)
         return;
     answer->last = (Item){HOUSE_PERSON, last};

@@ -31,8 +31,10 @@ PLACE, LAST = "1203 62", "1072 62"  # the buttons of the answer
 seen = stage.act("crowd", "pause", "until complete", *[f"seek {t}\nwait 1\nstate STATE" for t in TIMES], "seek 14", "play",
                  *["wait 1\nstate STATE"] * 6, "pause", "wait 1", "state STATE", "picture FOLDER/picture.png",
                  f"click {PLACE}", "wait 2", "state STATE", f"click {LAST}", "wait 2", "state STATE",
+                 'select "door d1"', "seek 40", "wait 2", "state STATE", 'select "exit west"', "wait 2",
+                 "state STATE",
                  arguments=(FILE, "--size", "1280x720"))
-seen, shown = seen[:-2], seen[-2:]
+seen, shown = seen[:-4], seen[-4:]
 
 
 def signs(state):
@@ -64,6 +66,10 @@ check("tight place 1" in (shown[0]["selected"] or "") and 5 < shown[0]["time"] <
 title = float(re.search(r"out in ([\d.]+) s", shown[1]["answer"]["title"])[1])
 check((shown[1]["selected"] or "").startswith("person") and abs(title - 2 - shown[1]["time"]) < 0.1 and shown[1]["zoom"] > 1,
       "Show last selects the last person out, 2 s before", (shown[1]["selected"], shown[1]["time"], shown[1]["zoom"]))
+
+# how many people a second pass: a door, and the exit to which most of them go
+flows = [float(dict((row[0], row[1]) for row in s["rows"])["through now"].removesuffix(" people/s")) for s in shown[2:]]
+check(all(0.5 < flow < 3 for flow in flows) and abs(flows[0] - flows[1]) < 0.6, "a door and an exit tell their flow", flows)
 
 # the curve after the time is pale
 PALE, DARK = (0xA9, 0xC5, 0xD9), (0x00, 0x68, 0xA8)
