@@ -6,11 +6,11 @@
 #include "base/stop.h"
 #include "base/stopwatch.h"
 #include "window/act.h"
-#include "window/answer_buttons.h"
 #include "window/lesson.h"
 #include "window/menu.h"
 #include "window/notice.h"
 #include "window/plan_input.h"
+#include "window/toolbar.h"
 
 /* Design points. */
 #define TWO_LINES 1.8 /* widths that a text of two lines may take: lines break between words */
@@ -349,7 +349,7 @@ void bars_show_answer(Window *window) {
         if (lesson_hides_words(window))
             answer = (Result){.title = lesson_question(window), .role = ROLE_TEXT};
         bool hides = answer.stale || lesson_hides_words(window);
-        double right = answer_buttons_show(window, tab, bar, &answer, hides);
+        double right = toolbar_show_answer(window, tab, bar, &answer, hides);
         double y = middle_of(bar).y;
         UiTextStyle size = title_size(window, &answer, right);
         bool stacked = is_stacked(window, &answer, right);
