@@ -6,6 +6,7 @@
 
 #include "plan/plan_geometry.h"
 #include "result/census.h"
+#include "result/jam.h"
 #include "result/names.h"
 #include "result/tight.h"
 #include "visual/house/blockage_scene.h"
@@ -117,9 +118,7 @@ void house_item_name(const House *house, const Observation *observation, Item it
     Arena arena = {0};
     if (item.kind == HOUSE_HAZARD)
         snprintf(name, size, "%s %zu: %s", house->person_count > PEOPLE_SCENE_INDIVIDUALS ? "jam" : "tight place",
-                 item.index + 1,
-                 names_thing(house, house_item_hazard(house, observation, item.index)->what,
-                             house_item_hazard(house, observation, item.index)->at, &arena));
+                 item.index + 1, jam_name(house, house_item_hazard(house, observation, item.index), &arena));
     else if (item.kind == HOUSE_STOP)
         name_stop(house, observation, item.index, name, size);
     else if (item.kind == HOUSE_FURNITURE)

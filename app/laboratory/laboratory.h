@@ -59,6 +59,16 @@ typedef struct TimelineMark {
     TimelineMarkKind kind;
 } TimelineMark;
 
+/* Something that can be selected; kind 0: nothing. */
+typedef struct Item {
+    int kind;
+    size_t index;
+} Item;
+
+static inline bool item_same(Item a, Item b) {
+    return a.kind == b.kind && (!a.kind || a.index == b.index);
+}
+
 typedef struct Result {
     const char *title; /* "Out in 18.4 s", "Chaotic"; "Finding ways" before the result is known; never NULL */
     Role role;         /* ROLE_TEXT, or ROLE_ERROR if the answer is negative */
@@ -70,18 +80,10 @@ typedef struct Result {
     double part;       /* completed share of that work, 0 to 1; NAN: unknown */
     const char *cure;  /* words of a button that takes a tool: "Add an exit"; NULL: none */
     int tool;          /* that EditTool */
+    Item last;         /* the last person of a crowd who leaves, once all have; kind 0: none */
+    double last_time;  /* s, shortly before that */
     bool broken;       /* nothing can be run, so no fix can be tried */
 } Result;
-
-/* Something that can be selected; kind 0: nothing. */
-typedef struct Item {
-    int kind;
-    size_t index;
-} Item;
-
-static inline bool item_same(Item a, Item b) {
-    return a.kind == b.kind && (!a.kind || a.index == b.index);
-}
 
 /* A row of the panel, as in a scene's list; choosing it shows its place, or goes to its time. */
 typedef struct PanelRow {
@@ -129,6 +131,7 @@ typedef struct LaboratoryPlot {
     double cursor_y_factor;
     Role now;    /* role of the disc at the present end of the series; ROLE_PAPER: each series' own role */
     double tail; /* s: length of the line's end that is drawn thick */
+    bool ahead;  /* the rest of the series, after the displayed time, is drawn pale */
 } LaboratoryPlot;
 
 /* Edits the displayed house: see edit/editor.h. */
@@ -173,6 +176,10 @@ typedef struct Laboratory {
 
     /* Takes over new results; returns LABORATORY_... bits. `time` is the displayed time. */
     unsigned (*update)(void *session, double time);
+
+    /* Brings the texts to the time at which the layers will be shown, which update did not know yet. NULL: no text
+     * counts what the picture counts. */
+    void (*tell)(void *session, double time);
 
     RecordSpan (*span)(const void *session);
 

@@ -7,6 +7,7 @@
 #include "result/census.h"
 #include "visual/house/house_scene.h"
 #include "result/house.h"
+#include "result/jam.h"
 #include "result/names.h"
 #include "result/page.h"
 #include "result/tight.h"
@@ -115,9 +116,8 @@ static const char *format_hazard(Document *document, const House *house, const H
                  run->loss_warning);
         add_text(&text, label);
     }
-    const char *said =
-        document_text(document, "%zu. %s: %s.", rank, names_thing(house, hazard->what, hazard->at, &document->arena),
-                      text.text ? text.text : "");
+    const char *said = document_text(document, "%zu. %s: %s.", rank, jam_name(house, hazard, &document->arena),
+                                     text.text ? text.text : "");
     memory_free(text.text);
     return said;
 }
@@ -129,8 +129,7 @@ void report_places_add_table(Document *document, const House *house, const Obser
     tight_all(house, observation, places);
     for (size_t i = 0; i < table.record_count; i++) {
         const Hazard *hazard = &observation->hazards[places[i].hazard];
-        ((ResultRow *)result_find(&table, i, "what"))->text =
-            names_thing(house, hazard->what, hazard->at, &table.arena);
+        ((ResultRow *)result_find(&table, i, "what"))->text = jam_name(house, hazard, &table.arena);
     }
     result_page_take(document, caption, table);
 }
@@ -167,6 +166,6 @@ void report_places_add_hazards(Document *document, const House *house, const Obs
         hazard.lost_time = places[i].lost_time;
         add_detail(document, house, observation, i, hazard.at, format_hazard(document, house, &hazard, i + 1),
                    document_text(document, "Detail of the plan round tight place %zu, %s", i + 1,
-                                 names_thing(house, hazard.what, hazard.at, &document->arena)));
+                                 jam_name(house, &hazard, &document->arena)));
     }
 }

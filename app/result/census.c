@@ -278,6 +278,15 @@ size_t census_narrowest(const House *house, const Observation *observation) {
     return narrowest;
 }
 
+size_t census_last(const Observation *observation) {
+    size_t last = SIZE_MAX;
+    for (size_t i = 0; i < observation->person_count; i++)
+        if (observation->people[i].completed &&
+            (last == SIZE_MAX || observation->people[i].time > observation->people[last].time))
+            last = i;
+    return last;
+}
+
 double census_route_time(const House *house, const Observation *observation, const PlanRoute *route) {
     double sum = 0;
     size_t count = 0;

@@ -75,5 +75,8 @@ bool census_walks(const Profile *profile);
 /* Returns the person with the least clearance; SIZE_MAX if nothing entered any personal space. */
 size_t census_narrowest(const House *house, const Observation *observation);
 
+/* Returns the last person out; SIZE_MAX if nobody is. */
+size_t census_last(const Observation *observation);
+
 /* Returns the mean time of a route's people, s; negative if one of them did not leave or took no part. */
 double census_route_time(const House *house, const Observation *observation, const PlanRoute *route);

@@ -24,6 +24,15 @@ static double shown(double seconds) {
     return seconds < HEADLINE_LONG ? strtod(digits, NULL) : (double)lround(seconds);
 }
 
+const char *headline_count(size_t count, size_t most, Arena *arena) {
+    static const char blanks[] = "\u2007\u2007\u2007\u2007\u2007\u2007\u2007\u2007\u2007\u2007";
+    size_t missing = 0, blank = strlen("\u2007");
+    for (size_t rest = count / 10, least = most / 10; least > 0; least /= 10, rest /= 10)
+        missing += rest == 0;
+    missing = missing * blank < strlen(blanks) ? missing : strlen(blanks) / blank;
+    return text_in_arena(arena, "%.*s%zu", (int)(missing * blank), blanks, count);
+}
+
 double headline_difference(double before, double now) {
     return shown(now) - shown(before);
 }

@@ -30,6 +30,9 @@ const char *headline_clearance(double clearance, Arena *arena);
 /* Returns a time as people read it: "20.8 s", from 100 s on "1:44". */
 const char *headline_duration(double seconds, Arena *arena);
 
+/* Returns a count that is as wide as the largest one, by blanks of a digit's width before it. */
+const char *headline_count(size_t count, size_t most, Arena *arena);
+
 /* Returns how much longer a time is than another as both are shown, s: 20.3 s is 2.5 s more than 17.8 s, whatever their
  * hidden digits are. */
 double headline_difference(double before, double now);

@@ -6,7 +6,7 @@
 
 #include "base/text.h"
 #include "result/census.h"
-#include "result/names.h"
+#include "result/jam.h"
 
 static int compare(const void *a, const void *b) {
     const Tight *p = a, *q = b;
@@ -16,21 +16,17 @@ static int compare(const void *a, const void *b) {
                                           : (p->hazard > q->hazard) - (p->hazard < q->hazard);
 }
 
-/* True if two dangerous points are one place: at the same thing, and in a crowd also of the same name. */
-static bool is_same(const House *house, const Hazard *a, const Hazard *b, Arena *arena) {
-    if (strcmp(a->what, b->what) != 0)
-        return false;
-    return house->person_count <= CENSUS_FEW ||
-           strcmp(names_thing(house, a->what, a->at, arena), names_thing(house, b->what, b->at, arena)) == 0;
+/* True if two dangerous points are one place: at the same thing, in a crowd at the same exit, door or room. */
+static bool is_same(const House *house, const Hazard *a, const Hazard *b) {
+    return house->person_count > CENSUS_FEW ? jam_is_same(&house->plan, a, b) : strcmp(a->what, b->what) == 0;
 }
 
 static size_t gather(const House *house, const Observation *observation, Tight all[HAZARDS_MOST]) {
-    Arena arena = {0};
     size_t count = 0;
     for (size_t h = 0; h < observation->hazard_count; h++) {
         const Hazard *hazard = &observation->hazards[h];
         size_t i = 0;
-        while (i < count && !is_same(house, &observation->hazards[all[i].hazard], hazard, &arena))
+        while (i < count && !is_same(house, &observation->hazards[all[i].hazard], hazard))
             i++;
         if (i == count)
             all[count++] = (Tight){.hazard = h, .clearance = HUGE_VAL};
@@ -38,7 +34,6 @@ static size_t gather(const House *house, const Observation *observation, Tight a
         all[i].peak_force = fmax(all[i].peak_force, hazard->peak_force);
         all[i].lost_time += hazard->lost_time;
     }
-    arena_clear(&arena);
     return count;
 }
 

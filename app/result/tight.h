@@ -1,5 +1,5 @@
 /* The tight places of a run in the order in which pictures, tables and the window list them: one for each thing,
- * whichever costs most time first. In a crowd a wall along several rooms is one place for each room. */
+ * whichever costs most time first. In a crowd they are the places of its jams, see jam.h. */
 #pragma once
 
 #include "base/memory.h"

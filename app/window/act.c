@@ -233,6 +233,13 @@ void act_show_place(Window *window) {
     window->dirty = true;
 }
 
+void act_show_last(Window *window, Tab *tab, const Result *answer) {
+    tab_seek(tab, answer->last_time);
+    tab_select(tab, answer->last);
+    tab_show_selected(tab);
+    window->dirty = true;
+}
+
 void act_set_scale(Window *window) {
     act_do(window, ACTION_TOOL_MEASURE, 0, 0);
     Editor *editor = tab_editor(window_tab(window));

@@ -11,6 +11,7 @@ void act_cure(Window *window, Tab *tab, int tool);
 
 /* Selects the most dangerous place, zooms in on it and goes to its time. */
 void act_show_place(Window *window);
+void act_show_last(Window *window, Tab *tab, const Result *answer);
 
 /* Takes the tool that sets the scale of the house. */
 void act_set_scale(Window *window);

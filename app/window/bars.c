@@ -10,6 +10,7 @@
 #include "window/menu.h"
 #include "window/notice.h"
 #include "window/plan_input.h"
+#include "window/toolbar.h"
 
 /* Design points. */
 #define TWO_LINES 1.8 /* widths that a text of two lines may take: lines break between words */
@@ -162,32 +163,6 @@ static bool answer_is_covered(Window *window) {
 }
 
 /* The answer ------------------------------------------------------------------------------------------------------- */
-
-/* Shows a button that goes on to what is missing. */
-static double show_cure_button(Window *window, Tab *tab, Box bar, const Result *answer) {
-    double width = ui_extent(window->ui, UI_BOLD, answer->cure).x + BUTTON_PAD;
-    double left = bar.high.x - MARGIN - width, y = middle_of(bar).y, half = fmin(SHOW_HEIGHT, box_height(bar) - 8) / 2;
-    ui_at(window->ui, (Box){{left, y - half}, {left + width, y + half}});
-    Action tool = ACTION_TOOL_SELECT + (Action)answer->tool;
-    UiButton button = {.label = answer->cure, .chosen = true, .help = keys_help(&window->arena, tool)};
-    if (ui_button(window->ui, &button) && tab_editor(tab))
-        act_cure(window, tab, answer->tool);
-    return left - GAP;
-}
-
-static double show_place_button(Window *window, Tab *tab, Box bar, bool stale) {
-    const PanelRow *place = stale ? NULL : tab_first_place(tab);
-    const char *label = "Show place";
-    double width = ui_extent(window->ui, UI_BOLD, label).x + BUTTON_PAD;
-    if (!place || window->frame.compact || bar.high.x < 3 * width)
-        return bar.high.x - MARGIN;
-    double left = bar.high.x - MARGIN - width, y = middle_of(bar).y, half = fmin(SHOW_HEIGHT, box_height(bar) - 8) / 2;
-    ui_at(window->ui, (Box){{left, y - half}, {left + width, y + half}});
-    UiButton button = {.label = label, .help = "Show place: Select the tightest place and go to 2 s before it"};
-    if (ui_button(window->ui, &button))
-        act_show_place(window);
-    return left - GAP;
-}
 
 /* Shows the progress of the background work as a line that fills. */
 static void show_progress(Window *window, Box bar, const Result *answer) {
@@ -374,8 +349,7 @@ void bars_show_answer(Window *window) {
         if (lesson_hides_words(window))
             answer = (Result){.title = lesson_question(window), .role = ROLE_TEXT};
         bool hides = answer.stale || lesson_hides_words(window);
-        bool lacks = answer.cure && tab_editor(tab) && !answer.stale;
-        double right = lacks ? show_cure_button(window, tab, bar, &answer) : show_place_button(window, tab, bar, hides);
+        double right = toolbar_show_answer(window, tab, bar, &answer, hides);
         double y = middle_of(bar).y;
         UiTextStyle size = title_size(window, &answer, right);
         bool stacked = is_stacked(window, &answer, right);

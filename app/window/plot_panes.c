@@ -147,17 +147,19 @@ Box plot_panes_frame(const PlotPane *pane) {
                  vec2_along(pane->place.low, 1 / pane->unit, frame.high)};
 }
 
-static void mark_tail(const PlotPane *pane, const PlotSeries *series, size_t first, size_t count, Box frame, Ui *ui) {
+/* Draws a part of a series as one line. */
+static void mark_part(const PlotPane *pane, const PlotSeries *series, size_t first, size_t count, Role role, Ui *ui) {
     enum { PIECES_MOST = 512 };
     Vec2 points[PIECES_MOST];
     size_t pieces = 0, stride = (count - first) / PIECES_MOST + 1;
+    Box frame = plot_panes_frame(pane);
     for (size_t i = first; i < count; i += stride) {
         Vec2 at = place_of(pane, plot_value(series, i));
         if (isfinite(at.x) && isfinite(at.y) && box_holds(frame, at))
             points[pieces++] = at;
     }
     if (pieces > 1)
-        ui_draw_polyline(ui, points, pieces, false, series->role, TAIL_WIDTH);
+        ui_draw_polyline(ui, points, pieces, false, role, TAIL_WIDTH);
 }
 
 /* Marks the present end of each series. */
@@ -170,10 +172,12 @@ static void mark_present(const PlotPane *pane, const Laboratory *laboratory, con
         count = count < series->count ? count : series->count;
         if (!count || series->role == ROLE_GHOST || series->width <= 0)
             continue;
+        if (pane->source.ahead)
+            mark_part(pane, series, count - 1, series->count, ROLE_BAND, ui);
         size_t first =
             pane->source.tail > 0 ? laboratory->points_until(session, index, s, time - pane->source.tail) : count;
         if (first < count)
-            mark_tail(pane, series, first, count, frame, ui);
+            mark_part(pane, series, first, count, series->role, ui);
         Vec2 at = place_of(pane, plot_value(series, count - 1));
         if (isfinite(at.x) && isfinite(at.y) && box_holds(frame, at))
             ui_draw_disc(ui, at, NOW_RADIUS, pane->source.now == ROLE_PAPER ? series->role : pane->source.now);

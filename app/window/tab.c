@@ -265,6 +265,8 @@ unsigned tab_update(Tab *tab, double seconds) {
         changes |= kind->update(tab->session, tab_time(tab)); /* the new camera applies from now on */
         view_layers_invalidate(&tab->view_layers);
     }
+    if (kind->tell)
+        kind->tell(tab->session, tab_time(tab));
     if (changes & LABORATORY_PLOTS)
         tab->plot_panes_stale = true;
     return changes;

@@ -168,5 +168,6 @@ LaboratoryPlot house_picture_plot(const HouseSession *session, size_t index) {
                             .revision = session->plots.revision[index],
                             .cursor = NAN,
                             .now = ROLE_PAPER,
-                            .tail = strcmp(name, "phase") == 0 ? THICK_TAIL : 0};
+                            .tail = strcmp(name, "phase") == 0 ? THICK_TAIL : 0,
+                            .ahead = strcmp(name, "out") == 0 && session->whole && !session->settles};
 }

@@ -70,6 +70,13 @@ static unsigned update(void *context, double time) {
     return changed | (other ? LABORATORY_TEXTS : 0);
 }
 
+static void tell(void *context, double time) {
+    HouseSession *session = house_control_sync(context);
+    session->time = time;
+    if (house_text_moved(session, time))
+        house_text_make(session, time);
+}
+
 /* Opening and closing --------------------------------------------------------------------------------------------- */
 
 static void store_wish(HouseSession *session, const char *path, const LaboratoryOptions *options) {
@@ -493,6 +500,7 @@ const Laboratory house_laboratory = {
     .open = open_house,
     .close = close_house,
     .update = update,
+    .tell = tell,
     .span = span,
     .reach = reach,
     .show = show,

@@ -45,10 +45,11 @@ typedef struct ShownPlots {
 typedef struct HouseTexts {
     Scene run;                 /* holds the texts about the run: its answer, its list */
     Scene moment;              /* holds the texts about the selection and the comparison */
-    double before[TIGHT_MOST]; /* s, shortly before a person reaches each dangerous point */
+    double before[TIGHT_MOST]; /* s, shortly before a person reaches each dangerous point, or when a jam is worst */
     PanelRow *rows;            /* (row_count) */
     TimelineMark *marks;       /* (mark_count) */
     size_t row_count, row_capacity, mark_count, mark_capacity;
+    size_t last; /* the last person out; SIZE_MAX: nobody is */
     const char *title, *detail;
     Role role;
     Missing missing; /* what the house lacks; title NULL: nothing */

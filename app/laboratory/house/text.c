@@ -7,11 +7,13 @@
 
 #include "base/stopwatch.h"
 #include "base/text.h"
+#include "laboratory/house/passing.h"
 #include "laboratory/house/runs.h"
 #include "plan/plan_geometry.h"
 #include "result/grade.h"
 #include "result/headline.h"
 #include "result/house.h"
+#include "result/jam.h"
 #include "result/names.h"
 #include "result/panel.h"
 #include "result/tight.h"
@@ -19,7 +21,6 @@
 #include "visual/house/people_scene.h"
 
 #define MOMENT 0.1 /* s, of a steady clock, between two updates of the texts of the moment */
-#define LEAP 1.0   /* s: after a jump in time the texts follow at once */
 #define ALIKE 0.05 /* s: times closer than this count as equal */
 #define AHEAD 2.0  /* s, time before a person reaches a dangerous point at which "go to" begins */
 
@@ -88,6 +89,18 @@ static void add_person(HouseSession *session, size_t i, double time) {
     add_moment(session, i, time);
 }
 
+/* Adds how many people of a crowd pass a second; nothing among few people. */
+static void add_flow(HouseSession *session, const char *what, double flow) {
+    Scene *scene = &session->texts.moment;
+    if (is_crowd(session))
+        add_pair(session, what, scene_text(scene, "%.1f people/s", flow));
+}
+
+static double flow_of_door(const HouseSession *session, const Door *door, double time) {
+    const House *house = &session->runs[RUN_SHOWN]->house;
+    return passing_door(&house->plan, door, session->trails.trails, session->trails.count, time);
+}
+
 /* Adds what no slider below says. */
 static void add_door(HouseSession *session, const Plan *plan, const Door *door) {
     static const char *const kinds[] = {"opening", "hinged", "sliding"};
@@ -100,7 +113,7 @@ static void add_door(HouseSession *session, const Plan *plan, const Door *door) 
 }
 
 /* Adds the numbers of a tight place, as its row in the list has them. */
-static void add_hazard(HouseSession *session, size_t place) {
+static void add_hazard(HouseSession *session, size_t place, double time) {
     Tight tight[TIGHT_MOST];
     Arena *arena = &session->texts.moment.arena;
     if (place >= tight_places(&session->runs[RUN_SHOWN]->house, session->observation, tight))
@@ -114,6 +127,15 @@ static void add_hazard(HouseSession *session, size_t place) {
     if (tight[place].peak_force > 0)
         add_pair(session, "hardest touch", text_in_arena(arena, "%.0f N", tight[place].peak_force));
     add_pair(session, "worst at", text_in_arena(arena, "(%.2f, %.2f) m", at.x, at.y));
+    if (is_crowd(session) && session->whole)
+        add_pair(session, "worst after", headline_duration(session->texts.before[place], arena));
+    const Plan *plan = &session->runs[RUN_SHOWN]->house.plan;
+    JamPlace jam = jam_place(plan, &session->observation->hazards[tight[place].hazard]);
+    if (jam.exit)
+        add_flow(session, "through the exit now",
+                 passing_exit(session->observation, (size_t)(jam.exit - plan->exits), time));
+    else if (jam.door)
+        add_flow(session, "through the door now", flow_of_door(session, jam.door, time));
 }
 
 static void add_selected(HouseSession *session, double time) {
@@ -129,13 +151,14 @@ static void add_selected(HouseSession *session, double time) {
     if (item.kind == HOUSE_PERSON) {
         add_person(session, item.index, time);
     } else if (item.kind == HOUSE_HAZARD) {
-        add_hazard(session, item.index);
+        add_hazard(session, item.index, time);
     } else if (item.kind == HOUSE_STOP) {
         const char *widths = blockage_scene_widths(scene, &session->observation->people[item.index].blockage);
         if (*widths)
             add_row(session, ROW_PLAIN, widths);
     } else if (item.kind == HOUSE_DOOR) {
         add_door(session, plan, &plan->doors[item.index]);
+        add_flow(session, "through now", flow_of_door(session, &plan->doors[item.index], time));
     } else if (item.kind == HOUSE_FURNITURE) {
         const Furniture *piece = &plan->furniture[item.index];
         add_pair(session, "size", scene_text(scene, "%.2f x %.2f m", piece->size.x, piece->size.y));
@@ -144,6 +167,7 @@ static void add_selected(HouseSession *session, double time) {
     } else if (item.kind == HOUSE_EXIT) {
         const Exit *exit = &plan->exits[item.index];
         add_pair(session, "width", scene_text(scene, "%.2f m", vec2_distance(exit->from, exit->to)));
+        add_flow(session, "through now", passing_exit(session->observation, item.index, time));
     }
 }
 
@@ -236,20 +260,19 @@ static void add_now(HouseSession *session, double time) {
         }
     }
     add_row(session, ROW_HEADING, "Now");
-    add_pair(session, "out", scene_text(scene, "%zu of %zu", out, observation->person_count));
+    size_t people = observation->person_count;
+    add_pair(session, "out", scene_text(scene, "%s of %zu", headline_count(out, people, &scene->arena), people));
     for (size_t e = 0; e < plan->exit_count && e < EXITS_MOST; e++)
         add_pair(session, scene_text(scene, "exit %s", plan->exits[e].id),
-                 session->whole ? scene_text(scene, "%zu of %zu", now[e], all[e]) : scene_text(scene, "%zu", now[e]));
+                 session->whole ? scene_text(scene, "%s of %zu", headline_count(now[e], all[e], &scene->arena), all[e])
+                                : headline_count(now[e], people, &scene->arena));
 }
 
 /* Rows of the scene's list: dangerous points and people ----------------------------------------------------------- */
 
 /* Finds the time when a person is nearest to each tight place, minus AHEAD; s. */
-static void find_times(HouseSession *session) {
-    const Observation *observation = session->observation;
-    Tight tight[TIGHT_MOST];
-    size_t count = tight_places(&session->runs[RUN_SHOWN]->house, observation, tight);
-    double least[TIGHT_MOST], *before = session->texts.before;
+static void find_nearest(const Observation *observation, const Tight *tight, size_t count, double *before) {
+    double least[TIGHT_MOST];
     for (size_t h = 0; h < count; h++)
         least[h] = HUGE_VAL;
     for (size_t r = 0; r < observation->trace.rows && count; r++) {
@@ -262,6 +285,19 @@ static void find_times(HouseSession *session) {
             before[h] = fmax(0, row[TRACE_TIME] - AHEAD);
         }
     }
+}
+
+/* Finds the time for each tight place, s; in a crowd, once the run is over, the time when its jam is worst. */
+static void find_times(HouseSession *session) {
+    const House *house = &session->runs[RUN_SHOWN]->house;
+    const Observation *observation = session->observation;
+    Tight tight[TIGHT_MOST];
+    size_t count = tight_places(house, observation, tight);
+    if (!is_crowd(session))
+        find_nearest(observation, tight, count, session->texts.before);
+    for (size_t h = 0; h < count && is_crowd(session); h++)
+        session->texts.before[h] =
+            session->whole ? jam_worst(house, observation, &observation->hazards[tight[h].hazard]) : NAN;
 }
 
 /* Returns the first person who is stopped; person_count: none. */
@@ -444,6 +480,7 @@ static void make_lists(HouseSession *session, double time) {
 static void make_run_texts(HouseSession *session, double time) {
     make_lists(session, time);
     find_times(session);
+    session->texts.last = census_last(session->observation);
     make_marks(session);
     session->texts_are_stale = false;
 }
@@ -478,9 +515,8 @@ void house_text_clear(HouseSession *session) {
 bool house_text_moved(const HouseSession *session, double time) {
     if (!session->runs[RUN_SHOWN] || time == session->texts.time)
         return false;
-    bool later = stopwatch_now() - session->texts.said >= MOMENT || fabs(time - session->texts.time) > LEAP;
-    if (is_crowd(session) && later)
-        return true;
+    if (is_crowd(session))
+        return true; /* its counts stand in the picture, too, and must be of the same time */
     if (session->selected.kind != HOUSE_PERSON)
         return false;
     const Trail *trail = &session->trails.trails[session->selected.index];
@@ -533,19 +569,30 @@ static Result answer_nothing(HouseSession *session) {
                     .broken = true};
 }
 
+/* Tells who of a crowd is the last one out, if the run is over and all have left. */
+static void add_last(const HouseSession *session, Result *answer) {
+    size_t last = session->texts.last;
+    if (!is_crowd(session) || !session->whole || !session->observation->completed || last == SIZE_MAX)
+        return;
+    answer->last = (Item){HOUSE_PERSON, last};
+    answer->last_time = fmax(0, session->observation->people[last].time - AHEAD);
+}
+
 Result house_text_answer(HouseSession *session) {
     const HouseTexts *texts = &session->texts;
     if (!session->runs[RUN_SHOWN])
         return answer_nothing(session);
-    return (Result){.title = texts->title ? texts->title : "Finding ways",
-                    .role = texts->role,
-                    .detail = texts->detail ? texts->detail : "",
-                    .stale = session->settles,
-                    .due = house_runs_is_working(session),
-                    .doing = describe_progress(session),
-                    .part = NAN,
-                    .cure = texts->missing.cure,
-                    .tool = texts->missing.tool};
+    Result answer = {.title = texts->title ? texts->title : "Finding ways",
+                     .role = texts->role,
+                     .detail = texts->detail ? texts->detail : "",
+                     .stale = session->settles,
+                     .due = house_runs_is_working(session),
+                     .doing = describe_progress(session),
+                     .part = NAN,
+                     .cure = texts->missing.cure,
+                     .tool = texts->missing.tool};
+    add_last(session, &answer);
+    return answer;
 }
 
 bool house_text_progress_changed(HouseSession *session) {

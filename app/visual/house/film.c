@@ -17,6 +17,7 @@
 #define STEP_MANY 0.3 /* m, from point to point of a locus among many */
 #define ROUNDING 1e-6 /* samples: times of the record are sums of steps */
 #define WALKER_OPACITY 0.10
+#define PALE_OPACITY 0.3 /* of a chair's locus below the colours of density, which must stay the darkest */
 
 int film_shown(const char *text, const char **unknown) {
     static const char *const names[] = {"circles", "routes", "widths"};
@@ -264,7 +265,7 @@ static void add_locus(Film *film, size_t i, LocusLook look, double time) {
     Primitive *locus = scene_add_line(&film->added, look.role, look.width, (Vec2[]){from, to}, 2);
     locus->style = look.style;
     locus->begun = progress->length;
-    locus->edge_opacity = many ? WALKER_OPACITY : 1;
+    locus->edge_opacity = many ? WALKER_OPACITY : film_layers_density(film) ? PALE_OPACITY : 1;
     progress->length += length;
     progress->row = last;
 }
@@ -285,8 +286,11 @@ static void add_bodies(Film *film, size_t i, Role role, double time) {
     }
 }
 
-/* Adds a person's locus, bodies and ticks after `before` s, up to `time`. */
+/* Adds a person's locus, bodies and ticks after `before` s, up to `time`. The loci of walkers would be darker together
+ * than the colours of density. */
 static void add_way(Film *film, size_t i, double before, double time) {
+    if (film_layers_density(film) && film_layers_walks(film, i))
+        return;
     LocusLook look = film_layers_look(film, i);
     if (!film->crowd && !film_layers_walks(film, i))
         add_bodies(film, i, look.role, time);

@@ -43,3 +43,6 @@ bool film_layers_walks(const Film *film, size_t i);
 
 /* Returns the look of the person's locus: by person in a house, by profile in a crowd. */
 LocusLook film_layers_look(const Film *film, size_t i);
+
+/* True if the picture shows how crowded each place is. */
+bool film_layers_density(const Film *film);

@@ -262,7 +262,7 @@ void film_moving_make(Film *film) {
     for (size_t i = 0; i < film->options.falling_count; i++)
         plan_scene_falling(scene, &film->options.falling[i], film->options.camera.kind == VIEW_RAISED);
     plan_scene_moving(scene, film->house, film->door_opened, film->time);
-    if (film->house->person_count >= DENSITY_SCENE_PEOPLE && !(film->options.hidden & FILM_RINGS))
+    if (film_layers_density(film))
         add_density(film, count);
     add_walkers(film, count);
     add_chairs(film, count);

@@ -13,6 +13,7 @@
 #include "visual/house/plan_scene.h"
 #include "result/headline.h"
 #include "result/house.h"
+#include "result/jam.h"
 #include "result/names.h"
 #include "result/tight.h"
 
@@ -30,8 +31,7 @@ static const char *most_lost(Scene *scene, const House *house, const Observation
     Tight tight[TIGHT_MOST];
     if (!tight_places(house, observation, tight))
         return "no tight place";
-    const char *name = names_thing(house, observation->hazards[tight->hazard].what,
-                                   observation->hazards[tight->hazard].at, &scene->arena);
+    const char *name = jam_name(house, &observation->hazards[tight->hazard], &scene->arena);
     if (tight->peak_force > 0)
         return scene_text(scene, "touches %s%s, %.0f N", name[0] && name[1] ? "the " : "", name, /* "B": a person */
                           tight->peak_force);
@@ -66,11 +66,7 @@ static const char *most_out(Scene *scene, const Observation *observation, const 
 
 /* Returns who of a crowd is the last one out: "the last is with a walking frame". */
 static const char *last_out(Scene *scene, const House *house, const Observation *observation) {
-    size_t last = SIZE_MAX;
-    for (size_t i = 0; i < observation->person_count; i++)
-        if (observation->people[i].completed &&
-            (last == SIZE_MAX || observation->people[i].time > observation->people[last].time))
-            last = i;
+    size_t last = census_last(observation);
     return last == SIZE_MAX ? "" : scene_text(scene, "last out: %s", names_profile(house->people[last].profile->name));
 }
 
@@ -125,7 +121,7 @@ static void list_hazards(Scene *scene, const House *house, const Observation *ob
         const char *cost = pushed ? scene_text(scene, "%.0f N", tight[i].peak_force)
                                   : headline_duration(tight[i].lost_time, &scene->arena);
         const char *gap = tight_to_spare(tight[i].clearance, &scene->arena);
-        SceneRow *row = scene_add_row(scene, ROW_DISC, names_thing(house, hazard->what, hazard->at, &scene->arena));
+        SceneRow *row = scene_add_row(scene, ROW_DISC, jam_name(house, hazard, &scene->arena));
         row->role = people_scene_danger(hazard);
         row->mark = mark;
         row->cells[1] = crowd || !gap ? cost : gap;

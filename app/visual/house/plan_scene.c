@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "plan/plan_geometry.h"
+#include "result/headline.h"
 
 /* Design points. */
 #define WALL_EDGE 1.5 /* keeps thin walls of large plans visible */
@@ -300,10 +301,11 @@ static bool chairs_leave_by(const House *house, const Exit *exit) {
     return false;
 }
 
-/* Adds the sign of an exit, and on it how many have left by it, if `left` is given: outside the middle of the exit
- * unless chairs come there, otherwise next to one of its ends, otherwise inside. */
+/* Adds the sign of an exit, and on it how many have left by it, if `left` is given, always equally wide: outside the
+ * middle of the exit unless chairs come there, otherwise next to one of its ends, otherwise inside. */
 static void add_sign(Scene *scene, const House *house, const Exit *exit, const size_t *left) {
     const char *name = exit_name(scene, &house->plan, exit);
+    const char *count = left ? headline_count(*left, house->person_count, &scene->arena) : NULL;
     Vec2 middle = vec2_scale(vec2_add(house->outline.box.low, house->outline.box.high), 0.5);
     Vec2 at = vec2_scale(vec2_add(exit->from, exit->to), 0.5), along = vec2_sub(exit->to, exit->from);
     Vec2 out = vec2_left(along);
@@ -316,9 +318,9 @@ static void add_sign(Scene *scene, const House *house, const Exit *exit, const s
                      at,   vec2_add(at, out),
                      at,   vec2_sub(at, out)};
     size_t skipped = chairs_leave_by(house, exit) ? 2 : 0;
-    Primitive *sign = add_tag(scene, ROLE_EXIT_TAG, at, left ? scene_text(scene, "%s: %zu", name, *left) : name);
+    Primitive *sign = add_tag(scene, ROLE_EXIT_TAG, at, left ? scene_text(scene, "%s: %s", name, count) : name);
     scene_bind_label(scene, sign, places + skipped, sizeof places / sizeof *places - skipped);
-    sign->brief = left ? scene_text(scene, "%s: %zu", house->plan.exit_count > 1 ? exit->id : "out", *left) : "EXIT";
+    sign->brief = left ? scene_text(scene, "%s: %s", house->plan.exit_count > 1 ? exit->id : "out", count) : "EXIT";
     sign->fixed = true;
 }
 

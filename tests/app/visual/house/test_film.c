@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "case.h"
 #include "check.h"
+#include "visual/house/density_scene.h"
 #include "visual/house/house_scene.h"
 #include "visual/house/silhouette.h"
 #include "visual/house/space_scene.h"
@@ -260,13 +261,32 @@ TEST(a_crowd_is_counted_out) {
             text = primitive->kind == PRIMITIVE_LABEL ? primitive->text : text;
         }
         char expected[32];
-        snprintf(expected, sizeof expected, "EXIT: %zu", house.person_count - inside);
+        size_t out = house.person_count - inside;
+        snprintf(expected, sizeof expected, "EXIT: %s%zu", out < 10 ? "\u2007" : "", out);
         CHECK(shown == inside);
         CHECK_TEXT(text, expected);
     }
     observation.people[0].exit = SIZE_MAX; /* by an exit that an edit has since removed */
     film_show(film, observation.time);
     film_destroy(film);
+    observation_free(&observation);
+    house_free(&house);
+}
+
+/* Loci of walkers would be darker together than the colours that show how crowded a place is. */
+TEST(no_locus_of_a_walker_lies_below_the_density) {
+    House house;
+    json_t *plan = case_corridor(8);
+    for (int i = 0; i < DENSITY_SCENE_PEOPLE; i++)
+        case_add_person(plan, "adult", 1 + 0.5 * (i % 20), -3 + 0.6 * (i / 20), 0);
+    case_made(&house, plan, -1, NULL);
+    Observation observation = case_run(&house, 1);
+    for (int hidden = 0; hidden <= FILM_RINGS; hidden += FILM_RINGS) {
+        Film *film = film_create(&house, &observation, &(FilmOptions){.hidden = hidden});
+        film_show(film, observation.time / 2);
+        CHECK((count_of(film_added(film), PRIMITIVE_LINE, ROLE_WALKER, NULL) > 0) == (hidden == FILM_RINGS));
+        film_destroy(film);
+    }
     observation_free(&observation);
     house_free(&house);
 }
