@@ -130,19 +130,20 @@ static double message_width(Window *window) {
     return shown ? MARGIN + ui_extent(window->ui, UI_BODY, shown->text).x + 2 * GAP + undo + 40 : HUGE_VAL;
 }
 
-/* Returns the box of messages: the strip, or what the message needs of its right half while a tool is in hand. Without
- * a strip it is the row of the menu, or of the menu and the answer for two lines; in a presentation, above the
- * timeline. */
+/* Returns the box of messages: the strip, or what the message needs of its right half while a tool is in hand. In a
+ * small window a message longer than the strip takes the timeline, too. Without a strip it is the row of the menu, or
+ * of the menu and the answer for two lines; in a presentation, above the timeline. */
 static Box message_box(Window *window, bool fault) {
     Box box = window->frame.strip, menu = window->frame.menu;
     size_t faults;
     if (box_height(box) <= 0 && box_height(menu) <= 0)
         return (Box){{window->frame.view.low.x, window->frame.timeline.low.y - MESSAGE_HEIGHT},
                      {window->frame.page.x, window->frame.timeline.low.y}};
-    if (box_height(box) <= 0) {
-        bool brief = !notice_shown(window, &faults) || message_width(window) + (fault ? SIGNS : 0) < box_width(menu);
+    bool brief = !notice_shown(window, &faults) || message_width(window) + (fault ? SIGNS : 0) < box_width(menu);
+    if (box_height(box) <= 0)
         return brief ? menu : (Box){menu.low, window->frame.answer.high};
-    }
+    if (window->frame.compact && !brief)
+        return (Box){window->frame.timeline.low, box.high};
     if (!fault && has_tool(window))
         box.low.x = fmax(middle_of(box).x, box.high.x - message_width(window));
     return box;
@@ -566,14 +567,17 @@ static double show_doing(Window *window, double left, double right, double y) {
 void bars_show_strip(Window *window) {
     Box bar = window->frame.strip;
     Tab *tab = window_tab(window);
+    if (box_height(window->tries) > 0 && window->tries.low.y >= bar.low.y)
+        bar.low.x = window->tries.high.x;
     if (box_height(bar) <= 0)
         return;
     ui_pane_begin(window->ui, &(UiPane){.name = "strip", .box = bar, .ground = ROLE_PAPER});
     size_t faults;
     bool says = notice_shown(window, &faults) || window->export;
     double end = says ? message_box(window, faults > 0).low.x : bar.high.x;
-    double y = middle_of(bar).y, left = MARGIN / 2, right = fmax(left, end - MARGIN);
-    const char *place = tab->session && !says ? place_text(window, tab) : "";
+    double y = middle_of(bar).y, left = bar.low.x + MARGIN / 2, right = fmax(left, end - MARGIN);
+    bool narrow = window->frame.compact && (bar.low.x > 0 || plan_input_listens(window));
+    const char *place = tab->session && !says && !narrow ? place_text(window, tab) : "";
     ui_draw_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, vec2(right, y), 1, place);
     right -= ui_extent(window->ui, UI_SMALL, place).x + GAP;
     left = show_doing(window, left, right, y);

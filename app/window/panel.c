@@ -12,6 +12,7 @@
 
 enum { DIGITS_MOST = 6, PRESETS_IN_ROW = 2, OPEN_MOST = 3 };
 #define LENGTH_DIGITS 2   /* of a length in m */
+#define ARROW 7.0         /* design points: half the height of the handle's arrow */
 #define STEPS_SHOWN 500.0 /* steps of a slider's range that its digits distinguish */
 
 /* Folds ------------------------------------------------------------------------------------------------------------ */
@@ -422,5 +423,21 @@ void panel_show(Window *window) {
         show_plots(window, tab);
         show_layers(window, tab);
     }
+    ui_pane_end(window->ui);
+}
+
+void panel_show_handle(Window *window) {
+    Box box = window->frame.handle;
+    if (box_width(box) <= 0)
+        return;
+    bool open = box_width(window->frame.panel) > 0;
+    ui_pane_begin(window->ui, &(UiPane){.name = "handle", .box = box, .ground = ROLE_SHADE});
+    ui_at(window->ui, box);
+    if (ui_button(window->ui,
+                  &(UiButton){.id = "panel handle", .label = "", .help = keys_help(&window->arena, ACTION_PANEL)}))
+        act_do(window, ACTION_PANEL, 0, 0);
+    Vec2 middle = vec2_scale(vec2_add(box.low, box.high), 0.5), tip = {open ? ARROW / 2 : -ARROW / 2, 0};
+    Vec2 arrow[] = {vec2_sub(middle, vec2(tip.x, ARROW)), vec2_add(middle, tip), vec2_sub(middle, vec2(tip.x, -ARROW))};
+    ui_draw_polyline(window->ui, arrow, sizeof arrow / sizeof *arrow, false, ROLE_TEXT, 2.5);
     ui_pane_end(window->ui);
 }
