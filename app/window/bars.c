@@ -355,10 +355,14 @@ static void show_wrapped(Window *window, UiTextStyle size, double left, double r
     ui_text(window->ui, size, ROLE_TEXT, text);
 }
 
-/* True if the title would be cut off, so that it takes the first of two small lines. */
+/* True if the title would be cut off, or, in a small window, a part of its detail, so that it takes the first of two
+ * small lines. */
 static bool is_stacked(Window *window, const Result *answer, double right) {
-    return !window->answer_tall && !lesson_hides_words(window) &&
-           MARGIN + ui_extent(window->ui, UI_CLOCK, answer->title).x > right;
+    double rest = right - MARGIN - ui_extent(window->ui, UI_CLOCK, answer->title).x;
+    const char *first = window->frame.compact && !answer->stale ? first_line(window, answer->detail) : "";
+    double wanted = ui_extent(window->ui, UI_BODY, first).x;
+    bool lacks = *first && wanted > TWO_LINES * (rest - 2 * GAP) && wanted <= right - MARGIN;
+    return !window->answer_tall && !lesson_hides_words(window) && (rest < 0 || lacks);
 }
 
 /* Returns the middle of a title, at `y` or so far above it that the progress does not cut the feet of letters. */
