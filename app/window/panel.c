@@ -10,7 +10,7 @@
 #include "window/panel_edit.h"
 #include "window/plan_input.h"
 
-enum { DIGITS_MOST = 6, PRESETS_IN_ROW = 2, OPEN_MOST = 3 };
+enum { DIGITS_MOST = 6, PRESETS_IN_ROW = 2, OPEN_MOST = 3, SUBJECTS = 1 << 20 /* more than things of a kind */ };
 #define LENGTH_DIGITS 2   /* of a length in m */
 #define ARROW 7.0         /* design points: half the height of the handle's arrow */
 #define STEPS_SHOWN 500.0 /* steps of a slider's range that its digits distinguish */
@@ -401,10 +401,16 @@ void panel_show(Window *window) {
     window->folds_opened = window->folds_opening;
     window->heading_count = 0;
     window->folds_open = window->folds_opening = 0;
-    ui_pane_begin(window->ui,
-                  &(UiPane){.name = "panel", .box = window->frame.panel, .ground = ROLE_PANEL, .scrolls = true});
+    Item item = tab->session ? tab->laboratory->selected(tab->session) : (Item){0};
+    if (item.kind)
+        window->panel_subject = (size_t)item.kind * SUBJECTS + item.index;
+    ui_pane_begin(window->ui, &(UiPane){.name = "panel",
+                                        .box = window->frame.panel,
+                                        .ground = ROLE_PANEL,
+                                        .scrolls = true,
+                                        .subject = window->panel_subject});
     if (tab->session) {
-        bool selected = tab->laboratory->selected(tab->session).kind;
+        bool selected = item.kind;
         size_t lists = tab->laboratory->numbers_first ? 0 : selected ? find_comparison(tab) : SIZE_MAX;
         panel_edit_show(window);
         if (!selected)

@@ -10,6 +10,7 @@ from stage import check
 
 FINE = 1.5  # pixels
 HANDLE = 14  # design points
+WALL = (7.0, 3.92)  # m, a place on a wall
 
 
 def inside(box, outer):
@@ -90,14 +91,31 @@ for width, height, text in ((1280, 720, 1.5), (1280, 720, 2), (1024, 600, 1)):
         check(box_of(texts, "Click a wall", state["frame"]["strip"]), f"{name}: the strip says what the tool does", state["frame"])
         track = state["frame"]["timeline"]
         check(box_of(texts, "Play", track) and state["frame"]["rail"][2] > 0, f"{name}: tools and timeline are there", track)
+        origin, right, up = state["floor"]
+        screen.point_to(*[origin[i] + WALL[0] * (right[i] - origin[i]) + WALL[1] * (up[i] - origin[i]) for i in (0, 1)])
+        tags = [t for t in screen.texts() if t["string"].endswith(" m") and inside(t["box"], state["frame"]["view"])]
+        doors = [t["string"] for t in tags if "0.80 m" in t["string"]]
+        check(doors == ["door 0.80 m"], f"{name}: the width of a door to be made is written once", [t["string"] for t in tags])
         screen.keys("Escape", "ctrl+j")
 
     # a message, even a long one, is below the view
     screen.keys("shift+t")
-    screen.until(lambda s: "Shake 1" in (s["message"] or "") and not s["answer"]["stale"])
-    texts, state = look(screen, f"{name}, message")
-    frame = state["frame"]
+    screen.until(lambda s: "Shake 1" in (s["message"] or ""))
+    texts, frame = screen.texts(), screen.last["frame"]
     lower = [0, frame["timeline"][1], width, height]
     check(box_of(texts, "Shake 1", lower), f"{name}: a message is below the view", [t["string"] for t in texts])
     screen.end()
+
+# an answer that has no room beside its title is whole below it
+texts, state = stage.act("blocked", "until answered", "until complete", "until idle", "wait 5", "texts STATE", "state STATE",
+                         arguments=[stage.house("flat-0.910-module"), "--size", "1280x720", "--text", "2"])
+words = " ".join(t["string"] for t in texts if inside(seen(t), state["frame"]["answer"]))
+check("needs at least" in words and "has 0.75 m" in words, "the whole answer is there", words)
+
+# what is selected next is described from the panel's top
+texts, state = stage.act("top", "until answered", "pause", "key Tab", "wait 3", "mouse 1100 400", "wheel -60", "wait 5", "key Tab",
+                         "wait 5", "texts STATE", "state STATE", arguments=[stage.house("ube-techno-house"), "--size", "1280x720"])
+panel = state["frame"]["panel"]
+check(box_of(texts, "wheelchair", [*panel[:3], panel[1] + 50]), "the panel begins at its top when another thing is selected",
+      [t["string"] for t in texts if inside(seen(t), panel)])
 stage.end()
