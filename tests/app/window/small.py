@@ -102,6 +102,7 @@ for width, height, text in ((1280, 720, 1.5), (1280, 720, 2), (1024, 600, 1)):
     screen.keys("shift+t")
     screen.until(lambda s: "Shake 1" in (s["message"] or ""))
     texts, frame = screen.texts(), screen.last["frame"]
+    check("\u2026" not in [t["string"] for t in texts], f"{name}: what is worked out is said in whole words", [t["string"] for t in texts])
     lower = [0, frame["timeline"][1], width, height]
     check(box_of(texts, "Shake 1", lower), f"{name}: a message is below the view", [t["string"] for t in texts])
     screen.end()
