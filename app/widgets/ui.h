@@ -111,8 +111,9 @@ typedef struct UiPane {
     Box box;
     Role ground; /* ROLE_PANEL, ROLE_PAPER; ROLE_COUNT: none, transparent */
     bool scrolls, modal, stop;
-    bool clear;    /* a modal pane that does not dim the others: a menu */
-    bool unframed; /* no frame while the pane itself has the focus */
+    bool clear;     /* a modal pane that does not dim the others: a menu */
+    bool unframed;  /* no frame while the pane itself has the focus */
+    size_t subject; /* number of what the contents describe: another one is shown from its top */
 } UiPane;
 
 void ui_pane_begin(Ui *ui, const UiPane *pane);

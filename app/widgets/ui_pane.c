@@ -128,6 +128,9 @@ void ui_pane_begin(Ui *ui, const UiPane *pane) {
     place->order = ui->order++;
     if (pane->modal)
         ui->modal = id;
+    if (place->subject != pane->subject)
+        place->scroll = 0;
+    place->subject = pane->subject;
     if (pane->scrolls)
         scroll_by_wheel(ui, place);
     place->scroll = place->seen_scroll = pane->scrolls ? real_clamp(place->scroll, 0, hidden(place)) : 0;

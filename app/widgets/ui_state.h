@@ -76,9 +76,10 @@ typedef struct UiPlace {
     bool made, modal, stop, scrolls, unframed;
     int order;                           /* among the panes of a frame */
     double scroll, content, seen_scroll; /* design points */
-    UiId anchor;                         /* the stop that is in use, */
-    double anchor_y;                     /* and its place in the content, design points */
-    double columns[2][2];                /* widths of the cells to the right: in the previous frame, and in this one */
+    size_t subject;
+    UiId anchor;          /* the stop that is in use, */
+    double anchor_y;      /* and its place in the content, design points */
+    double columns[2][2]; /* widths of the cells to the right: in the previous frame, and in this one */
 } UiPlace;
 
 /* The text of a tooltip and its place. */

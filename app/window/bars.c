@@ -6,6 +6,7 @@
 #include "base/stop.h"
 #include "base/stopwatch.h"
 #include "window/act.h"
+#include "window/clauses.h"
 #include "window/lesson.h"
 #include "window/menu.h"
 #include "window/notice.h"
@@ -131,19 +132,20 @@ static double message_width(Window *window) {
     return shown ? MARGIN + ui_extent(window->ui, UI_BODY, shown->text).x + 2 * GAP + undo + 40 : HUGE_VAL;
 }
 
-/* Returns the box of messages: the strip, or what the message needs of its right half while a tool is in hand. Without
- * a strip it is the row of the menu, or of the menu and the answer for two lines; in a presentation, above the
- * timeline. */
+/* Returns the box of messages: the strip, or what the message needs of its right half while a tool is in hand. In a
+ * small window a message longer than the strip takes the timeline, too. Without a strip it is the row of the menu, or
+ * of the menu and the answer for two lines; in a presentation, above the timeline. */
 static Box message_box(Window *window, bool fault) {
     Box box = window->frame.strip, menu = window->frame.menu;
     size_t faults;
     if (box_height(box) <= 0 && box_height(menu) <= 0)
         return (Box){{window->frame.view.low.x, window->frame.timeline.low.y - MESSAGE_HEIGHT},
                      {window->frame.page.x, window->frame.timeline.low.y}};
-    if (box_height(box) <= 0) {
-        bool brief = !notice_shown(window, &faults) || message_width(window) + (fault ? SIGNS : 0) < box_width(menu);
+    bool brief = !notice_shown(window, &faults) || message_width(window) + (fault ? SIGNS : 0) < box_width(menu);
+    if (box_height(box) <= 0)
         return brief ? menu : (Box){menu.low, window->frame.answer.high};
-    }
+    if (window->frame.compact && !brief)
+        return (Box){window->frame.timeline.low, box.high};
     if (!fault && has_tool(window))
         box.low.x = fmax(middle_of(box).x, box.high.x - message_width(window));
     return box;
@@ -191,8 +193,12 @@ static void show_work(Window *window, Tab *tab, const Result *answer, double lef
     for (int i = 0; i < RING_POINTS; i++)
         ring[i] = vec2_along(middle, radius, vec2_heading(2 * M_PI * (turn + 0.7 * i / (RING_POINTS - 1))));
     ui_draw_polyline(window->ui, ring, RING_POINTS, false, ROLE_CHAIR, 3);
-    show_text(window, UI_DETAIL, ROLE_TEXT, left + 2 * radius + GAP, right, y,
-              answer->doing ? answer->doing : "working it out");
+    const char *doing = answer->doing ? answer->doing : "working it out";
+    left += 2 * radius + GAP;
+    UiTextStyle size = left + ui_extent(window->ui, UI_DETAIL, doing).x <= right ? UI_DETAIL : UI_BODY;
+    if (left + ui_extent(window->ui, size, doing).x > right)
+        doing = "working it out";
+    show_text(window, size, ROLE_TEXT, left, right, y, doing);
 }
 
 /* Shows the clauses of a detail, which " \u00b7 " divides, each in a line of its own: as many as fit, whole ones from
@@ -227,42 +233,15 @@ static void show_doing_note(Window *window, const char *doing, double left, doub
         show_text(window, UI_SMALL, ROLE_DIM_TEXT, left, right, below, doing);
 }
 
-/* Returns the first line of a detail: of several faults the first, since the panel has them all. */
-static const char *first_line(Window *window, const char *detail) {
-    return detail ? text_in_arena(&window->arena, "%.*s", (int)strcspn(detail, "\n"), detail) : "";
-}
-
-/* Returns the first clauses of a detail, whole ones, that fit into a width; "": none does. */
-static const char *whole_clauses(Window *window, UiTextStyle size, const char *detail, double width) {
-    size_t length = strlen(detail);
-    while (length > 0 &&
-           ui_extent(window->ui, size, text_in_arena(&window->arena, "%.*s", (int)length, detail)).x > width) {
-        size_t before = 0;
-        for (size_t i = 1; i < length; i++) /* clauses end at "; ", ", " or " \u00b7 " */
-            if (detail[i] == ' ' && (detail[i - 1] == ';' || detail[i - 1] == ','))
-                before = i - 1;
-            else if (strncmp(detail + i, " \u00b7 ", 4) == 0)
-                before = i;
-        length = before;
-    }
-    return text_in_arena(&window->arena, "%.*s", (int)length, detail);
-}
-
-/* Returns the first clauses of what a tool does that fit into a width; if none does, all of them, to be shortened. */
-static const char *some_clauses(Window *window, UiTextStyle size, const char *text, double width) {
-    const char *whole = whole_clauses(window, size, text, width);
-    return *whole ? whole : text;
-}
-
 /* Shows a detail in two lines that break between clauses; the last ones are left out where they have no room. False: a
  * clause that begins a line is longer than it. */
 static bool show_broken(Window *window, UiTextStyle size, Role role, Box lines, const char *detail) {
     static const char between[] = " ,;\u00b7";
     double width = box_width(lines), y = middle_of(lines).y, height = ui_extent(window->ui, size, detail).y;
-    const char *first = whole_clauses(window, size, detail, width);
+    const char *first = clauses_whole(window, size, detail, width);
     const char *rest = detail + strlen(first);
     rest += strspn(rest, between);
-    const char *second = whole_clauses(window, size, rest, width);
+    const char *second = clauses_whole(window, size, rest, width);
     if (!*first || !*second)
         return false;
     show_text(window, size, role, lines.low.x, lines.high.x, y - height / 2, first);
@@ -272,7 +251,7 @@ static bool show_broken(Window *window, UiTextStyle size, Role role, Box lines, 
 
 /* Shows the result's numbers in one line, or small in two. */
 static void show_detail(Window *window, const Result *answer, double left, double right, double y) {
-    const char *detail = first_line(window, answer->detail);
+    const char *detail = clauses_first_line(window, answer->detail);
     Role role = answer->stale ? ROLE_DIM_TEXT : ROLE_TEXT;
     UiTextStyle size = left + ui_extent(window->ui, UI_DETAIL, detail).x > right ? UI_BODY : UI_DETAIL;
     if (size == UI_BODY && show_clauses(window, detail, role, left, right, y))
@@ -281,7 +260,7 @@ static void show_detail(Window *window, const Result *answer, double left, doubl
     if (left + ui_extent(window->ui, size, detail).x > right &&
         show_broken(window, size, role, (Box){{left, y}, {right, y}}, detail))
         return;
-    detail = whole_clauses(window, size, detail, TWO_LINES * (right - left));
+    detail = clauses_whole(window, size, detail, TWO_LINES * (right - left));
     Vec2 extent = ui_extent(window->ui, size, detail);
     if (left + extent.x > right && extent.x < TWO_LINES * (right - left)) {
         double half = fmax(extent.y, ui_text_height(window->ui, size, detail, right - left) / 2);
@@ -296,10 +275,10 @@ static void show_detail(Window *window, const Result *answer, double left, doubl
 
 /* Shows the numbers in one line below the title. */
 static void show_detail_below(Window *window, const Result *answer, double right, double y) {
-    const char *detail = first_line(window, answer->detail);
+    const char *detail = clauses_first_line(window, answer->detail);
     bool fits = MARGIN + ui_extent(window->ui, UI_DETAIL, detail).x <= right;
     UiTextStyle size = fits ? UI_DETAIL : UI_BODY;
-    show_text(window, size, ROLE_TEXT, MARGIN, right, y, whole_clauses(window, size, detail, right - MARGIN));
+    show_text(window, size, ROLE_TEXT, MARGIN, right, y, clauses_whole(window, size, detail, right - MARGIN));
 }
 
 bool bars_answer_is_tall(Window *window) {
@@ -329,10 +308,14 @@ static void show_wrapped(Window *window, UiTextStyle size, double left, double r
     ui_text(window->ui, size, ROLE_TEXT, text);
 }
 
-/* True if the title would be cut off, so that it takes the first of two small lines. */
+/* True if the title would be cut off, or, in a small window, a part of its detail, so that it takes the first of two
+ * small lines. */
 static bool is_stacked(Window *window, const Result *answer, double right) {
-    return !window->answer_tall && !lesson_hides_words(window) &&
-           MARGIN + ui_extent(window->ui, UI_CLOCK, answer->title).x > right;
+    double rest = right - MARGIN - ui_extent(window->ui, UI_CLOCK, answer->title).x;
+    const char *first = window->frame.compact && !answer->stale ? clauses_first_line(window, answer->detail) : "";
+    double wanted = ui_extent(window->ui, UI_BODY, first).x;
+    bool lacks = *first && wanted > TWO_LINES * (rest - 2 * GAP) && wanted <= right - MARGIN;
+    return !window->answer_tall && !lesson_hides_words(window) && (rest < 0 || lacks);
 }
 
 /* Returns the middle of a title, at `y` or so far above it that the progress does not cut the feet of letters. */
@@ -424,7 +407,7 @@ static bool show_gesture(Window *window, Box box) {
     ui_draw_frame(window->ui, box, gesture->refusal ? ROLE_ERROR : ROLE_ROOM, 2);
     double width = box_width(box) - 2 * MARGIN, lines = box_height(box) > MESSAGE_HEIGHT ? TWO_LINES : 1;
     const char *text = gesture->refusal ? text_in_arena(&window->arena, "\u26a0 %s", gesture->refusal)
-                                        : some_clauses(window, UI_BODY, gesture->doing, lines * width);
+                                        : clauses_some(window, UI_BODY, gesture->doing, lines * width);
     show_lines(window, gesture->refusal ? ROLE_ERROR : ROLE_TEXT, box, box.high.x - MARGIN, text);
     ui_pane_end(window->ui);
     return true;
@@ -531,7 +514,7 @@ static double show_doing(Window *window, double left, double right, double y) {
     const char *text = tab->trial.session
                            ? "The plan is unchanged until you use the fix: Return uses it, Escape goes back."
                            : editor_gesture(editor)->doing;
-    text = some_clauses(window, UI_BOLD, text, right - left);
+    text = clauses_some(window, UI_BOLD, text, right - left);
     double end = fmin(right, left + ui_extent(window->ui, UI_BOLD, text).x + 1);
     show_text(window, UI_BOLD, ROLE_TEXT, left, end, y, text);
     return end + GAP;
@@ -540,14 +523,17 @@ static double show_doing(Window *window, double left, double right, double y) {
 void bars_show_strip(Window *window) {
     Box bar = window->frame.strip;
     Tab *tab = window_tab(window);
+    if (box_height(window->tries) > 0 && window->tries.low.y >= bar.low.y)
+        bar.low.x = window->tries.high.x;
     if (box_height(bar) <= 0)
         return;
     ui_pane_begin(window->ui, &(UiPane){.name = "strip", .box = bar, .ground = ROLE_PAPER});
     size_t faults;
     bool says = notice_shown(window, &faults) || window->export;
     double end = says ? message_box(window, faults > 0).low.x : bar.high.x;
-    double y = middle_of(bar).y, left = MARGIN / 2, right = fmax(left, end - MARGIN);
-    const char *place = tab->session && !says ? place_text(window, tab) : "";
+    double y = middle_of(bar).y, left = bar.low.x + MARGIN / 2, right = fmax(left, end - MARGIN);
+    bool narrow = window->frame.compact && (bar.low.x > 0 || plan_input_listens(window));
+    const char *place = tab->session && !says && !narrow ? place_text(window, tab) : "";
     ui_draw_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, vec2(right, y), 1, place);
     right -= ui_extent(window->ui, UI_SMALL, place).x + GAP;
     left = show_doing(window, left, right, y);

@@ -14,6 +14,7 @@
 #define PANEL_WIDTH 304.0
 #define PANEL_WIDE 324.0   /* on pages of at least WIDE_PAGE, */
 #define PANEL_WIDEST 340.0 /* of at least WIDEST_PAGE */
+#define HANDLE_WIDTH 14.0
 #define WIDEST_PAGE 2100.0
 #define WIDE_PAGE 1500.0  /* Full HD at its own unit: plots have a place of their own */
 #define PRESENT_TEXT 1.45 /* times the size of the text, in presentation mode, */
@@ -39,6 +40,7 @@
 #define DRAWER_WIDTH 1100.0
 #define COMPACT_ANSWER 48.0
 #define COMPACT_TIMELINE 44.0
+#define STRIP_PAGE 295.0 /* least height of a page with a strip */
 
 /* Least size of a plot, and its best shape. */
 #define PLOT_WIDTH 230.0
@@ -207,10 +209,13 @@ Frame frame_make(Vec2 page, const FrameWish *wish) {
                     : frame.compact ? COMPACT_ANSWER
                                     : ANSWER_HEIGHT;
     double timeline = frame.compact ? COMPACT_TIMELINE : TIMELINE_HEIGHT;
-    double strip = wish->present || frame.compact ? 0 : STRIP_HEIGHT;
+    double strip = wish->present || page.y < STRIP_PAGE ? 0 : STRIP_HEIGHT;
     double width = page.x >= WIDEST_PAGE ? PANEL_WIDEST : frame_is_wide(page) ? PANEL_WIDE : PANEL_WIDTH;
     bool covers = wish->present && wish->card > 0; /* the panel takes the place of the card */
     double panel = !wish->panel || (wish->present && !covers) ? 0 : covers ? wish->card : fmin(width, page.x);
+    bool handle = wish->handle && !wish->present && (frame.drawer || !wish->panel);
+    if (handle)
+        panel = fmin(panel, page.x - HANDLE_WIDTH);
     frame.menu = (Box){{0, 0}, {page.x, menu}};
     frame.answer = (Box){{0, menu}, {page.x, menu + answer}};
     frame.strip = (Box){{0, page.y - strip}, {page.x, page.y}};
@@ -221,11 +226,15 @@ Frame frame_make(Vec2 page, const FrameWish *wish) {
         frame.panel = (Box){place.low, {panel, place.high.y}};
     else if (!frame.drawer)
         place.high.x = frame.panel.low.x;
+    if (handle) {
+        frame.handle = (Box){{frame.panel.low.x - HANDLE_WIDTH, place.low.y}, {frame.panel.low.x, place.high.y}};
+        place.high.x = page.x - HANDLE_WIDTH;
+    }
     frame.card = (Box){place.low, {place.low.x + (covers && panel > 0 ? 0 : wish->card), place.high.y}};
     place.low.x += wish->card;
     if (wish->card_line > 0) {
         frame.card = (Box){{place.low.x, place.high.y - wish->card_line}, place.high};
-        place.high.y = frame.panel.high.y = frame.card.low.y;
+        place.high.y = frame.panel.high.y = frame.handle.high.y = frame.card.low.y;
     }
     place = place_toolbar(&frame, place, wish);
     if (is_there(place))

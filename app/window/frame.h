@@ -12,8 +12,9 @@
  *     +-------------------------------------------------+
  *
  * If the text is large or the window is small, labels are dropped first, those of the tools too, then the strip, then
- * the plots; the panel becomes a drawer over the view. The card of a lesson takes a column at
- * the left, beside the view; in presentation mode the panel, while it is open, takes the place of the card. */
+ * the plots; the panel becomes a drawer over the view. A closed panel leaves a narrow handle. The card of a lesson
+ * takes a column at the left, beside the view; in presentation mode the panel, while it is open, takes the place of the
+ * card. */
 #pragma once
 
 #include <stdbool.h>
@@ -27,6 +28,7 @@ enum { FRAME_PANES_MOST = 8 };
 
 typedef struct FrameWish {
     bool panel, plots, present;
+    bool handle;      /* the panel can be opened and closed here */
     bool tall_answer; /* of a presentation: it has a line more */
     size_t plot_count;
     size_t tool_count;   /* in the toolbar; 0: there is none */
@@ -40,6 +42,7 @@ typedef struct FrameWish {
 typedef struct Frame {
     Vec2 page;
     Box menu, answer, card, toolbar, view, panel, timeline, strip; /* a part that does not fit has no width */
+    Box handle; /* a column at the right that opens a closed panel, and closes a drawer */
     Box panes[FRAME_PANES_MOST];
     double still_from;    /* from the left of the view to the part for a plan that stands still when the tools open */
     Box heads[2], beside; /* of a split view: a line above each picture, and the second picture */

@@ -10,8 +10,9 @@
 #include "window/panel_edit.h"
 #include "window/plan_input.h"
 
-enum { DIGITS_MOST = 6, PRESETS_IN_ROW = 2, OPEN_MOST = 3 };
+enum { DIGITS_MOST = 6, PRESETS_IN_ROW = 2, OPEN_MOST = 3, SUBJECTS = 1 << 20 /* more than things of a kind */ };
 #define LENGTH_DIGITS 2   /* of a length in m */
+#define ARROW 7.0         /* design points: half the height of the handle's arrow */
 #define STEPS_SHOWN 500.0 /* steps of a slider's range that its digits distinguish */
 
 /* Folds ------------------------------------------------------------------------------------------------------------ */
@@ -400,10 +401,16 @@ void panel_show(Window *window) {
     window->folds_opened = window->folds_opening;
     window->heading_count = 0;
     window->folds_open = window->folds_opening = 0;
-    ui_pane_begin(window->ui,
-                  &(UiPane){.name = "panel", .box = window->frame.panel, .ground = ROLE_PANEL, .scrolls = true});
+    Item item = tab->session ? tab->laboratory->selected(tab->session) : (Item){0};
+    if (item.kind)
+        window->panel_subject = (size_t)item.kind * SUBJECTS + item.index;
+    ui_pane_begin(window->ui, &(UiPane){.name = "panel",
+                                        .box = window->frame.panel,
+                                        .ground = ROLE_PANEL,
+                                        .scrolls = true,
+                                        .subject = window->panel_subject});
     if (tab->session) {
-        bool selected = tab->laboratory->selected(tab->session).kind;
+        bool selected = item.kind;
         size_t lists = tab->laboratory->numbers_first ? 0 : selected ? find_comparison(tab) : SIZE_MAX;
         panel_edit_show(window);
         if (!selected)
@@ -422,5 +429,21 @@ void panel_show(Window *window) {
         show_plots(window, tab);
         show_layers(window, tab);
     }
+    ui_pane_end(window->ui);
+}
+
+void panel_show_handle(Window *window) {
+    Box box = window->frame.handle;
+    if (box_width(box) <= 0)
+        return;
+    bool open = box_width(window->frame.panel) > 0;
+    ui_pane_begin(window->ui, &(UiPane){.name = "handle", .box = box, .ground = ROLE_SHADE});
+    ui_at(window->ui, box);
+    if (ui_button(window->ui,
+                  &(UiButton){.id = "panel handle", .label = "", .help = keys_help(&window->arena, ACTION_PANEL)}))
+        act_do(window, ACTION_PANEL, 0, 0);
+    Vec2 middle = vec2_scale(vec2_add(box.low, box.high), 0.5), tip = {open ? ARROW / 2 : -ARROW / 2, 0};
+    Vec2 arrow[] = {vec2_sub(middle, vec2(tip.x, ARROW)), vec2_add(middle, tip), vec2_sub(middle, vec2(tip.x, -ARROW))};
+    ui_draw_polyline(window->ui, arrow, sizeof arrow / sizeof *arrow, false, ROLE_TEXT, 2.5);
     ui_pane_end(window->ui);
 }

@@ -343,8 +343,9 @@ static void write_mark(Window *window, const Tab *tab, Labels *labels, const Edi
     write_label(window, labels, middle, ground, mark->text);
 }
 
-/* Draws lines first, then handles, then labels. */
-static void show_marks(Window *window, Tab *tab, const GestureView *gesture, Labels *labels) {
+/* Draws lines first, then handles, then labels; a length that is among the words at the pointer is not written again.
+ */
+static void show_marks(Window *window, Tab *tab, const GestureView *gesture, const char *words, Labels *labels) {
     Vec2 points[LABORATORY_MARK_POINTS];
     for (int pass = 0; pass < 3; pass++)
         for (size_t i = 0; i < gesture->mark_count; i++) {
@@ -356,7 +357,7 @@ static void show_marks(Window *window, Tab *tab, const GestureView *gesture, Lab
             size_t count = points_of(window, tab, mark, points);
             if (pass < 2 && !hides_tag(window, &tab->view_layers, mark, points[0]))
                 draw_mark(window, mark, points, count, is_wrong(gesture));
-            else if (pass == 2)
+            else if (pass == 2 && !(words && mark->kind == MARK_DIMENSION && strstr(words, mark->text)))
                 write_mark(window, tab, labels, mark, points, count);
         }
 }
@@ -528,7 +529,7 @@ void plan_overlay_show(Window *window) {
         selected_name_show(window);
     if (editor_tool(editor) == TOOL_SELECT)
         claim_dragged(window, tab, gesture, &labels);
-    show_marks(window, tab, gesture, &labels);
+    show_marks(window, tab, gesture, words, &labels);
     if (words)
         write_in(window, box, is_wrong(gesture) ? ROLE_ERROR : ROLE_TEXT, words);
     show_read_out(window, gesture, &labels); /* drawn again, over the labels' lines */

@@ -34,6 +34,7 @@ static json_t *frame_state(const Window *window) {
     json_object_set_new(state, "card", json_box(window, frame->card));
     json_object_set_new(state, "rail", json_box(window, frame->toolbar));
     json_object_set_new(state, "panel", json_box(window, frame->panel));
+    json_object_set_new(state, "handle", json_box(window, frame->handle));
     json_object_set_new(state, "timeline", json_box(window, frame->timeline));
     json_object_set_new(state, "strip", json_box(window, frame->strip));
     json_object_set_new(state, "tries", json_box(window, window->tries));

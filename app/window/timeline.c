@@ -16,6 +16,8 @@
 #define TICK_HEIGHT 16.0
 #define LEAST_TRACK 90.0
 #define LEAST_BUTTON 30.0
+#define LABELLED_BAR 560.0 /* least width of a bar whose button for editing has a word */
+#define NOTE_STEP 10.0
 #define CLOCK_WIDEST "00000.0 s"
 
 static Vec2 middle_of(Box box) {
@@ -48,6 +50,12 @@ static void add_button(Row *row, Action action, const char *label, bool chosen, 
         row->right = left - GAP;
     else
         row->left = left + width + GAP;
+}
+
+/* Returns the label of the button that opens and closes the tools: the view of a small window has no room for it. */
+static const char *edit_label(const Row *row) {
+    bool narrow = box_width(row->bar) < LABELLED_BAR;
+    return row->window->editing ? narrow ? "\u2713" : "\u2713 Done" : narrow ? "\u270e" : "\u270e Edit";
 }
 
 /* Adds a text whose place does not depend on its length. */
@@ -155,16 +163,32 @@ static void show_track(Window *window, Tab *tab, Box box) {
     }
 }
 
-/* Shows the note that has no room in the view, in place of the speed and of the track; false: it has no room here,
- * either. */
+/* Returns the width of the widest word of a text. */
+static double widest_word(const Row *row, const char *text) {
+    double widest = 0;
+    for (const char *at = text; *at; at += strspn(at, " ")) {
+        size_t length = strcspn(at, " ");
+        const char *word = text_in_arena(&row->window->arena, "%.*s", (int)length, at);
+        widest = fmax(widest, ui_extent(row->window->ui, UI_SMALL, word).x + 1);
+        at += length;
+    }
+    return widest;
+}
+
+/* Shows the note that has no room in the view, in place of the speed, and as narrow as the bar's height allows, so that
+ * the track keeps its place; false: it has no room here, either. */
 static bool show_crowded_note(Row *row, const char *note) {
     Ui *ui = row->window->ui;
-    double width = fmax(row->right - row->left - GAP, 1), height = ui_text_height(ui, UI_SMALL, note, width);
-    double y = middle_of(row->bar).y;
+    double most = fmax(row->right - row->left - GAP, 1), least = widest_word(row, note), y = middle_of(row->bar).y;
+    double width = fmin(least, most);
+    while (width < most && ui_text_height(ui, UI_SMALL, note, width) > box_height(row->bar))
+        width = fmin(width + NOTE_STEP, most);
+    double height = ui_text_height(ui, UI_SMALL, note, width);
     if (height > box_height(row->bar))
         return false;
     ui_at(ui, (Box){{row->left, y - height / 2}, {row->left + width, y + height / 2}});
     ui_text(ui, UI_SMALL, ROLE_DIM_TEXT, note);
+    row->left += width + GAP;
     return true;
 }
 
@@ -190,13 +214,15 @@ void timeline_show(Window *window) {
             add_button(&row, ACTION_STEP, ">", false, false);
         if (!compact)
             add_button(&row, ACTION_LOOP, "Loop", tab->player.loops, false);
+        if (compact && tab_editor(tab))
+            add_button(&row, ACTION_EDIT_PLAN, edit_label(&row), window->editing, false);
         add_clock(&row, tab->laboratory->clock(tab->session, tab->player.time));
         if (!compact)
             add_button(&row, ACTION_NOW, "Now", false, true);
         bool noted = window->note_crowded && show_crowded_note(&row, tab->laboratory->note(tab->session));
         if (!noted)
             add_speed(&row, &tab->player);
-        if (!noted && row.right - row.left > LEAST_TRACK && !lesson_hides(window))
+        if (row.right - row.left > LEAST_TRACK && !lesson_hides(window))
             show_track(window, tab, (Box){{row.left + GAP, row.bar.low.y}, {row.right - GAP, row.bar.high.y}});
     }
     ui_pane_end(window->ui);

@@ -6,6 +6,7 @@
 #include "window/act.h"
 #include "window/lesson.h"
 #include "window/notice.h"
+#include "window/plan_input.h"
 
 /* Design points. */
 #define HEIGHT 46.0
@@ -14,6 +15,8 @@
 #define CROSS_WIDTH 34.0
 #define LEAST_VIEW 220.0 /* height of the view that remains */
 #define LEAST_WIDTH 860.0
+#define BUTTON_PAD 24.0
+#define SMALL_EDGE 2.0 /* above and below a button in the strip of keys */
 
 #define WATCHED 3.0 /* s, until which somebody has watched */
 
@@ -34,7 +37,27 @@ static bool is_due(Window *window) {
     const Tab *tab = window_tab(window);
     bool unseen = window->options->script && !sdl_window_is_seen(window->sdl_window);
     return tab->session && tab->path && tab_editor(tab) && !lesson_is_shown(window) && !window->present && !unseen &&
-           window->settings.state.tried != TRY_ALL && !window->frame.drawer;
+           window->settings.state.tried != TRY_ALL;
+}
+
+/* True if the strip of keys, in a small window, is free for the next thing to try. */
+static bool has_free_strip(Window *window) {
+    size_t faults;
+    return window->frame.compact && box_height(window->frame.strip) > 0 && !plan_input_listens(window) &&
+           !window->export && !notice_shown(window, &faults);
+}
+
+/* Returns the width that the button of a thing to try needs. */
+static double button_width(Window *window, int index) {
+    return ui_extent(window->ui, UI_BOLD, tries[index].label).x + BUTTON_PAD;
+}
+
+/* Returns the first thing that has not been tried; TRIES: all have. */
+static int next_try(const Window *window) {
+    int next = 0;
+    while (next < TRIES && window->settings.state.tried & tries[next].bit)
+        next++;
+    return next;
 }
 
 static void cut(Box *box, double foot) {
@@ -47,11 +70,22 @@ void tries_take_room(Window *window) {
     window->tries = (Box){{0, 0}, {0, 0}};
     for (size_t i = 0; i < frame->pane_count; i++)
         right = real_max(right, frame->panes[i].high.x);
-    if (!is_due(window) || right < LEAST_WIDTH || foot - frame->view.low.y < LEAST_VIEW)
+    if (!is_due(window))
         return;
+    if (right < LEAST_WIDTH || foot - frame->view.low.y < LEAST_VIEW) {
+        double width = 2 * GAP + HEAD_WIDTH + button_width(window, next_try(window)) + GAP + CROSS_WIDTH;
+        if (has_free_strip(window) && width <= box_width(frame->strip))
+            window->tries = (Box){frame->strip.low, {frame->strip.low.x + width, frame->strip.high.y}};
+        return;
+    }
     cut(&frame->view, foot);
     cut(&frame->beside, foot);
     cut(&frame->toolbar, foot);
+    if (frame->drawer) {
+        cut(&frame->panel, foot);
+        cut(&frame->handle, foot);
+        right = frame->page.x;
+    }
     for (size_t i = 0; i < frame->pane_count; i++)
         cut(&frame->panes[i], foot);
     window->tries = (Box){{0, foot}, {right, frame->timeline.low.y}};
@@ -96,7 +130,7 @@ static void select_door(Window *window, Tab *tab) {
         return;
     }
     tab_select(tab, chosen);
-    window->panel = true;
+    window->panel = window->drawer = true;
     window->narrowing = NARROWING_OPEN;
     ui_focus_number(window->ui, "panel");
 }
@@ -136,33 +170,43 @@ static void end_narrowing(Window *window) {
         ui_focus(window->ui, "view");
 }
 
-void tries_show(Window *window) {
-    Box strip = window->tries;
-    Tab *tab = window_tab(window);
-    if (box_width(strip) <= 0 || !tab->session)
-        return;
+static void show_try(Window *window, Tab *tab, int index, Box box, bool due) {
+    bool done = window->settings.state.tried & tries[index].bit;
+    UiButton button = {.id = text_in_arena(&window->arena, "try %d", index),
+                       .label = text_in_arena(&window->arena, "%s%s", done ? "\u2713 " : "", tries[index].label),
+                       .help = tries[index].help,
+                       .chosen = due && !done};
+    ui_at(window->ui, box);
+    if (ui_button(window->ui, &button))
+        begin(window, tab, tries[index].bit);
+}
+
+static void show_strip(Window *window, Tab *tab, Box strip) {
+    bool small = strip.low.y >= window->frame.strip.low.y;
+    int due = next_try(window), count = small ? 1 : TRIES;
+    double edge = small ? SMALL_EDGE : GAP, top = strip.low.y + edge, foot = strip.high.y - edge;
+    double left = strip.low.x + 2 * GAP + HEAD_WIDTH, width = (strip.high.x - CROSS_WIDTH - GAP - left) / count;
     ui_pane_begin(window->ui, &(UiPane){.name = "tries", .box = strip, .ground = ROLE_SHADE});
-    double middle = (strip.low.y + strip.high.y) / 2, left = strip.low.x + 2 * GAP + HEAD_WIDTH;
-    double width = (strip.high.x - CROSS_WIDTH - GAP - left) / TRIES;
-    ui_draw_text(window->ui, UI_BOLD, ROLE_TEXT, vec2(strip.low.x + 2 * GAP, middle), 0, "Try this");
-    bool due = true;
-    for (int i = 0; i < TRIES; i++, left += width) {
-        bool done = window->settings.state.tried & tries[i].bit;
-        UiButton button = {.id = text_in_arena(&window->arena, "try %d", i),
-                           .label = text_in_arena(&window->arena, "%s%s", done ? "\u2713 " : "", tries[i].label),
-                           .help = tries[i].help,
-                           .chosen = due && !done};
-        due = due && done;
-        ui_at(window->ui, (Box){{left, strip.low.y + GAP}, {left + width - GAP, strip.high.y - GAP}});
-        if (ui_button(window->ui, &button))
-            begin(window, tab, tries[i].bit);
+    ui_draw_text(window->ui, UI_BOLD, ROLE_TEXT, vec2(strip.low.x + 2 * GAP, (strip.low.y + strip.high.y) / 2), 0,
+                 "Try this");
+    for (int i = 0; i < count; i++, left += width) {
+        int index = small ? due : i;
+        show_try(window, tab, index, (Box){{left, top}, {left + width - GAP, foot}}, index == due);
     }
-    ui_at(window->ui, (Box){{strip.high.x - CROSS_WIDTH, strip.low.y + GAP}, {strip.high.x - GAP, strip.high.y - GAP}});
+    ui_at(window->ui, (Box){{strip.high.x - CROSS_WIDTH, top}, {strip.high.x - GAP, foot}});
     if (ui_button(window->ui, &(UiButton){.id = "no tries",
                                           .label = "\u00d7",
                                           .help = "Close: Hide these for good; Help > Try this brings them back"}))
         window->settings.state.tried = TRY_ALL;
     ui_pane_end(window->ui);
+}
+
+void tries_show(Window *window) {
+    Tab *tab = window_tab(window);
+    if (!is_due(window))
+        return;
+    if (box_width(window->tries) > 0)
+        show_strip(window, tab, window->tries);
     note_done(window, tab);
     end_narrowing(window);
 }

@@ -1,4 +1,5 @@
-/* The strip of three first things to try, between the view and the timeline. Each is ticked once it has been done;
+/* The strip of three first things to try, between the view and the timeline; in a small window it is the next one
+ * alone, in the strip of keys. Each is ticked once it has been done;
  * after the third, or its cross, the strip is gone until Help > Try this. */
 #pragma once
 

@@ -249,6 +249,7 @@ static void make_frame(Window *window) {
     bool panel = window->panel && lesson_has_panel(window) && (!window->present || window->drawer);
     plots = plots && !lesson_hides(window) && !tab->trial.session;
     FrameWish wish = {.panel = panel,
+                      .handle = lesson_has_panel(window),
                       .card = lesson_width(window, page),
                       .card_line = lesson_line(window),
                       .plots = plots && (!window->present || window->plots == PLOTS_OPEN || (teaches && machine)),
@@ -289,6 +290,7 @@ static void show_panes(Window *window) {
     lesson_show(window);
     canvas_show(window);
     panel_show(window);
+    panel_show_handle(window);
     toolbar_show(window);
     tries_show(window);
     timeline_show(window);

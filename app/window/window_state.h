@@ -163,6 +163,7 @@ typedef struct Window {
     bool answer_tall;                      /* the detail stands below the title */
     char headings[HEADINGS_MOST][HEADING]; /* (heading_count) of the selection, in the panel */
     size_t heading_count;
+    size_t panel_subject;                    /* number of the thing that was selected last */
     const char *strip_keys[STRIP_KEYS_MOST]; /* (strip_count) keys that the strip names */
     size_t strip_count;
     int width, height; /* pixels */

@@ -122,12 +122,12 @@ tips = [t["box"] for t in texts[-1] if t["string"].startswith("Edit plan (Ctrl+J
 check(len(tips) == 1 and 134 <= tips[0][1] < 160, "the tool tip of the button for editing is next to it", tips)
 
 # beside a column that is lower than wide, a tool tip hides neither rows nor the timeline
-texts = stage.act("drawer", "until answered", "pause", "key Ctrl+J", "key H", "wait 3", "mouse 800 480",
-                  *["wait 100", "texts STATE"] * 2, "mouse 40 480", *["wait 100", "texts STATE"] * 2,
+texts = stage.act("drawer", "until answered", "pause", "key Ctrl+J", "key H", "wait 3", "mouse 800 345",
+                  *["wait 100", "texts STATE"] * 2, "mouse 40 425", *["wait 100", "texts STATE"] * 2,
                   arguments=[FILES["house"], "--size", "1024x600", "--text", "2"])
-row = [t["box"] for t in texts[1] if t["string"].startswith("kitchen: Select")]
+row = [t["box"] for t in texts[1] if t["string"].startswith("chest: Select")]
 tool = [t["box"] for t in texts[3] if "Place people" in t["string"]]
-check(len(row) == 1 and row[0][2] < 416 and tool and tool[0][0] > 190 and tool[0][3] < 512,
+check(len(row) == 1 and row[0][2] < 416 and tool and tool[0][0] > 190 and tool[0][3] < 452,
       "a tool tip of a low column lies beside it, above the timeline", (row, tool))
 
 # with the largest letters there is no strip: messages and what a tool does are whole, above the view
