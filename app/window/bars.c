@@ -6,7 +6,6 @@
 #include "base/stop.h"
 #include "base/stopwatch.h"
 #include "window/act.h"
-#include "window/clauses.h"
 #include "window/lesson.h"
 #include "window/menu.h"
 #include "window/notice.h"
@@ -233,15 +232,42 @@ static void show_doing_note(Window *window, const char *doing, double left, doub
         show_text(window, UI_SMALL, ROLE_DIM_TEXT, left, right, below, doing);
 }
 
+/* Returns the first line of a detail: of several faults the first, since the panel has them all. "": no detail. */
+static const char *first_line(Window *window, const char *detail) {
+    return detail ? text_in_arena(&window->arena, "%.*s", (int)strcspn(detail, "\n"), detail) : "";
+}
+
+/* Returns the first clauses of a text, whole ones, that fit into a width; "": none does. */
+static const char *whole_clauses(Window *window, UiTextStyle size, const char *text, double width) {
+    size_t length = strlen(text);
+    while (length > 0 &&
+           ui_extent(window->ui, size, text_in_arena(&window->arena, "%.*s", (int)length, text)).x > width) {
+        size_t before = 0;
+        for (size_t i = 1; i < length; i++) /* clauses end at "; ", ", " or " \u00b7 " */
+            if (text[i] == ' ' && (text[i - 1] == ';' || text[i - 1] == ','))
+                before = i - 1;
+            else if (strncmp(text + i, " \u00b7 ", 4) == 0)
+                before = i;
+        length = before;
+    }
+    return text_in_arena(&window->arena, "%.*s", (int)length, text);
+}
+
+/* Returns the first clauses of a text that fit into a width; if none does, all of them, to be shortened. */
+static const char *some_clauses(Window *window, UiTextStyle size, const char *text, double width) {
+    const char *whole = whole_clauses(window, size, text, width);
+    return *whole ? whole : text;
+}
+
 /* Shows a detail in two lines that break between clauses; the last ones are left out where they have no room. False: a
  * clause that begins a line is longer than it. */
 static bool show_broken(Window *window, UiTextStyle size, Role role, Box lines, const char *detail) {
     static const char between[] = " ,;\u00b7";
     double width = box_width(lines), y = middle_of(lines).y, height = ui_extent(window->ui, size, detail).y;
-    const char *first = clauses_whole(window, size, detail, width);
+    const char *first = whole_clauses(window, size, detail, width);
     const char *rest = detail + strlen(first);
     rest += strspn(rest, between);
-    const char *second = clauses_whole(window, size, rest, width);
+    const char *second = whole_clauses(window, size, rest, width);
     if (!*first || !*second)
         return false;
     show_text(window, size, role, lines.low.x, lines.high.x, y - height / 2, first);
@@ -251,7 +277,7 @@ static bool show_broken(Window *window, UiTextStyle size, Role role, Box lines, 
 
 /* Shows the result's numbers in one line, or small in two. */
 static void show_detail(Window *window, const Result *answer, double left, double right, double y) {
-    const char *detail = clauses_first_line(window, answer->detail);
+    const char *detail = first_line(window, answer->detail);
     Role role = answer->stale ? ROLE_DIM_TEXT : ROLE_TEXT;
     UiTextStyle size = left + ui_extent(window->ui, UI_DETAIL, detail).x > right ? UI_BODY : UI_DETAIL;
     if (size == UI_BODY && show_clauses(window, detail, role, left, right, y))
@@ -260,7 +286,7 @@ static void show_detail(Window *window, const Result *answer, double left, doubl
     if (left + ui_extent(window->ui, size, detail).x > right &&
         show_broken(window, size, role, (Box){{left, y}, {right, y}}, detail))
         return;
-    detail = clauses_whole(window, size, detail, TWO_LINES * (right - left));
+    detail = whole_clauses(window, size, detail, TWO_LINES * (right - left));
     Vec2 extent = ui_extent(window->ui, size, detail);
     if (left + extent.x > right && extent.x < TWO_LINES * (right - left)) {
         double half = fmax(extent.y, ui_text_height(window->ui, size, detail, right - left) / 2);
@@ -275,10 +301,10 @@ static void show_detail(Window *window, const Result *answer, double left, doubl
 
 /* Shows the numbers in one line below the title. */
 static void show_detail_below(Window *window, const Result *answer, double right, double y) {
-    const char *detail = clauses_first_line(window, answer->detail);
+    const char *detail = first_line(window, answer->detail);
     bool fits = MARGIN + ui_extent(window->ui, UI_DETAIL, detail).x <= right;
     UiTextStyle size = fits ? UI_DETAIL : UI_BODY;
-    show_text(window, size, ROLE_TEXT, MARGIN, right, y, clauses_whole(window, size, detail, right - MARGIN));
+    show_text(window, size, ROLE_TEXT, MARGIN, right, y, whole_clauses(window, size, detail, right - MARGIN));
 }
 
 bool bars_answer_is_tall(Window *window) {
@@ -312,7 +338,7 @@ static void show_wrapped(Window *window, UiTextStyle size, double left, double r
  * small lines. */
 static bool is_stacked(Window *window, const Result *answer, double right) {
     double rest = right - MARGIN - ui_extent(window->ui, UI_CLOCK, answer->title).x;
-    const char *first = window->frame.compact && !answer->stale ? clauses_first_line(window, answer->detail) : "";
+    const char *first = window->frame.compact && !answer->stale ? first_line(window, answer->detail) : "";
     double wanted = ui_extent(window->ui, UI_BODY, first).x;
     bool lacks = *first && wanted > TWO_LINES * (rest - 2 * GAP) && wanted <= right - MARGIN;
     return !window->answer_tall && !lesson_hides_words(window) && (rest < 0 || lacks);
@@ -407,7 +433,7 @@ static bool show_gesture(Window *window, Box box) {
     ui_draw_frame(window->ui, box, gesture->refusal ? ROLE_ERROR : ROLE_ROOM, 2);
     double width = box_width(box) - 2 * MARGIN, lines = box_height(box) > MESSAGE_HEIGHT ? TWO_LINES : 1;
     const char *text = gesture->refusal ? text_in_arena(&window->arena, "\u26a0 %s", gesture->refusal)
-                                        : clauses_some(window, UI_BODY, gesture->doing, lines * width);
+                                        : some_clauses(window, UI_BODY, gesture->doing, lines * width);
     show_lines(window, gesture->refusal ? ROLE_ERROR : ROLE_TEXT, box, box.high.x - MARGIN, text);
     ui_pane_end(window->ui);
     return true;
@@ -514,7 +540,7 @@ static double show_doing(Window *window, double left, double right, double y) {
     const char *text = tab->trial.session
                            ? "The plan is unchanged until you use the fix: Return uses it, Escape goes back."
                            : editor_gesture(editor)->doing;
-    text = clauses_some(window, UI_BOLD, text, right - left);
+    text = some_clauses(window, UI_BOLD, text, right - left);
     double end = fmin(right, left + ui_extent(window->ui, UI_BOLD, text).x + 1);
     show_text(window, UI_BOLD, ROLE_TEXT, left, end, y, text);
     return end + GAP;
