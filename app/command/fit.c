@@ -1,11 +1,14 @@
 #include <errno.h>
+#include <inttypes.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/digest.h"
 #include "base/text.h"
 #include "crank/crank.h"
 #include "command/answer.h"
@@ -272,11 +275,33 @@ static void print_answer(const FitJob *job) {
     arena_clear(&arena);
 }
 
+/* Returns the files of what was measured, each with a digest of its bytes, "times.csv (0123456789abcdef)"; a pipe has
+ * been read and has none. */
+static const char *sources_of(const FitJob *job, Arena *arena) {
+    const char *files = job->is_beam ? job->options->measured : job->options->observed;
+    char *list = text_copy(files ? files : ""), *rest = list, *file;
+    Text text = {0};
+    while (files && (file = strsep(&rest, ","))) {
+        size_t size = 0;
+        struct stat status;
+        bool regular = stat(file, &status) == 0 && S_ISREG(status.st_mode);
+        char *bytes = regular ? text_read_file(file, SIZE_MAX, &size) : NULL;
+        text_format(&text, "%s%s", text.used ? ", " : "", file);
+        if (bytes)
+            text_format(&text, " (%016" PRIx64 ")", digest_bytes(DIGEST_START, bytes, size));
+        memory_free(bytes);
+    }
+    const char *sources = text.used ? arena_text(arena, text.text) : "its observed times";
+    memory_free(text.text);
+    memory_free(list);
+    return sources;
+}
+
 /* Sets one value of a profile's or a beam's file, with where it comes from; false: it is not of this file. */
 static bool set_value(const FitJob *job, json_t *root, const char *profile, const FitUnknown *unknown) {
     const Experiment *experiment = &job->experiments[0];
     const Parameter *row = experiment->parameter(experiment->given, unknown->name);
-    const char *dot = strchr(row->name, '.'), *source = job->is_beam ? job->options->measured : job->options->observed;
+    const char *dot = strchr(row->name, '.');
     size_t length = profile ? strlen(profile) : 0;
     bool mine = job->is_beam || (strncmp(unknown->name, "profile.", 8) == 0 &&
                                  strncmp(unknown->name + 8, profile, length) == 0 && unknown->name[8 + length] == '.');
@@ -289,8 +314,7 @@ static bool set_value(const FitJob *job, json_t *root, const char *profile, cons
         json_object_set_new(root, group_name, group = json_object());
     const char *provenance =
         text_in_arena(&arena, "%s: %s, %s, %zu values, 90 %% %.4g to %.4g", job->is_beam ? "identified" : "fitted",
-                      job->options->files[0], source ? source : "its observed times", job->fit.row_count, unknown->low,
-                      unknown->high);
+                      job->options->files[0], sources_of(job, &arena), job->fit.row_count, unknown->low, unknown->high);
     json_object_set_new(group, dot + 1, json_pack("{s:f, s:s}", "value", unknown->value, "provenance", provenance));
     arena_clear(&arena);
     return true;

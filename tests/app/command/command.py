@@ -7,6 +7,7 @@ command.py CLEARANCE
 import json
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import tempfile
@@ -176,6 +177,8 @@ def check_fit():
         check(answer["effective_samples"] > 20, "the intervals rest on samples")
         fitted = json.loads(pathlib.Path(place, "tip/ibs-r-fitted.json").read_text())
         check(fitted["beam"]["tip_mass"]["value"] == mass["value"], "the fitted beam has the told mass")
+        said = fitted["beam"]["tip_mass"]["provenance"]
+        check(re.search(r"peaks\.csv \([0-9a-f]{16}\), 3 values", said), f"its source has a digest: {said}")
         expect(2, "fit", beam, "--measured", str(table), "--fit", "shaker.position", "--prior", "shaker.position=1",
                says="--prior takes NAME=VALUE:SPREAD")
         expect(2, "fit", house("ube-techno-house"), "--measured", str(table), says="--measured is for beams")
