@@ -14,6 +14,8 @@
 static const double LARGEST = 0.5, SMALLEST = 0.08;
 /* m: a smaller disc has no letter in the picture, which would stand beside it; the list has all. */
 static const double LETTERED = 0.1;
+/* m: the same for a ring, which its dashes tell already and which the letter would hide. */
+static const double RING_LETTERED = 0.25;
 /* design points */
 static const double LETTERS = 12, RING_WIDTH = 2.5;
 
@@ -90,7 +92,7 @@ static void add_ring(Scene *scene, const DangerPlace *place, double radius) {
         points[i] = vec2_along(place->at, radius, vec2_heading(2 * M_PI * i / RING_POINTS));
     Primitive *ring = scene_add_line(scene, role_of(place->fastest), RING_WIDTH, points, RING_POINTS + 1);
     ring->style = LINE_DASHED;
-    if (radius >= LETTERED)
+    if (radius >= RING_LETTERED)
         add_letter(scene, place, points[RING_POINTS / 8]);
 }
 
