@@ -44,6 +44,7 @@ static json_t *answer_of(const House *house, const Observation *observation, Rep
         json_object_set_new(answer, "grade_places",
                             result_json_take_list(result_check_grade_places(house, fleets.grades)));
     }
+    answer_mark_interrupted(answer, fleets.interrupted);
     return answer;
 }
 
@@ -224,7 +225,7 @@ int command_run(const Options *options) {
     }
     Observation observation;
     Drivers drivers = {0};
-    ReportedDrivers fleets = {&drivers, &population, NULL, NULL};
+    ReportedDrivers fleets = {.drivers = &drivers, .population = &population};
     house_file_run(&observation, &house, options, route);
     if (count && !observation.interrupted)
         drivers_run(&drivers, &house, &population, count, route, options->jobs, &progress_stop);
@@ -246,6 +247,7 @@ int command_run(const Options *options) {
     } else if (observation.interrupted)
         fprintf(stderr, "clearance: interrupted at %.2f s of simulated time; the results up to there are kept\n",
                 observation.time);
+    fleets.interrupted = told;
     bool written = write_results(&house, &observation, &observed, fleets, options, route);
     bool interrupted = output_tell_interrupted(told);
     if (options->json)

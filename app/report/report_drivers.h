@@ -14,6 +14,7 @@ typedef struct ReportedDrivers {
     const Population *population;
     const Grade *grades;  /* (person_count) or NULL */
     const Grade *letters; /* (person_count), where only the letters are known (grade_all_letters), or NULL */
+    bool interrupted;     /* True if drivers or grades are missing because of that */
 } ReportedDrivers;
 
 /* The same drivers in both houses. */
