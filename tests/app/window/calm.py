@@ -218,6 +218,7 @@ screen.keys("h")
 # 16: messages stand in the strip
 view = [0, 94, 970, 636]
 screen.point_to(1270, 700)
+screen.until(lambda s: not s["answer"]["doing"])  # what is worked out comes into the picture
 quiet = screen.shot("quiet")
 screen.keys("n")
 said = screen.until(lambda s: s["message"] and "napping" in s["message"])

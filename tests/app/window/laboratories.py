@@ -52,7 +52,7 @@ other.write_text('{"format": "clearance-house", "version": 1,\n "exists": []}')
 said = act("two-broken", "until complete", f'open "{broken}"', "wait 5", f'open "{other}"', "wait 5", "state STATE")[0]["message"]
 check("other.json:" in (said or ""), "of two broken files the last one is said", said)
 check(found[1]["parameters"]["door.d4.width"] == 0.9, "a width out of range changes nothing", found[1]["message"])
-check(found[2]["answer"]["title"] == "All 4 get out" and found[2]["messages"] > found[1]["messages"],
+check(found[2]["answer"]["title"].startswith("All 4 get out") and found[2]["messages"] > found[1]["messages"],
       "a door past its wall's end is said, the last good state stays", found[2]["message"])
 
 # keys of the view: selection, zoom, oblique, follow, layers, presentation, theme, text size
