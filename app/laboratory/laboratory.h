@@ -77,6 +77,7 @@ typedef struct Result {
                           either run is shown */
     bool due;          /* the answer is older than the last change, also as long as that is too short to be shown */
     const char *doing; /* work in the background, "types: 40 of 768 runs", or NULL */
+    bool grading;      /* True while the grade in the title is worked out, which needs no words */
     double part;       /* completed share of that work, 0 to 1; NAN: unknown */
     const char *cure;  /* words of a button that takes a tool: "Add an exit"; NULL: none */
     int tool;          /* that EditTool */

@@ -3,8 +3,9 @@
 #include <stdint.h>
 #include <string.h>
 
+/* True of a driver whose grade is known or, without grades, will be. */
 static bool is_known(const House *house, const Grade *grades, size_t person) {
-    return house->people[person].profile->driving == DRIVING_DRIVER && !grades[person].interrupted;
+    return house->people[person].profile->driving == DRIVING_DRIVER && !(grades && grades[person].interrupted);
 }
 
 size_t result_grade_worst(const House *house, const Grade *grades) {
@@ -16,11 +17,15 @@ size_t result_grade_worst(const House *house, const Grade *grades) {
 }
 
 /* Returns "grade" or, of several people, "worst grade". */
-static const char *noun(const House *house, const Grade *grades) {
+static const char *noun(size_t known) {
+    return known > 1 ? "worst grade" : "grade";
+}
+
+static size_t count_known(const House *house, const Grade *grades) {
     size_t known = 0;
     for (size_t i = 0; i < house->person_count; i++)
         known += is_known(house, grades, i);
-    return known > 1 ? "worst grade" : "grade";
+    return known;
 }
 
 const char *result_grade_phrase(const House *house, const Grade *grades, Arena *arena) {
@@ -29,8 +34,8 @@ const char *result_grade_phrase(const House *house, const Grade *grades, Arena *
     if (worst == SIZE_MAX)
         return "";
     const Grade *grade = &grades[worst];
-    const char *said =
-        text_in_arena(arena, "%s %s, %s", noun(house, grades), grade_letter(grade->letter), grade_words(grade->letter));
+    const char *said = text_in_arena(arena, "%s %s, %s", noun(count_known(house, grades)), grade_letter(grade->letter),
+                                     grade_words(grade->letter));
     if (grade->weak)
         return text_in_arena(arena, "%s, driver too weak", said);
     if (!grade->has_place)
@@ -41,10 +46,12 @@ const char *result_grade_phrase(const House *house, const Grade *grades, Arena *
 }
 
 void result_grade_add(const char **title, const char **detail, const House *house, const Grade *grades, Arena *arena) {
-    size_t worst = result_grade_worst(house, grades);
-    if (worst == SIZE_MAX)
+    size_t known = count_known(house, grades);
+    if (!known)
         return;
-    int letter = grades[worst].letter;
-    *title = text_in_arena(arena, "%s, %s %s", *title, noun(house, grades), grade_letter(letter));
-    *detail = text_in_arena(arena, **detail ? "%s; %s" : "%s%s", grade_words(letter), *detail);
+    const char *letter = grades ? grade_letter(grades[result_grade_worst(house, grades)].letter) : "\u2026";
+    *title = text_in_arena(arena, "%s, %s %s", *title, noun(known), letter);
+    if (grades)
+        *detail = text_in_arena(arena, **detail ? "%s; %s" : "%s%s",
+                                grade_words(grades[result_grade_worst(house, grades)].letter), *detail);
 }

@@ -13,5 +13,6 @@ size_t result_grade_worst(const House *house, const Grade *grades);
 const char *result_grade_phrase(const House *house, const Grade *grades, Arena *arena);
 
 /* Adds the worst grade to the title and the detail of an answer: "Out in 23.0 s, grade D" and "touching likely;
- * narrowest 0.007 m at door d3". They stay as they are if no grade is known. */
+ * narrowest 0.007 m at door d3". They stay as they are if no grade is known. Without `grades` (NULL), which are being
+ * worked out, the title keeps the place of the letter, "Out in 23.0 s, grade \u2026", if anybody drives. */
 void result_grade_add(const char **title, const char **detail, const House *house, const Grade *grades, Arena *arena);

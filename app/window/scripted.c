@@ -314,8 +314,8 @@ static bool has_come(const Scripted *scripted, Window *window) {
     case SCRIPT_ANSWERED:
         return !answer.stale && (span.complete || span.endless) && !lesson_works(window);
     default:
-        return !answer.stale && (span.complete || span.endless) && !answer.doing && !window->export &&
-               !lesson_works(window) && !plan_input_animation(tab) &&
+        return !answer.stale && (span.complete || span.endless) && !answer.doing && !answer.grading &&
+               !window->export && !lesson_works(window) && !plan_input_animation(tab) &&
                !(tab_editor(tab) && editor_seeks_proposals(tab_editor(tab)));
     }
 }

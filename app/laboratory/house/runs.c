@@ -19,11 +19,8 @@ static bool wants_routes(const HouseSession *session) {
            session->runs[RUN_SHOWN]->house.person_count <= PEOPLE_SCENE_INDIVIDUALS;
 }
 
-/* Those who do not get out are told why; a crowd, and a plan that changed on the way, have no grade. */
 static bool wants_grades(const HouseSession *session) {
-    const HouseRun *shown = session->runs[RUN_SHOWN];
-    return session->observation->completed && shown->wish.epoch_count == 1 && !draft_is_open(session->draft) &&
-           shown->house.person_count <= PEOPLE_SCENE_INDIVIDUALS;
+    return house_runs_has_grade(session) && !draft_is_open(session->draft);
 }
 
 static bool wants_crew(const HouseSession *session) {
@@ -113,6 +110,12 @@ bool house_runs_is_over(const HouseSession *session, HouseRunRole role) {
 
 bool house_runs_wants(const HouseSession *session, HouseRunRole role) {
     return roles[role].is_wanted && roles[role].is_wanted(session);
+}
+
+bool house_runs_has_grade(const HouseSession *session) {
+    const HouseRun *shown = session->runs[RUN_SHOWN];
+    return session->whole && session->observation->completed && shown->wish.epoch_count == 1 &&
+           shown->house.person_count <= PEOPLE_SCENE_INDIVIDUALS;
 }
 
 /* Facts about the runs -------------------------------------------------------------------------------------------- */

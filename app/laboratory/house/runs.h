@@ -38,6 +38,10 @@ void house_runs_ask(HouseSession *session, HouseRunRole role, bool brief);
 /* True if the run of this role is over and the session has noticed its end. */
 bool house_runs_is_over(const HouseSession *session, HouseRunRole role);
 
+/* True if the answer has a grade: those who do not get out are told why; a crowd, and a plan that changed on the way,
+ * have none. */
+bool house_runs_has_grade(const HouseSession *session);
+
 /* True if the role (rival, routes, grades, crew) is wanted in the present state of the session. */
 bool house_runs_wants(const HouseSession *session, HouseRunRole role);
 

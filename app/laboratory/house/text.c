@@ -387,8 +387,9 @@ static void make_answer(HouseSession *session) {
     texts->title = run->title;
     texts->role = run->title_role;
     texts->detail = run->detail;
-    if (house_runs_is_over(session, RUN_GRADES))
-        result_grade_add(&texts->title, &texts->detail, &shown->house, session->runs[RUN_GRADES]->grades,
+    if (house_runs_has_grade(session))
+        result_grade_add(&texts->title, &texts->detail, &shown->house,
+                         house_runs_is_over(session, RUN_GRADES) ? session->runs[RUN_GRADES]->grades : NULL,
                          &texts->moment.arena);
     if (*than)
         texts->detail = *texts->detail ? scene_text(&texts->moment, "%s; %s", than, texts->detail) : than;
@@ -477,8 +478,6 @@ static const char *describe_progress(HouseSession *session) {
     }
     if (!run && session->runs[RUN_ROUTES] && !house_runs_is_over(session, RUN_ROUTES))
         run = session->runs[RUN_ROUTES];
-    if (!run && session->runs[RUN_GRADES] && !house_runs_is_over(session, RUN_GRADES))
-        return "grading how tight it is";
     if (!run && session->runs[RUN_CREW] && !house_runs_is_over(session, RUN_CREW)) {
         const Crew *crew = house_run_crew(session->runs[RUN_CREW]);
         size_t size = crew_size(crew ? CREW_STEPS - 1 : 0, draft_plan(session->draft));
@@ -519,6 +518,7 @@ Result house_text_answer(HouseSession *session) {
                      .stale = session->settles,
                      .due = house_runs_is_working(session),
                      .doing = describe_progress(session),
+                     .grading = house_runs_wants(session, RUN_GRADES) && !house_runs_is_over(session, RUN_GRADES),
                      .part = NAN,
                      .cure = texts->missing.cure,
                      .tool = texts->missing.tool};

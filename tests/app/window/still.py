@@ -41,7 +41,7 @@ def placed(texts):
 for width, height in ((1280, 720), (1920, 1080)):
     size = f"{width} x {height}"
     screen = Screen(f"still-{height}", stage.house("ube-techno-house"), width=width, height=height, minutes=20, texts=True)
-    screen.until(lambda s: s["complete"] and not s["answer"]["stale"])
+    screen.until(lambda s: s["complete"] and not s["answer"]["stale"] and not s["answer"]["grading"])
     screen.point_to(width - 2, height - 2)
     screen.keys("r")
     screen.until(lambda s: s["playing"] and s["time"] > 3.2 and not s["said"])
