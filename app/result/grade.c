@@ -49,9 +49,8 @@ void result_grade_add(const char **title, const char **detail, const House *hous
     size_t known = count_known(house, grades);
     if (!known)
         return;
-    const char *letter = grades ? grade_letter(grades[result_grade_worst(house, grades)].letter) : "\u2026";
-    *title = text_in_arena(arena, "%s, %s %s", *title, noun(known), letter);
-    if (grades)
-        *detail = text_in_arena(arena, **detail ? "%s; %s" : "%s%s",
-                                grade_words(grades[result_grade_worst(house, grades)].letter), *detail);
+    const Grade *worst = grades ? &grades[result_grade_worst(house, grades)] : NULL;
+    *title = text_in_arena(arena, "%s, %s %s", *title, noun(known), worst ? grade_letter(worst->letter) : "\u2026");
+    if (worst)
+        *detail = text_in_arena(arena, **detail ? "%s; %s" : "%s%s", grade_words(worst->letter), *detail);
 }

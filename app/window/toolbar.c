@@ -8,7 +8,7 @@
 #define GAP 6.0 /* design points */
 #define HIGHEST 58.0
 
-/* Of the answer's buttons. */
+/* The answer's buttons, design points. */
 #define ANSWER_MARGIN 14.0
 #define ANSWER_GAP 12.0
 #define BUTTON_PAD 20.0

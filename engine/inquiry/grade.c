@@ -26,6 +26,7 @@ typedef struct Grading {
     const Stop *stop;
     double blocked_from; /* m, least growth so far that cannot pass */
     bool weak;           /* True if the body itself passes, but the driver is too weak */
+    GradeTry own;        /* of the body as it is, with as many changes of direction as the house allows */
     Grade *grade;
 } Grading;
 
@@ -53,7 +54,8 @@ static GradeTry try_growth(Grading *grading, double growth, int reversals) {
  * where there is none for the body itself, even if the way of a smaller one would have room for it: a grade and the
  * answer without one agree. */
 static double largest_growth(Grading *grading, int reversals, double most) {
-    GradeTry tried = try_growth(grading, 0, reversals);
+    bool same = reversals == grading->house->plan.run.reversals;
+    GradeTry tried = same ? grading->own : try_growth(grading, 0, reversals);
     double low = tried.found ? tried.holds : -GRADE_DEEPEST, high = tried.found ? most : -GRADE_RESOLUTION;
     if (grading->weak)
         return (double)NAN;
@@ -92,7 +94,7 @@ static void find_letter(Grading *grading) {
     Grade *grade = grading->grade;
     const House *house = grading->house;
     int any = house->plan.run.reversals;
-    GradeTry known = try_growth(grading, 0, any);
+    GradeTry known = grading->own = try_growth(grading, 0, any);
     if (!known.found)
         grade->letter = known.weak || known.fits ? GRADE_E : GRADE_F;
     else if (!has_room(grading, &known, GRADE_ARMS_IN, few_of(any)))
@@ -108,13 +110,13 @@ static void find_letter(Grading *grading) {
 
 Grade grade_person_letter(const House *house, size_t person, const Stop *stop) {
     Grade grade = {.tightness = (double)NAN, .to_next = (double)NAN};
-    find_letter(&(Grading){house, person, stop, HUGE_VAL, false, &grade});
+    find_letter(&(Grading){.house = house, .person = person, .stop = stop, .blocked_from = HUGE_VAL, .grade = &grade});
     return stop_requested(stop) ? (Grade){.interrupted = true} : grade;
 }
 
 Grade grade_person(const House *house, size_t person, const Stop *stop) {
     Grade grade = {.tightness = (double)NAN, .to_next = (double)NAN};
-    Grading grading = {house, person, stop, HUGE_VAL, false, &grade};
+    Grading grading = {.house = house, .person = person, .stop = stop, .blocked_from = HUGE_VAL, .grade = &grade};
     int any = house->plan.run.reversals, few = few_of(any);
     double easy = easy_for(house->people[person].profile);
     find_letter(&grading);

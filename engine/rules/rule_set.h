@@ -13,7 +13,7 @@
 #include "base/parameters.h"
 #include "plan/work.h"
 
-/* What a rule is about; how each is measured is told in the headers of this folder. */
+/* The subject of a rule; the headers of this folder tell how each is measured. */
 typedef enum RuleWhat {
     RULE_CORRIDOR_WIDTH,
     RULE_DOOR_CLEAR,
@@ -97,7 +97,7 @@ typedef struct Rule {
     int status; /* RuleStatus */
 } Rule;
 
-/* Whether a kind of work is paid for. */
+/* A statement about a kind of work: it is paid for, or not listed. */
 typedef struct RulePay {
     int change;            /* PlanWork */
     int pays;              /* RulePays */
