@@ -223,17 +223,30 @@ static void keep_moment(Tab *tab) {
         tab->moment = (TabMoment){true, tab->player.time, editor_edit_count(editor)};
 }
 
-/* Goes back to the moment before a gesture that was cancelled, as soon as its run is shown again. */
+/* Goes back to the moment before a gesture that was cancelled, as soon as its run is shown up to there. */
 static void return_to_moment(Tab *tab, const RecordSpan *span) {
     Editor *editor = tab_editor(tab);
     if (!tab->moment.kept || !editor || editor_gesture(editor)->active)
         return;
     bool cancelled = editor_edit_count(editor) == tab->moment.edits;
-    if (cancelled && tab->laboratory->runs && tab->laboratory->runs(tab->session).working)
+    bool works = tab->laboratory->runs && tab->laboratory->runs(tab->session).working;
+    bool grows = !span->complete && span->end < tab->moment.time;
+    if (cancelled && (works || grows))
         return;
     if (cancelled)
         player_seek(&tab->player, tab->moment.time, span);
     tab->moment.kept = false;
+}
+
+/* Updates the session; where another run takes the place of the shown one, the clock goes back to the beginning. */
+static unsigned update_session(Tab *tab) {
+    unsigned changes = tab->laboratory->update(tab->session, tab_time(tab));
+    if (changes & LABORATORY_RESTART) {
+        RecordSpan span = tab_span(tab);
+        keep_moment(tab);
+        player_seek(&tab->player, span.begin, &span);
+    }
+    return changes;
 }
 
 unsigned tab_update(Tab *tab, double seconds) {
@@ -245,14 +258,11 @@ unsigned tab_update(Tab *tab, double seconds) {
     RecordSpan span = tab_span(tab);
     double wish = player_wish(&tab->player, seconds, &span);
     kind->reach(tab->session, wish);
-    unsigned changes = kind->update(tab->session, tab_time(tab));
+    unsigned changes = update_session(tab);
     update_trial(tab);
     span = tab_span(tab);
-    if (changes & LABORATORY_RESTART) {
-        keep_moment(tab);
-        player_seek(&tab->player, span.begin, &span);
+    if (changes & LABORATORY_RESTART)
         wish = tab->player.time;
-    }
     if (tab->moment.kept) {
         return_to_moment(tab, &span);
         wish = tab->player.time;
@@ -262,7 +272,7 @@ unsigned tab_update(Tab *tab, double seconds) {
     follow(tab);
     if (changes & LABORATORY_VIEW) {
         keep_eye(tab);
-        changes |= kind->update(tab->session, tab_time(tab)); /* the new camera applies from now on */
+        changes |= update_session(tab); /* the new camera applies from now on */
         view_layers_invalidate(&tab->view_layers);
     }
     if (kind->tell)

@@ -20,7 +20,7 @@ FLASHES_MOST = 3  # a second
 
 
 def settle(screen):
-    return screen.until(lambda s: s["complete"] and not s["answer"]["stale"] and not s["answer"]["doing"])
+    return screen.until(stage.is_settled)
 
 
 # killed after an edit, the next start offers it, and the file is as it was

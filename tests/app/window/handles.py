@@ -37,7 +37,7 @@ class Hand(Plan):
     def settle(self):
         """Waits until all background work is done."""
         self.state()
-        return self.until(lambda s: s["complete"] and not s["answer"]["stale"] and not s["answer"]["doing"])
+        return self.until(stage.is_settled)
 
     def saved(self):
         """Saves the house and returns the contents of its file."""

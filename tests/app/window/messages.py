@@ -35,7 +35,7 @@ def stands(screen, kind, words, quiet, also=()):
 
 
 def settle(screen):
-    return screen.until(lambda s: s["complete"] and not s["answer"]["stale"] and not s["answer"]["doing"])
+    return screen.until(stage.is_settled)
 
 
 for width, height in ((1280, 720), (1920, 1080)):

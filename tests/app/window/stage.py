@@ -80,6 +80,12 @@ def act(name, *lines, arguments=(), code=0, **more):
     return states(place / "states")
 
 
+def is_settled(state):
+    """True if the picture and the answer hold all that is worked out in the background, the grade as well."""
+    answer = state["answer"]
+    return state["complete"] and not (answer["stale"] or answer["doing"] or answer["grading"])
+
+
 def magick(*arguments):
     return subprocess.run(arguments, capture_output=True, text=True, timeout=600)
 
