@@ -115,11 +115,20 @@ typedef struct Choice {
     double cost;
 } Choice;
 
+/* True if an optional label may not lie in the box because of what it hides there. */
+static bool hides_too_much(const Places *places, const Primitive *label, Box box) {
+    Box around = label->level ? box_expand(box, ROOM_AIR) : box;
+    double most = (label->level ? ROOM_MOST : OPTIONAL_MOST) * box_width(around) * box_height(around);
+    return label->optional && mask_cost(&places->mask, around) > most;
+}
+
 /* Skips the mask if `extra` alone exceeds the best cost. */
-static void consider(Choice *best, const Places *places, Caption caption, double extra) {
+static void consider(Choice *best, const Places *places, const Primitive *label, Caption caption, double extra) {
     if (extra >= best->cost)
         return;
     Box box = caption_box(&caption);
+    if (hides_too_much(places, label, box))
+        return;
     double cost = mask_cost(&places->mask, box_expand(box, AIR)) + extra;
     if (cost >= best->cost || !is_free(places, box))
         return;
@@ -127,12 +136,12 @@ static void consider(Choice *best, const Places *places, Caption caption, double
 }
 
 /* Considers places inside the outline, horizontal or turned; among equals the one nearest to `at` wins. */
-static void consider_inside(Choice *best, const Places *places, Caption caption, const Vec2 *outline, size_t count,
-                            Vec2 at, bool level) {
+static void consider_inside(Choice *best, const Places *places, const Primitive *label, Caption caption,
+                            const Vec2 *outline, size_t count, Vec2 at) {
     Box box = box_empty();
     for (size_t i = 0; i < count; i++)
         box = box_include(box, outline[i]);
-    for (int turned = 0; turned <= !level; turned++)
+    for (int turned = 0; turned <= !label->level; turned++)
         for (int i = -1; i < RASTER * RASTER; i++) {
             Vec2 part = vec2((i % RASTER + 0.5) / RASTER, (double)(i / RASTER) / RASTER + 0.5 / RASTER);
             caption.turned = turned;
@@ -140,15 +149,16 @@ static void consider_inside(Choice *best, const Places *places, Caption caption,
                 i < 0 ? at : vec2(box.low.x + part.x * box_width(box), box.low.y + part.y * box_height(box));
             double away = turned * TURNED_COST + DISTANCE_COST * vec2_distance(caption.centre, at);
             if (away < best->cost && outline_holds_box(outline, count, box_expand(caption_box(&caption), AIR)))
-                consider(best, places, caption, away);
+                consider(best, places, label, caption, away);
         }
 }
 
 /* Considers the point itself and the places on the rings around it. */
-static void consider_around(Choice *best, const Places *places, Caption caption, Vec2 at, bool on_it, int rings) {
+static void consider_around(Choice *best, const Places *places, const Primitive *label, Caption caption, Vec2 at,
+                            int rings) {
     caption.centre = at;
-    if (on_it)
-        consider(best, places, caption, 0);
+    if (label->shape == LABEL_DISC)
+        consider(best, places, label, caption, 0);
     for (int ring = 0; ring < rings; ring++)
         for (int i = 0; i < DIRECTIONS; i++) {
             Vec2 way = vec2_heading(2 * M_PI * i / DIRECTIONS);
@@ -158,7 +168,7 @@ static void consider_around(Choice *best, const Places *places, Caption caption,
             Vec2 step = {way.x * (reach + caption.extent.x / 2), way.y * (reach + caption.extent.y / 2)};
             caption.centre = vec2_add(at, step);
             double crossing = CROSSING_COST * mask_line_cost(&places->mask, at, caption.centre);
-            consider(best, places, caption, away + crossing);
+            consider(best, places, label, caption, away + crossing);
         }
 }
 
@@ -185,11 +195,11 @@ static Choice choose_place(const Places *places, const Primitive *label) {
     Vec2 *points = to_page(layout, label);
     Caption caption = label_caption(layout, label, points[0], label->size);
     if (label->count > 1)
-        consider_inside(&best, places, caption, points + 1, label->count - 1, points[0], label->level);
+        consider_inside(&best, places, label, caption, points + 1, label->count - 1, points[0]);
     if (best.cost == HUGE_VAL && (label->count == 1 || (!label->optional && !label->close))) {
         caption.leader = label->leader;
         caption.fill = label->shape == LABEL_BARE ? ROLE_PAPER : caption.fill;
-        consider_around(&best, places, caption, points[0], label->shape == LABEL_DISC, label->close ? 1 : RINGS);
+        consider_around(&best, places, label, caption, points[0], label->close ? 1 : RINGS);
     }
     memory_free(points);
     return best;
@@ -220,10 +230,7 @@ static void place_label(Places *places, const Primitive *label) {
     Choice best = choose_place(places, label);
     if (best.cost == HUGE_VAL)
         return;
-    Box box = caption_box(&best.caption), around = label->level ? box_expand(box, ROOM_AIR) : box;
-    double most = (label->level ? ROOM_MOST : OPTIONAL_MOST) * box_width(around) * box_height(around);
-    if (label->optional && mask_cost(&places->mask, around) > most)
-        return;
+    Box box = caption_box(&best.caption);
     places->names -= is_name(label);
     best.caption.leader &= vec2_distance(best.caption.centre, best.caption.pointed) > 1;
     if (best.caption.leader)
