@@ -9,7 +9,9 @@
 #include "command/progress.h"
 #include "command/report_files.h"
 #include "experiment/drivers.h"
+#include "result/check.h"
 #include "result/drivers.h"
+#include "result/grade.h"
 #include "result/house.h"
 #include "result/json.h"
 #include "result/text.h"
@@ -37,10 +39,13 @@ static bool is_interrupted(const Observation observations[2]) {
     return observations[0].interrupted || observations[1].interrupted;
 }
 
-static void print_comparison(const House houses[2], const Observation observations[2]) {
+static void print_comparison(const House houses[2], const Observation observations[2], const Grade *const letters[2]) {
     Arena arena = {0};
-    for (int h = 0; h < 2; h++)
-        printf("%c: %s: %s\n", "ab"[h], houses[h].plan.name, headline_sentence(&houses[h], &observations[h], &arena));
+    for (int h = 0; h < 2; h++) {
+        const char *grade = letters[h] ? result_grade_phrase(&houses[h], letters[h], &arena) : "";
+        printf("%c: %s: %s%s%s\n", "ab"[h], houses[h].plan.name,
+               headline_sentence(&houses[h], &observations[h], &arena), *grade ? "; " : "", grade);
+    }
     arena_clear(&arena);
     if (is_interrupted(observations))
         return;
@@ -65,22 +70,33 @@ static json_t *differences(const House houses[2], const Observation observations
     return rows;
 }
 
+static json_t *answer_of(const House *house, const Observation *observation, const Grade *letters) {
+    json_t *answer = answer_house(house, observation);
+    if (letters)
+        json_object_set_new(answer, "grades", result_json_take_list(result_check_grades(house, letters)));
+    return answer;
+}
+
 /* The differences from an interrupted run are unknown, and left out. */
-static json_t *make_answer(const House houses[2], const Observation observations[2], bool interrupted) {
+static json_t *make_answer(const House houses[2], const Observation observations[2], const Grade *const letters[2],
+                           bool interrupted) {
     json_t *answer =
-        json_pack("{s:s, s:o, s:o, s:o*}", "kind", "compare", "a", answer_house(&houses[0], &observations[0]), "b",
-                  answer_house(&houses[1], &observations[1]), "differences",
+        json_pack("{s:s, s:o, s:o, s:o*}", "kind", "compare", "a", answer_of(&houses[0], &observations[0], letters[0]),
+                  "b", answer_of(&houses[1], &observations[1], letters[1]), "differences",
                   is_interrupted(observations) ? NULL : differences(houses, observations));
     answer_mark_interrupted(answer, interrupted);
     return answer;
 }
 
 /* Writes the pictures of B, with the paths in A as "before". */
-static bool write_pictures(const House houses[2], const Observation observations[2], const Options *options) {
+static bool write_pictures(const House houses[2], const Observation observations[2], const Grade *letters,
+                           const Options *options) {
     if (options->out) {
         Scene scene = {0};
         house_scene_make_compared(&scene, &houses[1], &observations[1],
                                   (Before){.house = &houses[0], .observation = &observations[0]});
+        if (letters && scene.title)
+            result_grade_add(&scene.title, &scene.detail, &houses[1], letters, &scene.arena);
         bool written = output_stills(&scene, options);
         scene_clear(&scene);
         if (!written)
@@ -143,10 +159,16 @@ int command_compare(const Options *options) {
     bool told = is_interrupted(observations);
     if (told)
         fprintf(stderr, "clearance: interrupted; nothing is compared or written\n");
-    bool written = told || write_pictures(houses, observations, options);
+    Grade *letters[2] = {NULL, NULL};
+    for (int h = 0; h < 2 && !told; h++)
+        if (!house_file_letters(&letters[h], &houses[h], &observations[h], options)) {
+            fprintf(stderr, "clearance: interrupted before all ways were graded; no grades are told\n");
+            told = true;
+        }
+    bool written = is_interrupted(observations) || write_pictures(houses, observations, letters[1], options);
     told = output_tell_interrupted(told);
     Drivers of[2] = {{.count = 0}};
-    const PairedDrivers drivers = {of, &population};
+    const PairedDrivers drivers = {of, &population, {letters[0], letters[1]}};
     if (count && !told && !run_drivers(of, houses, &population, count, options)) {
         fprintf(stderr, "clearance: interrupted before all drivers had run; they are not compared\n");
         told = true;
@@ -154,9 +176,9 @@ int command_compare(const Options *options) {
     written = written &&
               (is_interrupted(observations) || report_files_write_comparison(houses, observations, &drivers, options));
     bool interrupted = output_tell_interrupted(told);
-    json_t *answer = options->json ? make_answer(houses, observations, interrupted) : NULL;
+    json_t *answer = options->json ? make_answer(houses, observations, drivers.letters, interrupted) : NULL;
     if (!answer)
-        print_comparison(houses, observations);
+        print_comparison(houses, observations, drivers.letters);
     if (of[0].count)
         tell_drivers(houses, &drivers, answer);
     if (answer)
@@ -167,6 +189,7 @@ int command_compare(const Options *options) {
     bool all = observations[0].completed && observations[1].completed && !interrupted;
     for (int h = 0; h < 2; h++) {
         drivers_free(&of[h]);
+        memory_free(letters[h]);
         observation_free(&observations[h]);
         house_free(&houses[h]);
     }

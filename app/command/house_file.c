@@ -10,6 +10,7 @@
 #include "house/run.h"
 #include "laboratory/shipped.h"
 #include "laboratory/shipped_population.h"
+#include "result/census.h"
 
 bool house_file_read(House *house, const Options *options, size_t index, Fault *fault) {
     HouseOptions house_options = {.profiles = shipped_places()->profiles,
@@ -56,6 +57,30 @@ void house_file_run(Observation *observation, const House *house, const Options 
     run_house(observation, house, &run);
     if (progress.shown)
         terminal_clear_progress();
+}
+
+static bool is_graded(const Observation *observation) {
+    size_t people = 0;
+    for (size_t i = 0; i < observation->person_count; i++)
+        people += observation->people[i].took_part;
+    return observation->completed && people <= CENSUS_FEW;
+}
+
+bool house_file_letters(Grade **letters, const House *house, const Observation *observation, const Options *options) {
+    *letters = NULL;
+    if (!is_graded(observation))
+        return true;
+    bool *out = memory_zeroed(house->person_count, sizeof *out);
+    for (size_t i = 0; i < house->person_count; i++)
+        out[i] = observation->people[i].completed;
+    *letters = memory_zeroed(house->person_count, sizeof **letters);
+    bool whole = grade_all_letters(*letters, house, out, options->jobs, &progress_stop);
+    memory_free(out);
+    if (whole)
+        return true;
+    memory_free(*letters);
+    *letters = NULL;
+    return false;
 }
 
 size_t house_file_drivers(const Options *options, const Plan *plan) {

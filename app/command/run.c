@@ -169,26 +169,6 @@ static void print_json(const House *house, const Observation *observation, Repor
     answer_print(answer);
 }
 
-/* True if the answer tells a grade without being asked: all are out, and they are few. */
-static bool is_graded(const Observation *observation) {
-    size_t people = 0;
-    for (size_t i = 0; i < observation->person_count; i++)
-        people += observation->people[i].took_part;
-    return observation->completed && people <= CENSUS_FEW;
-}
-
-/* Grades all ways, or finds the letters alone of those who are out. Returns false if interrupted. */
-static bool grade(Grade *grades, const House *house, const Observation *observation, const Options *options) {
-    if (options->grades)
-        return grade_all(grades, house, options->jobs, &progress_stop);
-    bool *out = memory_zeroed(house->person_count, sizeof *out);
-    for (size_t i = 0; i < house->person_count; i++)
-        out[i] = observation->people[i].completed;
-    bool whole = grade_all_letters(grades, house, out, options->jobs, &progress_stop);
-    memory_free(out);
-    return whole;
-}
-
 int command_run(const Options *options) {
     static const struct {
         bool (*is_file)(const char *path);
@@ -232,9 +212,10 @@ int command_run(const Options *options) {
     report_divergence(&house, &observation);
     bool told = observation.interrupted || drivers.interrupted;
     Grade *grades = NULL;
-    if (!told && (options->grades || is_graded(&observation))) {
-        grades = memory_zeroed(house.person_count, sizeof *grades);
-        told = !grade(grades, &house, &observation, options);
+    if (!told) {
+        grades = options->grades ? memory_zeroed(house.person_count, sizeof *grades) : NULL;
+        told = !(grades ? grade_all(grades, &house, options->jobs, &progress_stop)
+                        : house_file_letters(&grades, &house, &observation, options));
         const Grade *known = told ? NULL : grades;
         fleets.grades = options->grades ? known : NULL;
         fleets.letters = options->grades ? NULL : known;

@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "result/drivers.h"
+#include "result/grade.h"
 #include "result/house.h"
 #include "result/page.h"
 #include "visual/house/house_scene.h"
@@ -46,6 +47,17 @@ static void add_answers(Document *document, const Reported runs[2]) {
                      runs[0].observation->completed && runs[1].observation->completed);
     for (int r = 0; r < 2; r++)
         result_clear(&totals[r]);
+}
+
+/* Adds the grade of the way out, where all leave. */
+static void add_grades(Document *document, const Reported runs[2], const PairedDrivers *drivers) {
+    for (int r = 0; r < 2; r++) {
+        const char *grade =
+            drivers->letters[r] ? result_grade_phrase(runs[r].house, drivers->letters[r], &document->arena) : "";
+        if (*grade)
+            document_add_paragraph(document, document_text(document, "%s: %s.", names[r],
+                                                           names_text(runs[r].house, grade, &document->arena)));
+    }
 }
 
 static void add_pictures(Document *document, const Reported runs[2]) {
@@ -185,6 +197,7 @@ Document comparison_report_make(const Reported runs[2], const PairedDrivers *dri
                                      house_report_name(runs[1].house)),
                        format_answer(&document, runs));
     add_pictures(&document, runs);
+    add_grades(&document, runs, drivers);
     add_answers(&document, runs);
     add_notes(&document, runs);
     report_basis_add_changes(&document, making);

@@ -17,10 +17,11 @@ typedef struct ReportedDrivers {
     bool interrupted;     /* True if drivers or grades are missing because of that */
 } ReportedDrivers;
 
-/* The same drivers in both houses. */
+/* The same drivers in both houses, and the grades of their nominal drivers. */
 typedef struct PairedDrivers {
     const Drivers *of; /* (2) of A and B; count 0: none */
     const Population *population;
+    const Grade *letters[2]; /* (person_count) of A and B, their letters alone, or NULL */
 } PairedDrivers;
 
 /* Adds each line of the text as a paragraph, with names in place of ids, and releases the text. */

@@ -30,6 +30,10 @@ def check_answers():
     check(answer["people"][0]["fits"] and not answer["people"][0]["drivable"], "0.85 m fits and is not drivable")
     answer = json.loads(expect(1, "compare", house("flat-0.910-module"), house("flat-0.910-widened"), "--json").stdout)
     check(answer["kind"] == "compare" and len(answer["differences"]) == 1, "compare --json")
+    graded = json.loads(expect(0, "run", house("flat-0.910-widened"), "--json").stdout)["grades"]
+    check(answer["b"]["grades"] == graded and "grades" not in answer["a"], "compare grades whoever is out, as run does")
+    told = expect(1, "compare", house("flat-0.910-module"), house("flat-0.910-widened")).stdout
+    check(f'; grade {graded[0]["said"]}, at' in told, "compare tells the grade in words", told)
     answer = json.loads(expect(0, "loci", house("corner-1.20-1.20"), "--json").stdout)
     check(answer["houses"][0]["locus_largest"] > 0, "loci --json")
     expect(2, "loci", house("corner-1.20-1.20"), "--driving", "miura", says="unknown option")
