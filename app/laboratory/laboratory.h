@@ -78,6 +78,7 @@ typedef struct Result {
     bool due;          /* the answer is older than the last change, also as long as that is too short to be shown */
     const char *doing; /* work in the background, "types: 40 of 768 runs", or NULL */
     bool grading;      /* True while the grade in the title is worked out, which needs no words */
+    bool shaking;      /* True while many earthquakes are worked out, of which the panel tells */
     double part;       /* completed share of that work, 0 to 1; NAN: unknown */
     const char *cure;  /* words of a button that takes a tool: "Add an exit"; NULL: none */
     int tool;          /* that EditTool */
@@ -86,12 +87,21 @@ typedef struct Result {
     bool broken;       /* nothing can be run, so no fix can be tried */
 } Result;
 
-/* A row of the panel, as in a scene's list; choosing it shows its place, or goes to its time. */
+/* What a row of the panel does that is a button. */
+typedef enum RowAct { ROW_ACT_NONE, ROW_ACT_SHAKE, ROW_ACT_STAND_UP, ROW_ACT_FIX } RowAct;
+
+/* A row of the panel, as in a scene's list; choosing it shows its place, or goes to its time. The second cell of a
+ * heading is told while its list is folded. */
 typedef struct PanelRow {
     SceneRow row;
-    Item item;   /* item that choosing the row selects */
-    Item place;  /* place of the row's main result; "Show place" uses the first row that has one */
-    double time; /* s, time that choosing the row displays; NAN: none */
+    RowAct act;       /* not NONE: the row is a button with the text of the first cell; neighbours stand side by side */
+    const char *help; /* of a button */
+    bool has_bar;     /* a bar between the first cell and the others */
+    double bar;       /* 1, its filled part */
+    bool advice;      /* of a heading: its list tells what a lesson may ask for, and is left out there */
+    Item item;        /* item that choosing the row selects */
+    Item place;       /* place of the row's main result; "Show place" uses the first row that has one */
+    double time;      /* s, time that choosing the row displays; NAN: none */
 } PanelRow;
 
 /* A parameter that can be changed while the laboratory runs. */

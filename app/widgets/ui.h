@@ -182,6 +182,8 @@ typedef struct UiRow {
     int shape; /* RowKind of scene.h: ROW_DISC, ROW_LINE, ROW_PLAIN */
     int style; /* LineStyle */
     const char *cells[3];
+    bool has_bar; /* a bar between the first cell, which is short, and the others */
+    double bar;   /* 1, its filled part */
     const char *help;
     bool selected;
     bool dim;    /* of an older state: grey */

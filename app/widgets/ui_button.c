@@ -16,6 +16,7 @@
 #define ROW_MARK 34.0 /* a disc or a line sample, and some room */
 #define ROW_DISC_RADIUS 11.0
 #define ROW_GAP 14.0
+#define ROW_BAR 12.0 /* height of a bar */
 #define CHOICE_GAP 4.0
 
 enum { IN_ROW = 4 /* options side by side; more are listed below */ };
@@ -297,6 +298,19 @@ static double draw_cells(Ui *ui, Box box, UiTextStyle style, const char *const *
     return right;
 }
 
+/* Draws a bar in the room that the cells leave. */
+static void draw_bar(Ui *ui, const UiRow *row, Box room) {
+    double middle = (room.low.y + room.high.y) / 2, width = row->cells[0] ? ui_extent(ui, UI_BODY, row->cells[0]).x : 0;
+    Box bar = {{room.low.x + (width > 0 ? width + ROW_GAP : 0), middle - ROW_BAR / 2},
+               {room.high.x, middle + ROW_BAR / 2}};
+    if (box_width(bar) <= 0)
+        return;
+    ui_painter_box(ui->painter, bar, ui_state_ink(ui, ROLE_SHADE, 1));
+    bar.high.x = bar.low.x + row->bar * box_width(bar);
+    if (row->bar > 0)
+        ui_painter_box(ui->painter, bar, ui_state_ink(ui, row->dim ? ROLE_DIM_TEXT : ROLE_EXIT_TAG, 1));
+}
+
 static bool is_marked(const UiRow *row) {
     return row->mark || row->shape == ROW_DISC || row->shape == ROW_LINE;
 }
@@ -383,6 +397,8 @@ bool ui_list_row(Ui *ui, const UiRow *row) {
         inside.high.y = foot.low.y;
     else
         inside.high.x = right;
+    if (row->has_bar)
+        draw_bar(ui, row, inside);
     if (row->cells[0])
         draw_name(ui, row, inside);
     ui_tip_offer(ui, id, box, row->help, touch.hovered, focused);

@@ -84,7 +84,33 @@ static bool show_fold(Window *window, const char *title, const char *summary, bo
 
 /* True if the row can be chosen. */
 static bool is_usable(const PanelRow *row) {
-    return row->item.kind || !isnan(row->time);
+    return !row->act && (row->item.kind || !isnan(row->time));
+}
+
+static void act_row(Window *window, const PanelRow *row) {
+    Editor *editor = tab_editor(window_tab(window));
+    Fault fault = {0};
+    if (row->act == ROW_ACT_SHAKE)
+        act_do(window, ACTION_SHAKE, 0, 0);
+    else if (row->act == ROW_ACT_STAND_UP)
+        editor_stand_up(editor, &fault);
+    else if (row->act == ROW_ACT_FIX)
+        editor_fix_to_wall(editor, row->item, &fault);
+    notice_fault(window, &fault, NAN);
+    window->dirty = true;
+}
+
+/* Shows a button; neighbours share a line. */
+static void show_act(Window *window, const PanelRow *rows, size_t count, size_t index) {
+    size_t side = 0;
+    while (index + side < count && rows[index + side].act)
+        side++;
+    if (!index || !rows[index - 1].act)
+        ui_row(window->ui, (int)side);
+    if (ui_button(window->ui, &(UiButton){.label = rows[index].row.cells[0], .help = rows[index].help}))
+        act_row(window, &rows[index]);
+    else if (side == 1)
+        ui_row(window->ui, 1);
 }
 
 static void show_row(Window *window, Tab *tab, const PanelRow *row, size_t index) {
@@ -104,6 +130,8 @@ static void show_row(Window *window, Tab *tab, const PanelRow *row, size_t index
         .cells = {scene->cells[0], narrow ? scene->cells[2] : scene->cells[1], narrow ? NULL : scene->cells[2]},
         .help = usable ? text_in_arena(&window->arena, "%s: Select it and go to its time", scene->cells[0]) : NULL,
         .selected = row->item.kind && item_same(row->item, tab->laboratory->selected(tab->session)),
+        .has_bar = row->has_bar,
+        .bar = row->bar,
         .dim = tab->laboratory->answer(tab->session).stale,
         .usable = usable};
     Item item = row->item;
@@ -152,10 +180,17 @@ static void show_rows(Window *window, Tab *tab, size_t from, size_t to) {
     for (size_t i = from; i < count && i < to; i++) {
         if (rows[i].row.kind == ROW_HEADING && selected && !is_usable(&rows[i]) && i == 0) {
             panel_edit_heading(window, rows[i].row.cells[0]); /* of the selection, whose numbers follow at once */
+        } else if (rows[i].row.kind == ROW_HEADING && rows[i].advice && lesson_is_shown(window)) {
+            open = false;
         } else if (rows[i].row.kind == ROW_HEADING) {
             size_t all = list_end(rows, count, i) - i - 1;
-            const char *summary = text_in_arena(&window->arena, "%zu", all);
+            const char *told = rows[i].row.cells[1];
+            const char *summary = text_in_arena(&window->arena, "%s", told ? told : "");
+            if (!told)
+                summary = text_in_arena(&window->arena, "%zu", all);
             open = show_fold(window, rows[i].row.cells[0], summary, strcmp(rows[i].row.cells[0], "Key") != 0);
+        } else if (open && rows[i].act) {
+            show_act(window, rows, count, i);
         } else if (open) {
             show_row(window, tab, &rows[i], i);
         }

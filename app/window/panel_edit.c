@@ -249,19 +249,19 @@ static void show_way_out(Window *window, Tab *tab, Editor *editor) {
     }
     if (answer.role != ROLE_ERROR && !asked && !doing)
         return;
-    ui_heading(window->ui, answer.title);
-    if (answer.detail && answer.role == ROLE_ERROR)
-        ui_text(window->ui, UI_BODY, ROLE_ERROR, answer.detail);
-    if (tab_first_place(tab) &&
-        ui_button(window->ui, &(UiButton){.id = "show", .label = "Show", .help = "Show: Zoom to the place"}))
+    bool shows = tab_first_place(tab), asks = !doing && !answer.broken;
+    if (shows && asks)
+        ui_row(window->ui, 2);
+    if (shows && ui_button(window->ui, &(UiButton){.id = "show", .label = "Show", .help = "Show: Zoom to the place"}))
         act_show_place(window);
-    if (!doing && !answer.broken &&
+    if (asks &&
         ui_button(window->ui, &(UiButton){.label = "Suggest a fix",
                                           .help = "Suggest a fix: Find the smallest change that lets all people "
                                                   "leave, by simulating wider doors and moved furniture"})) {
         editor_ask_proposals(editor);
         ui_focus(window->ui, "view"); /* Return uses a fix, Escape drops it */
     }
+    ui_row(window->ui, 1);
     show_proposals(window, editor);
 }
 

@@ -2,7 +2,7 @@
  * separated by blanks, and quoted with " if they contain any (\" \\ \n \t within); # begins a comment.
  *
  *     key Ctrl+M        type "2.5"         mouse X Y           click X Y [left|right|double]
- *     drag X1 Y1 X2 Y2  wheel NOTCHES      wait FRAMES         until complete|idle|answered [SECONDS]
+ *     drag X1 Y1 X2 Y2  wheel NOTCHES      wait FRAMES         until complete|idle|answered|shaken [SECONDS]
  *     press [double]    release            at X Y              hold Ctrl|Shift|Alt|nothing
  *     open FILE         laboratory house|beam                  set NAME VALUE       select NAME
  *     play  pause       seek SECONDS       speed TIMES         resize WIDTH HEIGHT
@@ -51,7 +51,7 @@ typedef enum ScriptKind {
 
 typedef enum ScriptClick { SCRIPT_LEFT, SCRIPT_RIGHT, SCRIPT_DOUBLE } ScriptClick;
 typedef enum ScriptHold { SCRIPT_NOTHING, SCRIPT_SHIFT, SCRIPT_CTRL, SCRIPT_ALT } ScriptHold;
-typedef enum ScriptUntil { SCRIPT_COMPLETE, SCRIPT_IDLE, SCRIPT_ANSWERED } ScriptUntil;
+typedef enum ScriptUntil { SCRIPT_COMPLETE, SCRIPT_IDLE, SCRIPT_ANSWERED, SCRIPT_SHAKEN } ScriptUntil;
 
 enum { SCRIPT_WORDS = 2, SCRIPT_NUMBERS = 4, SCRIPT_PATIENCE = 60 /* s, that `until` waits by default */ };
 

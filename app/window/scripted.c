@@ -313,6 +313,8 @@ static bool has_come(const Scripted *scripted, Window *window) {
         return span.complete && !answer.stale;
     case SCRIPT_ANSWERED:
         return !answer.stale && (span.complete || span.endless) && !lesson_works(window);
+    case SCRIPT_SHAKEN:
+        return !answer.stale && span.complete && !answer.shaking;
     default:
         return !answer.stale && (span.complete || span.endless) && !answer.doing && !answer.grading &&
                !window->export && !lesson_works(window) && !plan_input_animation(tab) &&

@@ -136,6 +136,7 @@ static json_t *answer_state(const Tab *tab) {
     json_object_set_new(state, "cure", answer.cure ? json_string(answer.cure) : json_null());
     json_object_set_new(state, "doing", answer.doing ? json_string(answer.doing) : json_null());
     json_object_set_new(state, "grading", json_boolean(answer.grading));
+    json_object_set_new(state, "shaking", json_boolean(answer.shaking));
     return state;
 }
 

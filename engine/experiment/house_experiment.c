@@ -14,6 +14,7 @@
 
 typedef struct HouseGiven {
     const char *path;
+    const char *text; /* of the house file, or NULL: it is read from `path` */
     HouseOptions options;
     const char *route;
     House house; /* with nominal values, before any shake */
@@ -22,6 +23,11 @@ typedef struct HouseGiven {
     Population population; /* without rows: nobody is drawn */
     Arena arena;           /* holds the names of shake observables */
 } HouseGiven;
+
+static bool read_given(House *house, const HouseGiven *given, const HouseOptions *options, Fault *fault) {
+    return given->text ? house_read_text(house, given->path, given->text, options, fault)
+                       : house_read(house, given->path, options, fault);
+}
 
 static const Observable observables[HOUSE_OBSERVABLES] = {
     [HOUSE_COMPLETED] = {"completed", "1", "all people are out"},
@@ -142,7 +148,7 @@ static void run_one(const HouseGiven *given, const char *const *names, size_t na
     size_t driver = trial->seed > options.seed ? (size_t)(trial->seed - options.seed) + 1 : 1;
     House house = {0};
     Fault fault = {0};
-    if (house_read(&house, given->path, &options, &fault)) {
+    if (read_given(&house, given, &options, &fault)) {
         size_t route = given->route ? plan_find_route(&house.plan, given->route) : SIZE_MAX;
         Observation observation;
         if (drawn)
@@ -215,13 +221,19 @@ static void observe_shakes(Experiment *experiment, HouseGiven *given) {
 
 bool house_experiment_open(Experiment *experiment, const char *path, const HouseOptions *options, const char *route,
                            Fault *fault) {
+    return house_experiment_open_text(experiment, path, NULL, options, route, fault);
+}
+
+bool house_experiment_open_text(Experiment *experiment, const char *path, const char *text, const HouseOptions *options,
+                                const char *route, Fault *fault) {
     HouseGiven *given = memory_zeroed(1, sizeof *given);
     given->path = path;
+    given->text = text;
     given->options = *options;
     given->route = route;
     HouseOptions before = *options;
     before.shake = false;
-    if (!house_read(&given->house, path, &before, fault) || !find_route(given, fault)) {
+    if (!read_given(&given->house, given, &before, fault) || !find_route(given, fault)) {
         house_free(&given->house);
         memory_free(given);
         return false;

@@ -29,6 +29,10 @@ enum {
 bool house_experiment_open(Experiment *experiment, const char *path, const HouseOptions *options, const char *route,
                            Fault *fault);
 
+/* Does the same with a house file's `text`, which must stay valid, too; NULL: it is read from `path`. */
+bool house_experiment_open_text(Experiment *experiment, const char *path, const char *text, const HouseOptions *options,
+                                const char *route, Fault *fault);
+
 /* Lets a driver of a population drive in each run: the run with the seed of the options has driver 1, that with the
  * next seed driver 2. So each point of a study has the same drivers, and chance stays that of the options' seed. Takes
  * the population over. */

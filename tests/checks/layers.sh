@@ -48,7 +48,7 @@ app/visual/crank    crank cycle draw mechanics plot visual/machine visual/study
 app/visual/beam     beam cycle draw exchange mechanics plot visual/house visual/machine visual/study
 app/laboratory            beam crank draw exchange house plan plot result visual/beam visual/crank visual/house
 app/laboratory/edit       house inquiry laboratory plan result
-app/laboratory/house      draw experiment house inquiry laboratory laboratory/edit plan result visual/house
+app/laboratory/house      draw experiment house inquiry laboratory laboratory/edit plan result study visual/house
 app/laboratory/machine    beam crank cycle experiment laboratory plot result study visual/study
 app/laboratory/beam       beam cycle experiment laboratory laboratory/machine mechanics plot result study visual/beam visual/study
 app/laboratory/crank      crank cycle draw experiment laboratory laboratory/machine mechanics plot result visual/crank

@@ -107,7 +107,7 @@ bool editor_next_shake(Editor *edit, EditorShake *shake) {
     edit->shook = false;
     if (shook) {
         const EditShake *last = &edit->shakes[edit->shake_count - 1];
-        *shake = (EditorShake){edit->seed, last->ids, last->count};
+        *shake = (EditorShake){last->seed, last->standing, last->ids, last->count};
     }
     return shook;
 }
@@ -328,6 +328,23 @@ bool editor_shake(Editor *edit, Fault *fault) {
 
 const char *editor_shake_result(const Editor *edit) {
     return edit->shaken;
+}
+
+bool editor_last_shake(const Editor *edit, EditorShake *shake) {
+    const EditShake *last = edit_shake_last(edit);
+    if (last)
+        *shake = (EditorShake){last->seed, last->standing, last->ids, last->count};
+    return last;
+}
+
+bool editor_stand_up(Editor *edit, Fault *fault) {
+    prepare(edit);
+    return edit_shake_stand_up(edit, fault);
+}
+
+bool editor_fix_to_wall(Editor *edit, Item item, Fault *fault) {
+    prepare(edit);
+    return edit_shake_fix(edit, edit_select_id(edit, item), fault);
 }
 
 /* Steps ------------------------------------------------------------------------------------------------------------ */

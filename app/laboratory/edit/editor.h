@@ -165,6 +165,7 @@ typedef struct EditorScene {
 /* An earthquake made by editor_shake: the pieces with these ids (count) fell. */
 typedef struct EditorShake {
     uint64_t seed;
+    uint64_t standing; /* the same number for all earthquakes of the same house */
     const char *const *ids;
     size_t count;
 } EditorShake;
@@ -262,6 +263,16 @@ bool editor_paste(Editor *editor, const char *text, Fault *fault);
  * was edited since. `editor_shake_result`: "Shake 3: fallen pieces: 4 of 11". */
 bool editor_shake(Editor *editor, Fault *fault);
 const char *editor_shake_result(const Editor *editor);
+
+/* Returns the earthquake whose outcome the house is, also after undoing; false: there is none. */
+bool editor_last_shake(const Editor *editor, EditorShake *shake);
+
+/* Stands up what fell in that earthquake, as one step. */
+bool editor_stand_up(Editor *editor, Fault *fault);
+
+/* Fixes a piece of furniture to the wall, as one step: it stands, and never falls. The house is then the outcome of the
+ * same earthquake for the house with that piece fixed, since each piece falls or not on its own. */
+bool editor_fix_to_wall(Editor *editor, Item item, Fault *fault);
 
 /* Undo and redo; the names are for menus, NULL: there is nothing to undo or redo. */
 bool editor_undo(Editor *editor);

@@ -80,6 +80,8 @@ typedef enum EditPending { PENDING_NOTHING, PENDING_HANDLE, PENDING_WHOLE, PENDI
 /* An earthquake made in the editor. */
 typedef struct EditShake {
     uint64_t revision;      /* the draft's revision after the earthquake */
+    uint64_t seed;          /* its number */
+    uint64_t standing;      /* number of the house before it: a revision of the draft */
     const char *const *ids; /* (count) ids of the pieces that fell */
     size_t count;
 } EditShake;

@@ -15,6 +15,10 @@ HouseRun *house_run_create(const HouseWish *wish) {
     run->wish.path = arena_text(&run->arena, wish->path);
     run->wish.profiles = arena_text(&run->arena, wish->profiles);
     run->wish.route = wish->route ? arena_text(&run->arena, wish->route) : NULL;
+    const char **settings = arena_allocate(&run->arena, (wish->setting_count + 1) * sizeof *settings);
+    for (size_t i = 0; i < wish->setting_count; i++)
+        settings[i] = arena_text(&run->arena, wish->settings[i]);
+    run->wish.settings = settings;
     run->wish.epochs = house_history_copy(wish->epochs, wish->epoch_count, &run->arena);
     run->earlier = memory_zeroed(wish->epoch_count, sizeof *run->earlier);
     pthread_mutex_init(&run->mutex, NULL);
@@ -27,6 +31,8 @@ void house_run_destroy(HouseRun *run) {
     memory_free(run->grades);
     for (int step = 0; step < CREW_STEPS; step++)
         crew_clear(&run->crews[step]);
+    for (int step = 0; step < OUTLOOK_STEPS; step++)
+        outlook_clear(&run->outlooks[step]);
     house_free(&run->house);
     for (size_t i = 0; i + 1 < run->wish.epoch_count; i++)
         house_free(&run->earlier[i]);
@@ -156,10 +162,31 @@ static void make_crews(HouseRun *run) {
     }
 }
 
+static HouseOptions options_of(const HouseWish *wish) {
+    return (HouseOptions){.profiles = wish->profiles,
+                          .settings = wish->settings,
+                          .setting_count = wish->setting_count,
+                          .seed = wish->seed,
+                          .driving = wish->driving};
+}
+
+static void make_outlooks(HouseRun *run) {
+    const HouseWish *wish = &run->wish;
+    const HouseOptions options = options_of(wish);
+    for (int step = 0; step < OUTLOOK_STEPS; step++) {
+        if (!outlook_make(&run->outlooks[step], step, wish->path, wish->epochs[0].text, &options, wish->route,
+                          wish->jobs, &run->stop, &run->fault))
+            return;
+        pthread_mutex_lock(&run->mutex);
+        run->outlook_count = step + 1;
+        pthread_mutex_unlock(&run->mutex);
+    }
+}
+
 /* Reads the houses of all epochs. */
 static bool read_houses(HouseRun *run) {
     const HouseWish *wish = &run->wish;
-    HouseOptions options = {.profiles = wish->profiles, .seed = wish->seed, .driving = wish->driving};
+    const HouseOptions options = options_of(wish);
     bool good = true;
     for (size_t i = 0; good && i < wish->epoch_count; i++) {
         House *house = i + 1 < wish->epoch_count ? &run->earlier[i] : &run->house;
@@ -182,6 +209,8 @@ void house_run_make(HouseRun *run) {
         make_grades(run);
     else if (run->wish.job == HOUSE_JOB_CREW)
         make_crews(run);
+    else if (run->wish.job == HOUSE_JOB_SHAKES)
+        make_outlooks(run);
     else
         drive(run);
     enter(run, stop_requested(&run->stop) ? HOUSE_STOPPED : HOUSE_OVER);
@@ -229,6 +258,13 @@ const Crew *house_run_crew(HouseRun *run) {
     const Crew *crew = run->crew_count ? &run->crews[run->crew_count - 1] : NULL;
     pthread_mutex_unlock(&run->mutex);
     return crew;
+}
+
+const Outlook *house_run_outlook(HouseRun *run) {
+    pthread_mutex_lock(&run->mutex);
+    const Outlook *outlook = run->outlook_count ? &run->outlooks[run->outlook_count - 1] : NULL;
+    pthread_mutex_unlock(&run->mutex);
+    return outlook;
 }
 
 /* Returns the time up to which all groups are recorded, s. The mutex must be locked. */

@@ -13,6 +13,7 @@
 #include "inquiry/grade.h"
 #include "laboratory/house/crew.h"
 #include "laboratory/house/history.h"
+#include "laboratory/house/outlook.h"
 
 /* The kinds of jobs of the worker. */
 typedef enum HouseJob {
@@ -22,6 +23,7 @@ typedef enum HouseJob {
     HOUSE_JOB_ROUTES, /* only the planned routes, as a scene */
     HOUSE_JOB_GRADES, /* the grades of the ways, their letters alone */
     HOUSE_JOB_CREW,   /* many drivers, as scenes */
+    HOUSE_JOB_SHAKES, /* many earthquakes */
     HOUSE_JOBS,
 } HouseJob;
 
@@ -30,9 +32,11 @@ typedef struct HouseWish {
     const char *path;         /* path of the house file, for faults and for profiles in the same folder */
     const HouseEpoch *epochs; /* (epoch_count) the plans */
     size_t epoch_count;
-    const char *profiles; /* directory of the shipped profiles */
-    const char *route;    /* id, or NULL: all people */
-    int driving;          /* Driving, or -1 */
+    const char *profiles;        /* directory of the shipped profiles */
+    const char *route;           /* id, or NULL: all people */
+    const char *const *settings; /* (setting_count) NAME=VALUE that the plans are read with */
+    size_t setting_count;
+    int driving; /* Driving, or -1 */
     uint64_t seed;
     int jobs;              /* threads */
     bool brief;            /* as RunOptions.brief */
@@ -58,8 +62,9 @@ typedef struct HouseRun {
     House *earlier; /* (wish.epoch_count - 1) the houses of the earlier epochs */
     Observation observation;
     Scene routes;
-    Grade *grades;          /* (house.person_count) of HOUSE_JOB_GRADES */
-    Crew crews[CREW_STEPS]; /* (crew_count) */
+    Grade *grades;                   /* (house.person_count) of HOUSE_JOB_GRADES */
+    Crew crews[CREW_STEPS];          /* (crew_count) */
+    Outlook outlooks[OUTLOOK_STEPS]; /* (outlook_count) */
     Fault fault;
 
     unsigned roles; /* the run's roles in the session: see runs.h */
@@ -68,10 +73,10 @@ typedef struct HouseRun {
     Stop stop;
     pthread_mutex_t mutex; /* guards all members that follow */
     HouseStage stage;
-    int crew_count; /* steps that are complete */
-    double begun;   /* s, of a steady clock, when the worker began */
-    Trace fresh;    /* rows that are recorded and not taken yet */
-    double *reach;  /* (group_count) s, end of each group's record; infinite: the group is complete */
+    int crew_count, outlook_count; /* steps that are complete */
+    double begun;                  /* s, of a steady clock, when the worker began */
+    Trace fresh;                   /* rows that are recorded and not taken yet */
+    double *reach;                 /* (group_count) s, end of each group's record; infinite: the group is complete */
     size_t group_count;
     PersonObservation *people; /* (house.person_count) the present state */
     double *door_opened;       /* (doors of the plan) */
@@ -101,8 +106,9 @@ void house_run_make(HouseRun *run);
 
 HouseStage house_run_stage(HouseRun *run);
 
-/* Returns the drivers of the last complete step, or NULL. */
+/* Return the drivers, or the earthquakes, of the last complete step, or NULL. */
 const Crew *house_run_crew(HouseRun *run);
+const Outlook *house_run_outlook(HouseRun *run);
 
 /* Returns the time since the worker began the run, s. */
 double house_run_age(HouseRun *run);

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/digest.h"
+#include "base/text.h"
 #include "laboratory/house/picture.h"
 #include "visual/house/people_scene.h"
 
@@ -28,6 +29,12 @@ static bool wants_crew(const HouseSession *session) {
            session->runs[RUN_SHOWN]->house.person_count <= PEOPLE_SCENE_INDIVIDUALS;
 }
 
+static bool wants_shakes(const HouseSession *session) {
+    EditorShake shake;
+    return editor_last_shake(session->editor, &shake) &&
+           session->runs[RUN_SHOWN]->house.person_count <= PEOPLE_SCENE_INDIVIDUALS;
+}
+
 typedef struct RoleRow {
     HouseJob job;
     unsigned dropped;                               /* the events that end the role */
@@ -46,6 +53,7 @@ static const RoleRow roles[RUN_ROLES] = {
     [RUN_ROUTES] = {HOUSE_JOB_ROUTES, RUNS_CLOSE | RUNS_DISPLAY, wants_routes},
     [RUN_GRADES] = {HOUSE_JOB_GRADES, RUNS_CLOSE | RUNS_DISPLAY | RUNS_EDIT, wants_grades},
     [RUN_CREW] = {HOUSE_JOB_CREW, RUNS_CLOSE | RUNS_DISPLAY | RUNS_EDIT, wants_crew},
+    [RUN_SHAKES] = {HOUSE_JOB_SHAKES, RUNS_CLOSE, wants_shakes},
 };
 
 void house_runs_retain(HouseRun *run) {
@@ -54,7 +62,7 @@ void house_runs_retain(HouseRun *run) {
 }
 
 static HouseWorker *worker_of(const HouseSession *session, const HouseRun *run) {
-    bool low = run->wish.job == HOUSE_JOB_CREW || run->wish.job == HOUSE_JOB_GRADES;
+    bool low = run->wish.job >= HOUSE_JOB_GRADES;
     return low ? session->crew_worker : session->worker;
 }
 
@@ -73,6 +81,8 @@ void house_runs_set(HouseSession *session, HouseRunRole role, HouseRun *run) {
         return;
     house_runs_retain(run);
     session->runs[role] = run;
+    if (role == RUN_SHAKES)
+        session->outlook = NULL;
     if (role == RUN_CREW && session->crew) {
         session->crew = NULL;
         house_picture_void_film(session);
@@ -89,6 +99,19 @@ void house_runs_drop(HouseSession *session, unsigned event) {
             house_runs_set(session, (HouseRunRole)role, NULL);
 }
 
+/* Makes the wish one of the house as it stood before the last earthquake. */
+static void stand_up(HouseSession *session, HouseWish *wish, Arena *arena) {
+    EditorShake shake;
+    if (!editor_last_shake(session->editor, &shake))
+        return;
+    const char **settings = arena_allocate(arena, (shake.count + 1) * sizeof *settings);
+    for (size_t k = 0; k < shake.count; k++)
+        settings[k] = text_in_arena(arena, "furniture.%s.toppled=false", shake.ids[k]);
+    wish->settings = settings;
+    wish->setting_count = shake.count;
+    session->standing = shake.standing;
+}
+
 void house_runs_ask(HouseSession *session, HouseRunRole role, bool brief) {
     HouseEpoch now = {0, draft_text(session->draft), draft_revision(session->draft)};
     HouseWish wish = session->wish;
@@ -99,7 +122,11 @@ void house_runs_ask(HouseSession *session, HouseRunRole role, bool brief) {
     wish.epoch_count = mixed ? session->history.count : 1;
     wish.driving = role == RUN_RIVAL ? house_runs_other_driving(session) : session->wish.driving;
     wish.brief = brief;
+    Arena arena = {0};
+    if (role == RUN_SHAKES)
+        stand_up(session, &wish, &arena);
     house_runs_set(session, role, house_run_create(&wish));
+    arena_clear(&arena);
     house_worker_ask(worker_of(session, session->runs[role]), session->runs[role]);
     session->changed |= LABORATORY_TEXTS;
 }

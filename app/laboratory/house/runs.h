@@ -13,7 +13,9 @@
  *     rival     rival   while it is chosen as the ghost              when another run is displayed or needed
  *     routes    routes  while the widths are displayed               when another run is displayed or needed
  *     grades    grades  when all who are displayed are out           by the next edit or another displayed run
- *     crew      crew    while the drivers are displayed              by the next edit or another displayed run */
+ *     crew      crew    while the drivers are displayed              by the next edit or another displayed run
+ *     shakes    shakes  when the outcome of an earthquake is         by an edit other than an earthquake of the same
+ *                       displayed                                    house */
 #pragma once
 
 #include "laboratory/house/session_state.h"
@@ -42,7 +44,7 @@ bool house_runs_is_over(const HouseSession *session, HouseRunRole role);
  * have none. */
 bool house_runs_has_grade(const HouseSession *session);
 
-/* True if the role (rival, routes, grades, crew) is wanted in the present state of the session. */
+/* True if the role (rival, routes, grades, crew, shakes) is wanted in the present state of the session. */
 bool house_runs_wants(const HouseSession *session, HouseRunRole role);
 
 /* Returns the run that is displayed as a ghost; none: without an observation. */

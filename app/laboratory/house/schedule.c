@@ -370,6 +370,23 @@ static void update_crew(HouseSession *session) {
     session->changed |= LABORATORY_TEXTS;
 }
 
+/* Shows the earthquakes of the last complete step. They are of the house as it stood, and stay while it is shaken
+ * again; whatever else the worker has to do comes first. */
+static void update_shakes(HouseSession *session) {
+    bool over = house_runs_is_over(session, RUN_SHAKES), wanted = house_runs_wants(session, RUN_SHAKES);
+    bool first = house_runs_wants(session, RUN_GRADES) && !house_runs_is_over(session, RUN_GRADES);
+    EditorShake shake;
+    bool other = wanted && editor_last_shake(session->editor, &shake) && shake.standing != session->standing;
+    first |= house_runs_wants(session, RUN_CREW) && !house_runs_is_over(session, RUN_CREW);
+    if (session->runs[RUN_SHAKES] && (!wanted || other || (first && !over)))
+        house_runs_set(session, RUN_SHAKES, NULL);
+    if (!first)
+        update_companion(session, RUN_SHAKES);
+    const Outlook *outlook = session->runs[RUN_SHAKES] ? house_run_outlook(session->runs[RUN_SHAKES]) : NULL;
+    session->changed |= outlook != session->outlook ? LABORATORY_TEXTS : 0;
+    session->outlook = outlook;
+}
+
 static void update_companions(HouseSession *session) {
     if (!session->whole || session->runs[RUN_LATEST] || session->runs[RUN_MIXED])
         return;
@@ -383,6 +400,7 @@ static void update_companions(HouseSession *session) {
     if (update_companion(session, RUN_GRADES))
         session->changed |= LABORATORY_TEXTS;
     update_crew(session);
+    update_shakes(session);
 }
 
 /* Draws walls and furniture before the answer if the answer takes long: as soon as the house is read, if it has the

@@ -70,6 +70,7 @@ typedef enum HouseRunRole {
     RUN_ROUTES,
     RUN_GRADES,
     RUN_CREW,
+    RUN_SHAKES,
     RUN_ROLES,
 } HouseRunRole;
 
@@ -84,6 +85,8 @@ typedef struct HouseSession {
 
     HouseWorker *worker, *crew_worker;
     const Crew *crew;          /* the drivers that the picture shows; NULL: none */
+    const Outlook *outlook;    /* the earthquakes that the panel shows; NULL: none */
+    uint64_t standing;         /* of the house whose earthquakes they are: EditorShake.standing */
     HouseRun *runs[RUN_ROLES]; /* see runs.h; NULL: none */
     bool stored_by_itself;     /* the saved run was saved automatically by a change */
     bool undone;               /* the shown run is that of the draft again, and its numbers must be taken over */

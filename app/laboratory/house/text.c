@@ -9,7 +9,9 @@
 #include "base/text.h"
 #include "laboratory/house/passing.h"
 #include "laboratory/house/marks.h"
+#include "laboratory/house/rows.h"
 #include "laboratory/house/runs.h"
+#include "laboratory/house/shake_rows.h"
 #include "plan/plan_geometry.h"
 #include "result/grade.h"
 #include "result/headline.h"
@@ -27,14 +29,6 @@
 
 enum { EXITS_MOST = 8 /* that are counted in a crowd */ };
 
-static PanelRow *add_row(HouseSession *session, RowKind kind, const char *first) {
-    HouseTexts *texts = &session->texts;
-    texts->rows = memory_reserve(texts->rows, &texts->row_capacity, texts->row_count + 1, sizeof *texts->rows);
-    PanelRow *row = &texts->rows[texts->row_count++];
-    *row = (PanelRow){.row = {.kind = kind, .role = ROLE_TEXT, .cells = {first}}, .time = NAN};
-    return row;
-}
-
 static bool is_crowd(const HouseSession *session) {
     return session->runs[RUN_SHOWN]->house.person_count > PEOPLE_SCENE_INDIVIDUALS;
 }
@@ -42,7 +36,7 @@ static bool is_crowd(const HouseSession *session) {
 /* The selection ---------------------------------------------------------------------------------------------------- */
 
 static void add_pair(HouseSession *session, const char *what, const char *value) {
-    add_row(session, ROW_PLAIN, what)->row.cells[1] = value;
+    house_rows_add(session, ROW_PLAIN, what)->row.cells[1] = value;
 }
 
 static void add_moment(HouseSession *session, size_t person, double time) {
@@ -72,7 +66,7 @@ static void add_record(HouseSession *session, ResultTable *table, size_t first) 
             continue;
         line.cells[0] = names_number(line.cells[0]);
         line.cells[1] = line.cells[1] ? names_text(house, names_profile(line.cells[1]), arena) : NULL;
-        add_row(session, line.kind, NULL)->row = line;
+        house_rows_add(session, line.kind, NULL)->row = line;
     }
     result_clear(table);
 }
@@ -108,7 +102,7 @@ static void add_door(HouseSession *session, const Plan *plan, const Door *door) 
     Vec2 from, to;
     plan_geometry_door_ends(plan, door, &from, &to);
     const char *wall = names_wall_at(plan, door->wall_index, vec2_scale(vec2_add(from, to), 0.5), &scene->arena);
-    add_row(session, ROW_PLAIN, scene_text(scene, "in %s", wall));
+    house_rows_add(session, ROW_PLAIN, scene_text(scene, "in %s", wall));
 }
 
 /* Adds the numbers of a tight place, as its row in the list has them. */
@@ -146,7 +140,7 @@ static void add_selected(HouseSession *session, double time) {
     if (!*name)
         return;
     *name = (char)toupper((unsigned char)*name);
-    add_row(session, ROW_HEADING, scene_text(scene, "%s", name));
+    house_rows_add(session, ROW_HEADING, scene_text(scene, "%s", name));
     if (item.kind == HOUSE_PERSON) {
         add_person(session, item.index, time);
     } else if (item.kind == HOUSE_HAZARD) {
@@ -154,7 +148,7 @@ static void add_selected(HouseSession *session, double time) {
     } else if (item.kind == HOUSE_STOP) {
         const char *widths = blockage_scene_widths(scene, &session->observation->people[item.index].blockage);
         if (*widths)
-            add_row(session, ROW_PLAIN, widths);
+            house_rows_add(session, ROW_PLAIN, widths);
     } else if (item.kind == HOUSE_DOOR) {
         add_door(session, plan, &plan->doors[item.index]);
         add_flow(session, "through now", flow_of_door(session, &plan->doors[item.index], time));
@@ -176,7 +170,7 @@ static void add_selected(HouseSession *session, double time) {
 static void compare_places(HouseSession *session, const Before *ghost) {
     Arena *arena = &session->texts.moment.arena;
     bool known = ghost->observation->time > 0, moved = session->observation->time > 0;
-    SceneRow *row = &add_row(session, ROW_PLAIN, is_crowd(session) ? "jams" : "tight places")->row;
+    SceneRow *row = &house_rows_add(session, ROW_PLAIN, is_crowd(session) ? "jams" : "tight places")->row;
     row->cells[1] = known ? tight_number(ghost->house, ghost->observation, 0, arena) : "-";
     row->cells[2] = moved ? tight_number(&session->runs[RUN_SHOWN]->house, session->observation, 0, arena) : "-";
 }
@@ -189,14 +183,14 @@ static void compare(HouseSession *session) {
         return;
     ResultTable before = result_house_totals(ghost.house, ghost.observation),
                 now = result_house_totals(&session->runs[RUN_SHOWN]->house, session->observation);
-    add_row(session, ROW_HEADING, scene_text(scene, "Compare: %s, now", house_scene_before_name(ghost)));
+    house_rows_add(session, ROW_HEADING, scene_text(scene, "Compare: %s, now", house_scene_before_name(ghost)));
     for (size_t r = 0; r < now.row_count; r++) {
         SceneRow line;
         const ResultRow *row = result_at(&now, 0, r);
         if (strcmp(row->label, "tight places") != 0 && /* below, as jams or "at least 9" */
             result_panel_pair(&line, result_at(&before, 0, r), row, &scene->arena)) {
             line.cells[0] = names_number(line.cells[0]);
-            add_row(session, line.kind, NULL)->row = line;
+            house_rows_add(session, line.kind, NULL)->row = line;
         }
     }
     result_clear(&before);
@@ -227,16 +221,16 @@ static void add_crew(HouseSession *session) {
     const House *house = &session->runs[RUN_SHOWN]->house;
     if (!crew)
         return;
-    add_row(session, ROW_HEADING, scene_text(scene, "%zu drivers", crew->count));
+    house_rows_add(session, ROW_HEADING, scene_text(scene, "%zu drivers", crew->count));
     for (size_t i = 0; i < crew->person_count; i++)
         if (crew->said[i])
-            add_row(session, ROW_PLAIN,
-                    scene_text(scene, "%s: %s", names_person(house, i, &scene->arena), crew->said[i]))
+            house_rows_add(session, ROW_PLAIN,
+                           scene_text(scene, "%s: %s", names_person(house, i, &scene->arena), crew->said[i]))
                 ->item = (Item){HOUSE_PERSON, i};
     if (crew_person(session) == crew->person_count)
-        add_row(session, ROW_PLAIN, "nobody here has the wheelchair of the population");
+        house_rows_add(session, ROW_PLAIN, "nobody here has the wheelchair of the population");
     for (size_t r = 0; r < crew->scene.row_count; r++)
-        add_row(session, ROW_PLAIN, NULL)->row = crew->scene.rows[r];
+        house_rows_add(session, ROW_PLAIN, NULL)->row = crew->scene.rows[r];
 }
 
 /* A crowd now ------------------------------------------------------------------------------------------------------ */
@@ -258,7 +252,7 @@ static void add_now(HouseSession *session, double time) {
             all[person->exit]++;
         }
     }
-    add_row(session, ROW_HEADING, "Now");
+    house_rows_add(session, ROW_HEADING, "Now");
     size_t people = observation->person_count;
     add_pair(session, "out", scene_text(scene, "%s of %zu", headline_count(out, people, &scene->arena), people));
     for (size_t e = 0; e < plan->exit_count && e < EXITS_MOST; e++)
@@ -323,7 +317,7 @@ static void add_listed(HouseSession *session) {
     size_t hazard = 0, person = 0, stopped = first_stopped(session->observation);
     bool stops = session->whole && stopped < session->observation->person_count;
     for (size_t i = 0; i < scene->row_count; i++) {
-        PanelRow *row = add_row(session, ROW_PLAIN, NULL);
+        PanelRow *row = house_rows_add(session, ROW_PLAIN, NULL);
         row->row = scene->rows[i];
         if (stops)
             row->place = (Item){HOUSE_STOP, stopped};
@@ -430,6 +424,7 @@ void house_text_make(HouseSession *session, double time) {
     scene_clear(&texts->moment);
     make_answer(session);
     add_selected(session, time);
+    house_shake_rows_add(session);
     compare(session);
     add_now(session, time);
     add_crew(session);
@@ -519,6 +514,7 @@ Result house_text_answer(HouseSession *session) {
                      .due = house_runs_is_working(session),
                      .doing = describe_progress(session),
                      .grading = house_runs_wants(session, RUN_GRADES) && !house_runs_is_over(session, RUN_GRADES),
+                     .shaking = house_runs_wants(session, RUN_SHAKES) && !house_runs_is_over(session, RUN_SHAKES),
                      .part = NAN,
                      .cure = texts->missing.cure,
                      .tool = texts->missing.tool};

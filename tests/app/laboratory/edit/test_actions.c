@@ -155,6 +155,49 @@ TEST(a_shake_topples_what_its_seed_draws_and_is_one_step) {
     laboratory->close(session);
 }
 
+/* Shakes until the wardrobe falls. */
+static void topple_by_shakes(Editor *editor) {
+    Fault fault = {0};
+    for (int i = 0; i < 20 && !strstr(editor_text(editor), "\"toppled\": true"); i++)
+        CHECK(editing_succeeds(editor_shake(editor, &fault), &fault));
+}
+
+TEST(what_is_fixed_to_the_wall_stands_in_the_same_shake) {
+    void *session = editing_open_text(editing_small_house);
+    Editor *editor = laboratory->editor(session);
+    EditorShake before, after;
+    Fault fault = {0};
+    CHECK(!editor_last_shake(editor, &before));
+    topple_by_shakes(editor);
+    CHECK(editor_last_shake(editor, &before) && before.count == 1);
+    CHECK_TEXT(before.ids[0], "f1");
+    CHECK(!editor_fix_to_wall(editor, (Item){HOUSE_WALL, 0}, &fault) && fault.count == 1);
+    fault_clear(&fault);
+    CHECK(editing_succeeds(editor_fix_to_wall(editor, (Item){HOUSE_FURNITURE, 0}, &fault), &fault));
+    CHECK_TEXT(editor_undo_name(editor), "Fix wardrobe to the wall");
+    CHECK(!strstr(editor_text(editor), "\"topples\": \"front\"") && !strstr(editor_text(editor), "\"toppled\": true"));
+    CHECK(editor_last_shake(editor, &after) && after.count == 0 && after.seed == before.seed);
+    CHECK(after.standing != before.standing); /* a hundred shakes of it are others */
+    CHECK(editor_undo(editor) && editor_last_shake(editor, &after));
+    CHECK(after.count == 1 && after.seed == before.seed && after.standing == before.standing);
+    laboratory->close(session);
+}
+
+TEST(what_fell_stands_up_as_one_step) {
+    void *session = editing_open_text(editing_small_house);
+    Editor *editor = laboratory->editor(session);
+    EditorShake shake;
+    Fault fault = {0};
+    CHECK(!editor_stand_up(editor, &fault) && fault.count == 1);
+    fault_clear(&fault);
+    topple_by_shakes(editor);
+    CHECK(editing_succeeds(editor_stand_up(editor, &fault), &fault));
+    CHECK_TEXT(editor_undo_name(editor), "Stand up what fell");
+    CHECK(!editor_last_shake(editor, &shake) && !strstr(editor_text(editor), "\"toppled\": true"));
+    CHECK(editor_undo(editor) && editor_last_shake(editor, &shake) && shake.count == 1);
+    laboratory->close(session);
+}
+
 static const char narrow_house[] =
     "{\"format\": \"clearance-house\", \"version\": 1, \"walls\": [{\"id\": \"w1\", \"points\": [[0, 0], [4, 0], [4, "
     "3], [0, 3], [0, 0]]}], \"doors\": [{\"id\": \"d1\", \"wall\": \"w1\", \"at\": 2, \"width\": 0.5}], \"exits\": "
