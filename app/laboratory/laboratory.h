@@ -87,7 +87,7 @@ typedef struct Result {
     bool broken;       /* nothing can be run, so no fix can be tried */
 } Result;
 
-/* What a row of the panel does that is a button. */
+/* The action of a row of the panel that is a button. */
 typedef enum RowAct { ROW_ACT_NONE, ROW_ACT_SHAKE, ROW_ACT_STAND_UP, ROW_ACT_FIX } RowAct;
 
 /* A row of the panel, as in a scene's list; choosing it shows its place, or goes to its time. The second cell of a

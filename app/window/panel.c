@@ -107,10 +107,11 @@ static void show_act(Window *window, const PanelRow *rows, size_t count, size_t 
         side++;
     if (!index || !rows[index - 1].act)
         ui_row(window->ui, (int)side);
-    if (ui_button(window->ui, &(UiButton){.label = rows[index].row.cells[0], .help = rows[index].help}))
-        act_row(window, &rows[index]);
-    else if (side == 1)
+    bool pressed = ui_button(window->ui, &(UiButton){.label = rows[index].row.cells[0], .help = rows[index].help});
+    if (side == 1)
         ui_row(window->ui, 1);
+    if (pressed)
+        act_row(window, &rows[index]);
 }
 
 static void show_row(Window *window, Tab *tab, const PanelRow *row, size_t index) {
@@ -121,6 +122,7 @@ static void show_row(Window *window, Tab *tab, const PanelRow *row, size_t index
         ui_text(window->ui, UI_BODY, ROLE_TEXT, scene->cells[0]);
         return;
     }
+    const char *name = scene->cells[0] && !*scene->cells[0] && scene->mark ? scene->mark : scene->cells[0];
     UiRow shown = {
         .id = text_in_arena(&window->arena, "row %zu", index),
         .mark = scene->mark,
@@ -128,7 +130,7 @@ static void show_row(Window *window, Tab *tab, const PanelRow *row, size_t index
         .shape = (int)scene->kind,
         .style = (int)scene->style,
         .cells = {scene->cells[0], narrow ? scene->cells[2] : scene->cells[1], narrow ? NULL : scene->cells[2]},
-        .help = usable ? text_in_arena(&window->arena, "%s: Select it and go to its time", scene->cells[0]) : NULL,
+        .help = usable ? text_in_arena(&window->arena, "%s: Select it and go to its time", name) : NULL,
         .selected = row->item.kind && item_same(row->item, tab->laboratory->selected(tab->session)),
         .has_bar = row->has_bar,
         .bar = row->bar,

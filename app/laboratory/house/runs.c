@@ -194,10 +194,13 @@ bool house_runs_is_working(const HouseSession *session) {
     return session->runs[RUN_SHOWN] && newest && !house_runs_seeks_reasons(session);
 }
 
+bool house_runs_is_wished(const HouseSession *session, const HouseRun *run) {
+    const char *route = run->wish.route, *wished = session->wish.route;
+    return (route ? wished && strcmp(route, wished) == 0 : !wished) && run->wish.driving == session->wish.driving;
+}
+
 bool house_runs_is_of(const HouseSession *session, const HouseRun *run, const HouseEpoch *epochs, size_t count) {
-    const char *route = run ? run->wish.route : NULL, *wished = session->wish.route;
-    return run && (route ? wished && strcmp(route, wished) == 0 : !wished) &&
-           run->wish.driving == session->wish.driving &&
+    return run && house_runs_is_wished(session, run) &&
            house_history_same(run->wish.epochs, run->wish.epoch_count, epochs, count);
 }
 

@@ -14,8 +14,8 @@
  *     routes    routes  while the widths are displayed               when another run is displayed or needed
  *     grades    grades  when all who are displayed are out           by the next edit or another displayed run
  *     crew      crew    while the drivers are displayed              by the next edit or another displayed run
- *     shakes    shakes  when the outcome of an earthquake is         by an edit other than an earthquake of the same
- *                       displayed                                    house */
+ *     shakes    shakes  when the outcome of an earthquake is         by another house, route or driving model, but not
+ *                       displayed                                    by another earthquake of the same house */
 #pragma once
 
 #include "laboratory/house/session_state.h"
@@ -58,6 +58,9 @@ uint64_t house_runs_identity(const HouseRun *run);
 
 /* True from a change until its run is displayed: the displayed run is of an older plan. */
 bool house_runs_is_working(const HouseSession *session);
+
+/* True if the run has the present route and driving model. */
+bool house_runs_is_wished(const HouseSession *session, const HouseRun *run);
 
 /* True if the run is the result of these epochs (count) with the present route and driving model. */
 bool house_runs_is_of(const HouseSession *session, const HouseRun *run, const HouseEpoch *epochs, size_t count);

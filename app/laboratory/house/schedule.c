@@ -373,14 +373,15 @@ static void update_crew(HouseSession *session) {
 /* Shows the earthquakes of the last complete step. They are of the house as it stood, and stay while it is shaken
  * again; whatever else the worker has to do comes first. */
 static void update_shakes(HouseSession *session) {
+    const HouseRun *run = session->runs[RUN_SHAKES];
     bool over = house_runs_is_over(session, RUN_SHAKES), wanted = house_runs_wants(session, RUN_SHAKES);
-    bool first = house_runs_wants(session, RUN_GRADES) && !house_runs_is_over(session, RUN_GRADES);
+    bool later = (house_runs_wants(session, RUN_GRADES) && !house_runs_is_over(session, RUN_GRADES)) ||
+                 (house_runs_wants(session, RUN_CREW) && !house_runs_is_over(session, RUN_CREW));
     EditorShake shake;
-    bool other = wanted && editor_last_shake(session->editor, &shake) && shake.standing != session->standing;
-    first |= house_runs_wants(session, RUN_CREW) && !house_runs_is_over(session, RUN_CREW);
-    if (session->runs[RUN_SHAKES] && (!wanted || other || (first && !over)))
+    bool holds = wanted && editor_last_shake(session->editor, &shake) && shake.standing == session->standing;
+    if (run && (!holds || !house_runs_is_wished(session, run) || (later && !over)))
         house_runs_set(session, RUN_SHAKES, NULL);
-    if (!first)
+    if (!later)
         update_companion(session, RUN_SHAKES);
     const Outlook *outlook = session->runs[RUN_SHAKES] ? house_run_outlook(session->runs[RUN_SHAKES]) : NULL;
     session->changed |= outlook != session->outlook ? LABORATORY_TEXTS : 0;
