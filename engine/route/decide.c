@@ -15,9 +15,10 @@
  * then with some. Each proposal becomes a way whose stations move until the true body is free (relax.c) and then until
  * no small change makes it quicker (hasten.c). A proposal that does not come free is dropped, which proves nothing: if
  * it had no change of direction, later proposals must have one, since the search would find the same way again, except
- * for bodies of nearly the true size. A way with changes of direction is compared with what is found with fewer, and a
- * no is given only after a search with more states where the others had to give up. The budget is counted in
- * expansions, proposals and sweeps, never in time, so that the answer is always the same. */
+ * for bodies of nearly the true size. A way with changes of direction is tried with arcs in place of its turns on the
+ * spot, without its short motions to and fro, and compared with what is found with fewer changes. A no is given only
+ * after a search with more states where the others had to give up. The budget is counted in expansions, proposals and
+ * sweeps, never in time, so that the answer is always the same. */
 
 #define SPACING 0.05         /* m, of the stations */
 #define ALIKE 3e-3           /* 1: ways whose times differ by less than this share are one */
@@ -26,6 +27,7 @@
 #define MARGIN 0.005         /* m, kept from everything, unless the start has less */
 #define BARELY 1e-3          /* m, kept where there is no room for the margin */
 #define HAIR 5e-4            /* m */
+#define SHORT 0.3            /* m: a motion to and fro that is no longer may be needless */
 #define HARDLY 0.006         /* m, more relief than this is another body */
 
 enum { SWEEPS = 20, PASSES = 2, SURE = 2, ASK_WHETHER_IT_FITS = 2 };
@@ -103,6 +105,10 @@ typedef struct Decide {
     double spent[RUNGS];   /* m2 rad, of states that a rung has tried until it gave up; 0: it did not */
 } Decide;
 
+/* 1, shares of the margin that the descent keeps at the stations: the next one where the sweep finds too little room
+ * between them. */
+static const double keeps[] = {SWEPT, 0.9, 1};
+
 static Rectangle relieved(const Rectangle *body, double by) {
     Rectangle smaller = *body;
     smaller.half_length = fmax(body->half_length - by, 0.01);
@@ -126,20 +132,35 @@ static SearchAnswer propose(const Decide *decide, const Rung *rung, int least_re
                        most_reversals, track, NULL);
 }
 
+/* Makes a way that keeps a margin quicker, as far as the sweep finds room between its stations: where it does not, the
+ * descent begins again and keeps more of the margin. */
+static bool descend(const Decide *decide, Way *quick, const Way *from, double margin, double *time) {
+    const RouteQuery *query = decide->query;
+    bool whole = true, good = false;
+    for (size_t k = 0; k < sizeof keeps / sizeof *keeps && whole && !good; k++) {
+        way_free(quick);
+        *quick = way_copy(from);
+        whole = hasten_way(quick, query->space, decide->body, query->profile, margin * keeps[k], SWEEPS, query->stop);
+        good = whole && way_swept(quick, query->space, decide->body, margin * SWEPT * SWEPT);
+    }
+    *time = good ? hasten_time(quick, query->space, decide->body, query->profile) : HUGE_VAL;
+    return whole;
+}
+
 /* Makes a way that keeps a margin quicker. Changes of direction move only as far as the steps beside them stay even: a
  * way that has some is spaced again and made quicker once more, where the first pass was worth it. The way and its
  * time, s, stay as they are where the descent leads too near to something. Returns false if interrupted. */
 static bool hasten(const Decide *decide, Way *way, double margin, double *time) {
-    const RouteQuery *query = decide->query;
     bool whole = true, gains = true;
-    Way quick = way_copy(way);
-    for (int pass = 0; pass < PASSES && gains; pass++) {
+    Way quick = {0};
+    for (int pass = 0; pass < PASSES && gains && whole; pass++) {
+        double now;
+        Way from = way_copy(way);
         if (pass > 0)
-            way_resample(&quick, quick.pieces[0].step);
-        whole = hasten_way(&quick, query->space, decide->body, query->profile, margin * SWEPT, SWEEPS, query->stop);
-        double now = whole ? hasten_time(&quick, query->space, decide->body, query->profile) : HUGE_VAL;
-        bool good = whole && (pass == 0 || now < *time) &&
-                    way_swept(&quick, query->space, decide->body, margin * SWEPT * SWEPT);
+            way_resample(&from, from.pieces[0].step);
+        whole = descend(decide, &quick, &from, margin, &now);
+        way_free(&from);
+        bool good = now < HUGE_VAL && (pass == 0 || now < *time);
         gains = good && quick.piece_count > 1 && now < *time * (1 - ALIKE);
         if (good) {
             way_free(way);
@@ -227,6 +248,8 @@ static bool free_and_bend(Decide *decide, const Way *proposed) {
         is_free = way.piece_count > 0;
         if (whole && is_free && !settled(decide) && way_join(&way))
             whole = make_free(decide, &way, comforts[c]);
+        if (whole && way.piece_count > 0 && !settled(decide) && way_straighten_cusps(&way))
+            whole = make_free(decide, &way, comforts[c]);
         way_free(&way);
     }
     return whole;
@@ -247,6 +270,21 @@ static bool realise(Decide *decide, const SearchTrack *track) {
         decide->confirmed++;
     else if (decide->latest < HUGE_VAL && (decide->confirmed == 0 || decide->time < decide->before * (1 - ALIKE)))
         decide->confirmed = 1;
+    return whole;
+}
+
+/* Tries the best way without its short motions to and fro, one after another, until one of them is needed. Returns
+ * false if interrupted. */
+static bool drop_short(Decide *decide) {
+    bool whole = true, quicker = true;
+    while (whole && quicker) {
+        double before = decide->time;
+        Way way = way_copy(&decide->best);
+        quicker = way_drop_shortest(&way, SHORT);
+        whole = !quicker || make_free(decide, &way, comforts[0]);
+        way_free(&way);
+        quicker = quicker && decide->time < before;
+    }
     return whole;
 }
 
@@ -409,7 +447,8 @@ static DecideAnswer decide_fresh(const RouteQuery *query, const Rectangle *body,
         }
     }
     bool better = decide.confirmed > 0 && !decide.any;
-    whole = whole && (!better || (try_fewer(&decide, &proposal) && try_turning(&decide, &proposal) && centre(&decide)));
+    whole = whole && (!better || (drop_short(&decide) && try_fewer(&decide, &proposal) &&
+                                  try_turning(&decide, &proposal) && centre(&decide)));
     if (whole && decide.confirmed > 0) {
         give_track(&decide, track);
         result = DECIDE_FOUND;

@@ -89,6 +89,13 @@ Way way_of_track(const SearchTrack *track, const Exit *exit, const Goal *pins, s
     return way;
 }
 
+static double piece_length(const Way *way, const WayPiece *piece) {
+    double length = 0;
+    for (size_t s = piece->first; s < piece->last; s++)
+        length += vec2_distance(way->stations[s].at, way->stations[s + 1].at);
+    return length;
+}
+
 static void *copied(const void *block, size_t count, size_t size) {
     void *copy = memory_zeroed(count, size);
     if (count)
@@ -121,6 +128,49 @@ bool way_join(Way *way) {
     return any;
 }
 
+bool way_straighten_cusps(Way *way) {
+    bool any = false;
+    for (size_t k = 1; k < way->piece_count; k++) {
+        Joint *joint = &way->joints[k];
+        size_t before = way->pieces[k - 1].last, after = way->pieces[k].first;
+        if (!joint->turns || way->pieces[k].direction == way->pieces[k - 1].direction)
+            continue;
+        double heading = (joint->in + joint->out) / 2;
+        *joint = (Joint){heading, heading, false};
+        way->stations[before].axis = way->stations[after].axis = vec2_heading(heading);
+        any = true;
+    }
+    return any;
+}
+
+bool way_drop_shortest(Way *way, double most) {
+    size_t shortest = 0;
+    for (size_t k = 1; k + 1 < way->piece_count; k++) {
+        double length = piece_length(way, &way->pieces[k]);
+        if (way->pieces[k].direction != way->pieces[k - 1].direction &&
+            way->pieces[k - 1].direction == way->pieces[k + 1].direction && length <= most) {
+            most = length;
+            shortest = k;
+        }
+    }
+    if (!shortest)
+        return false;
+    WayPiece *before = &way->pieces[shortest - 1], *after = &way->pieces[shortest + 1];
+    size_t gap = after->first - before->last - 1;
+    memmove(&way->stations[before->last + 1], &way->stations[after->first],
+            (way->count - after->first) * sizeof *way->stations);
+    way->count -= gap;
+    before->last = after->last - gap;
+    for (size_t k = shortest; k + 2 < way->piece_count; k++) {
+        way->pieces[k] = way->pieces[k + 2];
+        way->pieces[k].first -= gap;
+        way->pieces[k].last -= gap;
+        way->joints[k] = way->joints[k + 2];
+    }
+    way->piece_count -= 2;
+    return true;
+}
+
 void way_free(Way *way) {
     memory_free(way->stations);
     memory_free(way->pieces);
@@ -134,13 +184,6 @@ static Vec2 between(const Station *a, const Station *b, int direction, double pa
     double length = vec2_distance(a->at, b->at) * direction, s = part, r = 1 - part;
     Vec2 at = vec2_add(vec2_scale(a->at, r * r * (1 + 2 * s)), vec2_scale(b->at, s * s * (1 + 2 * r)));
     return vec2_along(vec2_along(at, r * r * s * length, a->axis), -s * s * r * length, b->axis);
-}
-
-static double piece_length(const Way *way, const WayPiece *piece) {
-    double length = 0;
-    for (size_t s = piece->first; s < piece->last; s++)
-        length += vec2_distance(way->stations[s].at, way->stations[s + 1].at);
-    return length;
 }
 
 /* Places the inner stations of a piece of `steps` steps along an old one. */

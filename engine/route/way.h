@@ -58,6 +58,14 @@ Way way_copy(const Way *way);
 /* Makes one piece of each two that meet at a turn on the spot without a change of direction: there it has a kink.
  * Returns false if there is none. */
 bool way_join(Way *way);
+
+/* Gives each change of direction at which the way turns on the spot the mean heading on both sides. Returns false if
+ * there is none. */
+bool way_straighten_cusps(Way *way);
+
+/* Leaves the shortest piece out that lies between two of the other direction and is at most `most` m long, and makes
+ * one piece of its neighbours, with a kink. Returns false if there is none. */
+bool way_drop_shortest(Way *way, double most);
 void way_free(Way *way);
 
 /* Spaces the stations again, about `spacing` m apart, along the same curve. */
