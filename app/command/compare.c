@@ -162,10 +162,15 @@ int command_compare(const Options *options) {
     Grade *letters[2] = {NULL, NULL};
     for (int h = 0; h < 2 && !told; h++)
         if (!house_file_letters(&letters[h], &houses[h], &observations[h], options)) {
-            fprintf(stderr, "clearance: interrupted before all ways were graded; no grades are told\n");
+            fprintf(stderr,
+                    "clearance: interrupted before all ways were graded; no grades are told, nothing is written\n");
             told = true;
         }
-    bool written = is_interrupted(observations) || write_pictures(houses, observations, letters[1], options);
+    for (int h = 0; h < 2 && told; h++) {
+        memory_free(letters[h]);
+        letters[h] = NULL;
+    }
+    bool nothing = told, written = nothing || write_pictures(houses, observations, letters[1], options);
     told = output_tell_interrupted(told);
     Drivers of[2] = {{.count = 0}};
     const PairedDrivers drivers = {of, &population, {letters[0], letters[1]}};
@@ -173,8 +178,7 @@ int command_compare(const Options *options) {
         fprintf(stderr, "clearance: interrupted before all drivers had run; they are not compared\n");
         told = true;
     }
-    written = written &&
-              (is_interrupted(observations) || report_files_write_comparison(houses, observations, &drivers, options));
+    written = written && (nothing || report_files_write_comparison(houses, observations, &drivers, options));
     bool interrupted = output_tell_interrupted(told);
     json_t *answer = options->json ? make_answer(houses, observations, drivers.letters, interrupted) : NULL;
     if (!answer)
