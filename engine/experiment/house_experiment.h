@@ -29,7 +29,8 @@ enum {
 bool house_experiment_open(Experiment *experiment, const char *path, const HouseOptions *options, const char *route,
                            Fault *fault);
 
-/* Does the same with a house file's `text`, which must stay valid, too; NULL: it is read from `path`. */
+/* Opens the experiment of a house file's `text`, which must stay valid, too; `path` is then its name for faults and
+ * profiles. NULL: the text is that of the file. */
 bool house_experiment_open_text(Experiment *experiment, const char *path, const char *text, const HouseOptions *options,
                                 const char *route, Fault *fault);
 

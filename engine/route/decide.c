@@ -27,7 +27,7 @@
 #define MARGIN 0.005         /* m, kept from everything, unless the start has less */
 #define BARELY 1e-3          /* m, kept where there is no room for the margin */
 #define HAIR 5e-4            /* m */
-#define SHORT 0.3            /* m: a motion to and fro that is no longer may be needless */
+#define SHORT 0.3            /* m: motions to and fro up to this length may be needless */
 #define HARDLY 0.006         /* m, more relief than this is another body */
 
 enum { SWEEPS = 20, PASSES = 2, SURE = 2, ASK_WHETHER_IT_FITS = 2 };
@@ -85,6 +85,10 @@ enum { SKIDDING_RUNGS = sizeof skidding_grains / sizeof *skidding_grains };
  * cusps of a way with changes of direction hardly move there, so that it is tried with cusps nearer to walls, too. */
 static const double comforts[] = {20, 2};
 
+/* 1, shares of the margin that the descent keeps at the stations: the next one where the sweep finds too little room
+ * between them. */
+static const double keeps[] = {SWEPT, 0.9, 1};
+
 typedef struct Decide {
     const RouteQuery *query;
     const Rectangle *body;
@@ -104,10 +108,6 @@ typedef struct Decide {
     bool dropped_onwards;  /* True if one without a change of direction has not come free */
     double spent[RUNGS];   /* m2 rad, of states that a rung has tried until it gave up; 0: it did not */
 } Decide;
-
-/* 1, shares of the margin that the descent keeps at the stations: the next one where the sweep finds too little room
- * between them. */
-static const double keeps[] = {SWEPT, 0.9, 1};
 
 static Rectangle relieved(const Rectangle *body, double by) {
     Rectangle smaller = *body;
