@@ -1,16 +1,12 @@
 #include "house/track.h"
 
 #include "base/real.h"
+#include "house/track_doors.h"
 #include "plan/plan_geometry.h"
+#include "route/foresight.h"
 #include "route/pace.h"
 #include "space/passage.h"
 
-/* m, assumed: distance from a shut door's leaf, and from its swing. */
-static const double DOOR_SPACE = 0.10;
-/* m, assumed: a shut door is opened for a body that comes nearer than this to its leaf. */
-static const double LEAF_SPACE = 0.03;
-/* places checked along a leaf of 1 m: 8 cm apart */
-enum { DOOR_SAMPLES = 13 };
 /* points to either side over which the curvature of a path is averaged: about 0.1 m */
 enum { CURVATURE_SPAN = 2 };
 /* m: shorter steps are not rolled. */
@@ -24,32 +20,6 @@ static TrackPoint *add_point(Track *track, size_t *capacity, TrackPoint point) {
     }
     track->points[track->count] = point;
     return &track->points[track->count++];
-}
-
-/* Lowers each width to that of the passage within PACE_FORESIGHT; the paper's is the least of those that were measured
- * at once. */
-static void look_ahead(Track *track, bool paper) {
-    double *width = memory_zeroed(track->count, sizeof *width);
-    for (size_t i = 0, first = 0; i < track->count; i++) {
-        const TrackPoint *here = &track->points[i];
-        Vec2 axis = vec2_heading(here->heading);
-        double left = HUGE_VAL, right = HUGE_VAL;
-        while (track->points[first].s < here->s - PACE_FORESIGHT)
-            first++;
-        width[i] = HUGE_VAL;
-        for (size_t k = first; k < track->count && track->points[k].s <= here->s + PACE_FORESIGHT; k++) {
-            const TrackPoint *point = &track->points[k];
-            width[i] = fmin(width[i], point->width);
-            if (!paper && vec2_dot(axis, vec2_heading(point->heading)) > PACE_PARALLEL) {
-                left = fmin(left, point->room_left);
-                right = fmin(right, point->room_right);
-            }
-        }
-        width[i] = fmin(width[i], left + right);
-    }
-    for (size_t i = 0; i < track->count; i++)
-        track->points[i].width = width[i];
-    memory_free(width);
 }
 
 /* Limits the speed from the end to the start: v^2 - v_c^2 = 2 a_d L. A change of direction ends at rest. */
@@ -75,85 +45,6 @@ static void mark_exit(Track *track, const Exit *exit) {
     for (size_t i = 0; i + 1 < track->count; i++)
         if (plan_geometry_leads_out(exit, track->points[i].at, track->points[i + 1].at))
             track->exit_s = track->points[i].s;
-}
-
-/* The space that a shut door needs: its leaf and, on the side to which it opens, the leaf's swing. */
-typedef struct DoorWay {
-    Vec2 leaf[DOOR_SAMPLES];
-    Vec2 swing[DOOR_SAMPLES * DOOR_SAMPLES];
-    size_t swing_count;
-    bool swings_left;
-    Vec2 from, to;
-} DoorWay;
-
-static DoorWay door_way(const Plan *plan, const Door *door) {
-    DoorWay way = {.swings_left = door->swing == SWING_LEFT};
-    plan_geometry_door_ends(plan, door, &way.from, &way.to);
-    Vec2 along = vec2_sub(way.to, way.from);
-    for (int k = 0; k < DOOR_SAMPLES; k++)
-        way.leaf[k] = vec2_along(way.from, (double)k / (DOOR_SAMPLES - 1), along);
-    if (door->kind != DOOR_HINGED)
-        return way;
-    bool at_start = door->hinge == HINGE_START;
-    Vec2 hinge = at_start ? way.from : way.to, leaf = at_start ? along : vec2_scale(along, -1);
-    double turn = at_start == way.swings_left ? M_PI / 2 : -M_PI / 2;
-    for (int k = 0; k < DOOR_SAMPLES; k++)
-        for (int r = 1; r <= DOOR_SAMPLES; r++)
-            way.swing[way.swing_count++] = vec2_along(hinge, (double)r / DOOR_SAMPLES,
-                                                      vec2_turn(leaf, vec2_heading(turn * k / (DOOR_SAMPLES - 1))));
-    return way;
-}
-
-/* Returns the distance of a body at a track point from a place; at most 0 inside. */
-static double body_distance(const Profile *profile, const TrackPoint *point, Vec2 place) {
-    if (profile->driving == DRIVING_MIURA)
-        return vec2_distance(place, point->at) - profile->width / 2;
-    Vec2 local = vec2_unturn(vec2_sub(place, point->at), vec2_heading(point->heading));
-    double ahead = fabs(local.x - (profile->length / 2 - profile->axle)) - profile->length / 2;
-    double beside = fabs(local.y) - profile->width / 2;
-    return ahead > 0 && beside > 0 ? vec2_length(vec2(ahead, beside)) : fmax(ahead, beside);
-}
-
-/* Returns the distance of a body at a track point from the leaf of a shut door. */
-static double leaf_distance(const DoorWay *way, const Profile *profile, const TrackPoint *point) {
-    double least = HUGE_VAL;
-    for (int k = 0; k < DOOR_SAMPLES; k++)
-        least = fmin(least, body_distance(profile, point, way->leaf[k]));
-    return least;
-}
-
-static bool is_in_the_way(const DoorWay *way, const Profile *profile, const TrackPoint *point) {
-    bool on_left = vec2_cross(vec2_sub(way->to, way->from), vec2_sub(point->at, way->from)) > 0;
-    if (leaf_distance(way, profile, point) < DOOR_SPACE)
-        return true;
-    for (size_t k = 0; k < way->swing_count && on_left == way->swings_left; k++)
-        if (body_distance(profile, point, way->swing[k]) < DOOR_SPACE)
-            return true;
-    return false;
-}
-
-/* Marks where the body first obstructs each door that must be opened for it, and again when it comes back. A door that
- * it only comes by stays shut. */
-static void mark_doors(Track *track, const Plan *plan, const Profile *profile) {
-    for (size_t i = 0; i < track->count; i++)
-        track->points[i].door = -1;
-    for (size_t d = 0; d < plan->door_count; d++) {
-        if (!outline_door_moves(&plan->doors[d]))
-            continue;
-        DoorWay way = door_way(plan, &plan->doors[d]);
-        for (size_t first = 0, i; first < track->count; first = i + 1) {
-            double least = HUGE_VAL;
-            for (i = first; i < track->count && is_in_the_way(&way, profile, &track->points[i]); i++)
-                least = fmin(least, leaf_distance(&way, profile, &track->points[i]));
-            if (least < LEAF_SPACE && track->points[first].door < 0)
-                track->points[first].door = (int)d;
-        }
-    }
-    int next_door = -1;
-    for (size_t i = track->count; i-- > 0;) {
-        next_door = track->points[i].door >= 0 ? (int)i : next_door;
-        track->points[i].next_door = next_door;
-    }
 }
 
 /* Measures width and room at every point, across the body's middle. */
@@ -224,12 +115,52 @@ static double own_bending(const Track *track, size_t i) {
     return 2 * (slope - slope_before) / (first + second);
 }
 
-static double driver_speed(const Inhabitant *person, const Agility *agility, const Track *track, size_t i) {
+/* Returns the part of the step from a point to the next one at which the passage's width jumps, or FORESIGHT_EDGE. */
+static double find_edge(const House *house, const TrackPoint *point, double middle) {
+    const TrackPoint *next = point + 1;
+    double low = 0, high = 1, turn = vec2_wrap_angle(next->heading - point->heading);
+    if (fabs(point->width - next->width) < FORESIGHT_JUMP)
+        return FORESIGHT_EDGE;
+    for (int i = 0; i < FORESIGHT_HALVINGS; i++) {
+        double part = (low + high) / 2;
+        Vec2 along = vec2_heading(point->heading + part * turn);
+        Vec2 at = vec2_along(point->at, part, vec2_sub(next->at, point->at));
+        double width = passage_width(passage_at(&house->outline, vec2_along(at, middle, along), along));
+        *((width < (point->width + next->width) / 2) == (point->width < next->width) ? &low : &high) = part;
+    }
+    return (low + high) / 2;
+}
+
+/* Limits the speed at every point by the passage that the driver sees, and lowers its width to the least of that. */
+static void look_ahead_and_behind(Track *track, const House *house, const Inhabitant *person, double middle) {
+    enum { NUMBERS = 5 };
+    size_t count = track->count;
+    double *left = memory_zeroed(NUMBERS * count, sizeof *left), *right = left + count, *heading = right + count,
+           *step = heading + count, *edge = step + count;
+    for (size_t i = 0; i < count; i++) {
+        const TrackPoint *point = &track->points[i];
+        left[i] = point->room_left;
+        right[i] = point->room_right;
+        heading[i] = point->heading;
+        step[i] = i + 1 < count ? point[1].s - point->s : 0;
+        edge[i] = step[i] > 0 ? find_edge(house, point, middle) : FORESIGHT_EDGE;
+    }
+    Foresight foresight = {left, right, heading, step, edge, count};
+    for (size_t i = 0; i < count; i++) {
+        TrackPoint *point = &track->points[i];
+        point->width = foresight_width(&foresight, i);
+        point->speed = foresight_speed(&foresight, i, person->profile, person->speed,
+                                       pace_starting(person->profile, point->clearance),
+                                       pace_braking(person->profile, point->clearance));
+    }
+    memory_free(left);
+}
+
+static double driver_speed(const Profile *profile, const Agility *agility, const Track *track, size_t i) {
     const TrackPoint *point = &track->points[i];
     double own = own_bending(track, i) * (PACE_MOMENT / PACE_OWN_MOMENT);
     double bending = fmax(fabs(point->bending), fabs(own));
-    return pace_at(person->profile, agility, person->speed, point->clearance, point->width, sharpest(track, i), bending,
-                   point->direction);
+    return pace_at(profile, agility, point->speed, point->clearance, sharpest(track, i), bending, point->direction);
 }
 
 /* Returns the clearance of the part of the body ahead of the axle on its left (`side` 1) or its right (-1), m, up to
@@ -296,21 +227,38 @@ static void take_poses(Track *track, const Profile *profile, const Route *route)
 void track_build_driver(Track *track, const House *house, const Inhabitant *person, const Route *route) {
     const Profile *profile = person->profile;
     take_poses(track, profile, route);
-    measure(track, house, profile->length / 2 - profile->axle);
-    look_ahead(track, false);
+    double middle = profile->length / 2 - profile->axle;
+    measure(track, house, middle);
+    look_ahead_and_behind(track, house, person, middle);
     bend(track);
     Agility agility = pace_agility(profile);
     for (size_t i = 0; i < track->count; i++)
-        track->points[i].speed = driver_speed(person, &agility, track, i);
+        track->points[i].speed = driver_speed(profile, &agility, track, i);
     look_for_necks(track);
     if (house_ring(house) == RING_STEERS)
         measure_sides(track, house, profile);
     decelerate(track, profile);
-    mark_doors(track, &house->plan, person->profile);
+    track_doors_mark(track, &house->plan, person->profile);
     mark_exit(track, &house->plan.exits[route->exit]);
 }
 
 /* The paper's round body --------------------------------------------------------------------------------------- */
+
+/* Lowers each width to the least within FORESIGHT_REACH. */
+static void look_ahead(Track *track) {
+    double *width = memory_zeroed(track->count, sizeof *width);
+    for (size_t i = 0, first = 0; i < track->count; i++) {
+        double s = track->points[i].s;
+        while (track->points[first].s < s - FORESIGHT_REACH)
+            first++;
+        width[i] = HUGE_VAL;
+        for (size_t k = first; k < track->count && track->points[k].s <= s + FORESIGHT_REACH; k++)
+            width[i] = fmin(width[i], track->points[k].width);
+    }
+    for (size_t i = 0; i < track->count; i++)
+        track->points[i].width = width[i];
+    memory_free(width);
+}
 
 /* m: distance between points. */
 static const double SPACING = 0.05;
@@ -576,7 +524,7 @@ void track_build_miura(Track *track, const House *house, const Inhabitant *perso
     }
     memory_free(turnings);
     measure(track, house, 0);
-    look_ahead(track, true);
+    look_ahead(track);
     for (size_t i = 0; i < track->count; i++) {
         TrackPoint *point = &track->points[i];
         point->speed = pace_in_passage(person->profile, person->speed, point->width);
@@ -584,7 +532,7 @@ void track_build_miura(Track *track, const House *house, const Inhabitant *perso
             point->speed = fmin(person->profile->minimum_speed, point->speed);
     }
     decelerate(track, person->profile);
-    mark_doors(track, &house->plan, person->profile);
+    track_doors_mark(track, &house->plan, person->profile);
     mark_exit(track, &house->plan.exits[route->exit]);
 }
 

@@ -27,7 +27,7 @@
 #define MARGIN 0.005         /* m, kept from everything, unless the start has less */
 #define BARELY 1e-3          /* m, kept where there is no room for the margin */
 #define HAIR 5e-4            /* m */
-#define SHORT 0.3            /* m: motions to and fro up to this length may be needless */
+#define SHORT 0.6            /* m: pieces of a way up to this length may be needless */
 #define HARDLY 0.006         /* m, more relief than this is another body */
 
 enum { SWEEPS = 20, PASSES = 2, SURE = 2, ASK_WHETHER_IT_FITS = 2 };
@@ -63,6 +63,14 @@ static const Rung rungs[] = {
 };
 enum { RUNGS = sizeof rungs / sizeof *rungs };
 
+/* For ways with a change of direction where one without any is long to drive: the finer grain finds headings at which
+ * to turn back that the coarse one leaves out. */
+static const Rung turning[] = {
+    {&middle_back, 0.018, STAGE_BACK}, {&middle_back, 0.030, STAGE_BACK}, {&coarse_back, 0.030, STAGE_BACK},
+    {&coarse_back, 0.020, STAGE_BACK}, {&coarse_back, 0.040, STAGE_BACK}, {&coarse_back, 0.010, STAGE_BACK},
+};
+enum { TURNINGS = sizeof turning / sizeof *turning };
+
 #define MOST_RELIEF 0.040 /* m */
 
 /* With the true body. */
@@ -88,6 +96,9 @@ static const double comforts[] = {20, 2};
 /* 1, shares of the margin that the descent keeps at the stations: the next one where the sweep finds too little room
  * between them. */
 static const double keeps[] = {SWEPT, 0.9, 1};
+
+/* 1, of the turn on the spot at a change of direction, up to the heading that is tried in its place. */
+static const double shares[] = {0.5, 0.75};
 
 typedef struct Decide {
     const RouteQuery *query;
@@ -237,35 +248,45 @@ static bool settled(const Decide *decide) {
     return decide->any ? decide->time < HUGE_VAL : decide->confirmed == SURE - 1 && confirms(decide);
 }
 
-/* Makes a proposed way free, with each weight of comfort that it is worth, then replaces the turns on the spot of each
- * free way by narrow bends and makes the result free. Returns false if interrupted. */
-static bool free_and_bend(Decide *decide, const Way *proposed) {
-    bool whole = true, is_free = true;
-    size_t count = proposed->piece_count > 1 ? sizeof comforts / sizeof *comforts : 1;
-    for (size_t c = 0; c < count && whole && is_free && !settled(decide); c++) {
-        Way way = way_copy(proposed);
-        whole = make_free(decide, &way, comforts[c]);
-        is_free = way.piece_count > 0;
-        if (whole && is_free && !settled(decide) && way_join(&way))
-            whole = make_free(decide, &way, comforts[c]);
-        if (whole && way.piece_count > 0 && !settled(decide) && way_straighten_cusps(&way))
-            whole = make_free(decide, &way, comforts[c]);
+/* Tries a free way with one heading at each change of direction at which it turns on the spot. Returns false if
+ * interrupted. */
+static bool straighten_cusps(Decide *decide, const Way *free_way, double comfort) {
+    bool whole = true;
+    for (size_t k = 0; k < sizeof shares / sizeof *shares && whole && !settled(decide); k++) {
+        Way way = way_copy(free_way);
+        if (way_straighten_cusps(&way, shares[k]))
+            whole = make_free(decide, &way, comfort);
         way_free(&way);
     }
     return whole;
 }
 
-/* Makes ways of a proposal, with its turns on the spot and with narrow bends in their place, and counts whether the
- * proposal confirms the best time. Returns false if interrupted. */
-static bool realise(Decide *decide, const SearchTrack *track) {
-    const Exit *exit = &decide->query->plan->exits[track->exit];
-    Way way = way_of_track(track, exit, decide->goals, decide->goal_count - 1, SPACING);
+/* Makes a proposed way free, with each weight of comfort that it is worth, then replaces the turns on the spot of each
+ * free way by narrow bends and makes the result free. Returns false if interrupted. */
+static bool free_and_bend(Decide *decide, const Way *proposed) {
+    bool whole = true;
+    size_t count = proposed->piece_count > 1 ? sizeof comforts / sizeof *comforts : 1;
+    for (size_t c = 0; c < count && whole && !settled(decide); c++) {
+        Way way = way_copy(proposed);
+        whole = make_free(decide, &way, comforts[c]);
+        if (whole && way.piece_count > 0 && !settled(decide) && way_join(&way))
+            whole = make_free(decide, &way, comforts[c]);
+        if (whole && way.piece_count > 0)
+            whole = straighten_cusps(decide, &way, comforts[c]);
+        way_free(&way);
+    }
+    return whole;
+}
+
+/* Improves a proposed way, with its turns on the spot and with narrow bends in their place, and counts whether it
+ * confirms the best time. Takes the way over. Returns false if interrupted. */
+static bool realise_way(Decide *decide, Way *way) {
     bool whole = true;
     decide->before = decide->time;
     decide->latest = HUGE_VAL;
-    if (way.piece_count > 0)
-        whole = free_and_bend(decide, &way) && (settled(decide) || !way_join(&way) || free_and_bend(decide, &way));
-    way_free(&way);
+    if (way->piece_count > 0)
+        whole = free_and_bend(decide, way) && (settled(decide) || !way_join(way) || free_and_bend(decide, way));
+    way_free(way);
     if (confirms(decide))
         decide->confirmed++;
     else if (decide->latest < HUGE_VAL && (decide->confirmed == 0 || decide->time < decide->before * (1 - ALIKE)))
@@ -273,17 +294,26 @@ static bool realise(Decide *decide, const SearchTrack *track) {
     return whole;
 }
 
-/* Tries the best way without its short motions to and fro, one after another, until one of them is needed. Returns
- * false if interrupted. */
+static bool realise(Decide *decide, const SearchTrack *track) {
+    const Exit *exit = &decide->query->plan->exits[track->exit];
+    Way way = way_of_track(track, exit, decide->goals, decide->goal_count - 1, SPACING);
+    return realise_way(decide, &way);
+}
+
+/* Tries the best way without each of its short pieces, one after another, until all of them are needed. Returns false
+ * if interrupted. */
 static bool drop_short(Decide *decide) {
-    bool whole = true, quicker = true;
-    while (whole && quicker) {
+    bool whole = true;
+    for (size_t k = 0; k + 1 < decide->best.piece_count && whole;) {
         double before = decide->time;
         Way way = way_copy(&decide->best);
-        quicker = way_drop_shortest(&way, SHORT);
-        whole = !quicker || make_free(decide, &way, comforts[0]);
-        way_free(&way);
-        quicker = quicker && decide->time < before;
+        if (!way_drop(&way, k, SHORT)) {
+            way_free(&way);
+            k++;
+            continue;
+        }
+        whole = realise_way(decide, &way);
+        k = decide->time < before ? 0 : k + 1;
     }
     return whole;
 }
@@ -312,18 +342,25 @@ static double lost_backwards(const Decide *decide) {
     return lost;
 }
 
-/* Looks for ways with a change of direction where the best one has none and is driven backwards for so long that a
- * change costs less time. Returns false if interrupted. */
-static bool try_turning(Decide *decide, SearchTrack *proposal) {
-    const RouteQuery *query = decide->query;
+/* Looks for ways with one to `most` changes of direction. Returns false if interrupted. */
+static bool try_changes(Decide *decide, int most, SearchTrack *proposal) {
     bool whole = true;
-    for (int r = 0; r < RUNGS && whole && way_reversals(&decide->best) == 0; r++) {
-        if (rungs[r].stage != STAGE_BACK || lost_backwards(decide) < query->profile->reversing_time)
-            continue;
-        SearchAnswer answer = propose(decide, &rungs[r], 1, query->most_reversals, proposal);
+    for (int t = 0; t < TURNINGS && whole; t++) {
+        SearchAnswer answer = propose(decide, &turning[t], 1, most, proposal);
         whole = answer != SEARCH_INTERRUPTED && (answer != SEARCH_FOUND || realise(decide, proposal));
     }
     return whole;
+}
+
+/* Looks for ways with one change of direction, or else with more, where the best one has none and is driven backwards
+ * for so long that a change costs less time. Returns false if interrupted. */
+static bool try_turning(Decide *decide, SearchTrack *proposal) {
+    const RouteQuery *query = decide->query;
+    int most = query->most_reversals;
+    if (most < 1 || way_reversals(&decide->best) > 0 || lost_backwards(decide) < query->profile->reversing_time)
+        return true;
+    return try_changes(decide, 1, proposal) &&
+           (most == 1 || way_reversals(&decide->best) > 0 || try_changes(decide, most, proposal));
 }
 
 /* Leads the best way along the middle where that costs no time, unless the sweep finds that this comes too near to
@@ -448,7 +485,7 @@ static DecideAnswer decide_fresh(const RouteQuery *query, const Rectangle *body,
     }
     bool better = decide.confirmed > 0 && !decide.any;
     whole = whole && (!better || (drop_short(&decide) && try_fewer(&decide, &proposal) &&
-                                  try_turning(&decide, &proposal) && centre(&decide)));
+                                  try_turning(&decide, &proposal) && drop_short(&decide) && centre(&decide)));
     if (whole && decide.confirmed > 0) {
         give_track(&decide, track);
         result = DECIDE_FOUND;

@@ -16,9 +16,10 @@
  * how long a way takes, and whether more room can make it longer, does not depend on the price.
  *
  * A trial moves the stations about one of them along their normals (a bump, of 0.1 m to a room's length), or a joint,
- * or the end, all faded over some stations; each place has its own length of step. A trial is kept when the sum falls
- * and no clearance is below the margin, at the stations and between them. The speeds are computed again only as far as
- * they change.
+ * or the end, all faded over some stations; each place has its own length of step. Where something stops the way, a
+ * bump that fades as far to either side would press it there, so that the way beside it stays where it is: bumps that
+ * are steep on one side are tried, too. A trial is kept when the sum falls and no clearance is below the margin, at the
+ * stations and between them. The speeds are computed again only as far as they change.
  *
  * A step h that succeeds grows. Where the sum rises by u and d with h and -h, the parabola through the three sums is
  * least at h (d - u) / (2 (u + d)), by (d - u)^2 / (8 (u + d)): that is the next step, or, if it gains next to nothing,
@@ -32,10 +33,21 @@
 #define LONG_GAIN 0.02 /* s, by bumps longer than a metre: less is not worth that a straight way bends */
 #define NOTHING 1e-5   /* s: places where less is to be gained are left alone */
 #define SHRINK 0.4     /* 1, of a step before an obstacle */
+#define STOPPED 0.03   /* m above the margin, where something may stop the way */
 #define STRAIGHT 1e-3  /* 1/m */
 #define MIDDLE 1e-2    /* m */
 
-enum { LEVELS = 7, SHORTEST_BUMP = 2, REACHES = 4, LONG_RUN = 32, LEAST_CENTRING = 2, LONG_LEVEL = 5 };
+enum {
+    LEVELS = 7,
+    SKEWS = 3,        /* bumps that fade as far to either side, and those that are STEEPER before or after */
+    LEAST_SKEWED = 2, /* level */
+    STEEPER = 4,
+    SHORTEST_BUMP = 2,
+    REACHES = 4,
+    LONG_RUN = 32,
+    LEAST_CENTRING = 2,
+    LONG_LEVEL = 5
+};
 
 static const int joint_reaches[REACHES] = {2, 4, 8, 16};
 
@@ -43,7 +55,6 @@ typedef struct Hasten {
     Way *way;
     Course course; /* of that way; while it centres, the time has a bound */
     Speeds now, tried;
-    bool even;     /* True if the way began with even steps, which are kept */
     Station *kept; /* (count) */
     double sum;    /* s, of the costs */
     double spare;  /* s, by which the way may still become slower, while centring */
@@ -61,7 +72,7 @@ static bool judge(Hasten *hasten, size_t low, size_t high, size_t joint, Joint j
     way_set_axes(way, begin, end);
     size_t from = begin > 0 ? begin - 1 : 0, to = end + 1 < way->count ? end + 1 : end;
     bool good = way_reaches_goals(way) && way_is_smooth(way, from, to) &&
-                (!hasten->even || way_is_even(way, from, to)) &&
+                way_stays_even(way, hasten->kept, begin, end) &&
                 speeds_look(&hasten->course, &hasten->now, &hasten->tried, begin, end);
     double spots_before = 0, spots = 0;
     if (good && joint < way->piece_count) {
@@ -109,14 +120,15 @@ static double faded(double distance, double reach) {
     return shape * shape * (3 - 2 * shape);
 }
 
-static bool try_bump(Hasten *hasten, size_t centre, int half, double by) {
+/* Moves the stations about one of them, fading over `before` and `after` stations. */
+static bool try_bump(Hasten *hasten, size_t centre, int before, int after, double by) {
     Way *way = hasten->way;
     const WayPiece *piece = &way->pieces[way->stations[centre].piece];
-    size_t low = centre >= piece->first + (size_t)half ? centre - (size_t)half + 1 : piece->first + 1;
-    size_t high = centre + (size_t)half <= piece->last ? centre + (size_t)half - 1 : piece->last - 1;
+    size_t low = centre >= piece->first + (size_t)before ? centre - (size_t)before + 1 : piece->first + 1;
+    size_t high = centre + (size_t)after <= piece->last ? centre + (size_t)after - 1 : piece->last - 1;
     keep(hasten, low, high);
     for (size_t s = low; s <= high; s++) {
-        double shape = faded(fabs((double)s - (double)centre), half);
+        double shape = faded(fabs((double)s - (double)centre), s < centre ? before : after);
         way->stations[s].at = vec2_along(hasten->kept[s].at, by * shape, vec2_left(hasten->kept[s].axis));
     }
     return judge(hasten, low, high, SIZE_MAX, (Joint){0});
@@ -179,6 +191,14 @@ static bool is_at_best(const Hasten *hasten, size_t low, size_t high) {
                                           (s > low && fabs(speeds_turn(&hasten->now, s - 1, s)) > STRAIGHT * 0.05))
             return false;
     return true;
+}
+
+/* True if something stops the way at one of some stations. */
+static bool is_stopped(const Hasten *hasten, size_t low, size_t high) {
+    bool stopped = false;
+    for (size_t s = low; s <= high && !stopped; s++)
+        stopped = hasten->now.clearance[s] < hasten->course.margin + STOPPED;
+    return stopped;
 }
 
 /* Moves the stations low to high by `by`, fading over `fade` stations on either side. */
@@ -260,7 +280,7 @@ static double next_step(double step, double there, double back) {
     } while (0)
 
 typedef struct Steps {
-    double *bumps;                /* (LEVELS x count) m */
+    double *bumps;                /* (LEVELS x SKEWS x count) m */
     double (*joints)[REACHES][5]; /* m or rad: along, across, both headings, in, out */
     double end[REACHES];          /* m */
 } Steps;
@@ -270,21 +290,25 @@ static void sweep_bumps(Hasten *hasten, Steps *steps, int round) {
     /* while centring, short bumps hardly move the body's sides, and sweep_shifts makes long moves */
     bool centring = hasten->course.centring;
     int least = centring ? LEAST_CENTRING : 0, most = centring ? LONG_LEVEL - 1 : LEVELS - 1;
-    for (int level = most; level >= least; level--) {
+    for (int trial = SKEWS * (most + 1) - 1; trial >= SKEWS * least; trial--) {
+        int level = trial / SKEWS, skew = trial % SKEWS;
+        if (skew > 0 && level < LEAST_SKEWED)
+            continue;
         hasten->worth = level < LONG_LEVEL ? GAIN : LONG_GAIN;
-        int half = SHORTEST_BUMP << level;
+        int half = SHORTEST_BUMP << level, steep = half / STEEPER;
         size_t stride = (size_t)half / 2;
         for (size_t k = 0; k < way->piece_count; k++) {
             const WayPiece *piece = &way->pieces[k];
             if (piece->last - piece->first < (size_t)half)
                 continue;
             for (size_t s = piece->first + 1 + (size_t)round % stride; s < piece->last; s += stride) {
-                double *step = &steps->bumps[(size_t)level * way->count + s];
+                double *step = &steps->bumps[(size_t)trial * way->count + s];
                 size_t low = s >= piece->first + (size_t)half ? s - (size_t)half : piece->first;
                 size_t high = s + (size_t)half <= piece->last ? s + (size_t)half : piece->last;
-                if (fabs(*step) < SHORTEST || is_at_best(hasten, low, high))
+                if (fabs(*step) < SHORTEST || is_at_best(hasten, low, high) ||
+                    (skew > 0 && !is_stopped(hasten, low, high)))
                     continue;
-#define BUMP(by) try_bump(hasten, s, half, by)
+#define BUMP(by) try_bump(hasten, s, skew == 1 ? steep : half, skew == 2 ? steep : half, by)
                 TRY(*step, BUMP);
 #undef BUMP
             }
@@ -337,7 +361,6 @@ static void hasten_begin(Hasten *hasten, Way *way, const FreeSpace *space, const
                          const Profile *profile, bool centring) {
     size_t count = way->count, first, last;
     *hasten = (Hasten){.way = way,
-                       .even = way_is_even(way, 0, count - 1),
                        .course = {.way = way,
                                   .space = space,
                                   .body = body,
@@ -382,9 +405,9 @@ double hasten_time(const Way *way, const FreeSpace *space, const Rectangle *body
 /* Makes trials at all places, again and again while the sum falls. Returns false if interrupted. */
 static bool descend(Hasten *hasten, int sweeps, const Stop *stop) {
     const Way *way = hasten->way;
-    Steps steps = {.bumps = memory_zeroed((size_t)LEVELS * way->count, sizeof(double)),
+    Steps steps = {.bumps = memory_zeroed((size_t)(LEVELS * SKEWS) * way->count, sizeof(double)),
                    .joints = memory_zeroed(way->piece_count, sizeof *steps.joints)};
-    for (size_t i = 0; i < (size_t)LEVELS * way->count; i++)
+    for (size_t i = 0; i < (size_t)(LEVELS * SKEWS) * way->count; i++)
         steps.bumps[i] = FIRST;
     for (size_t k = 0; k < way->piece_count; k++)
         for (int r = 0; r < REACHES; r++)

@@ -43,7 +43,7 @@ static double planned_turn(const Profile *profile) {
 Agility pace_agility(const Profile *profile) {
     double swung = profile->mass * profile->mass_centre;
     return (Agility){pace_turning(profile), planned_turn(profile),
-                     swung > 0 ? PACE_MOMENT * profile->turning_moment / swung : HUGE_VAL};
+                     swung > 0 ? PACE_MOMENT * profile->turning_moment / swung : HUGE_VAL, pace_sharpest(profile)};
 }
 
 double pace_in_passage(const Profile *profile, double free, double width) {
@@ -51,9 +51,9 @@ double pace_in_passage(const Profile *profile, double free, double width) {
     return real_min(real_max(speed, profile->creep), free);
 }
 
-double pace_at(const Profile *profile, const Agility *agility, double free, double clearance, double width,
-               double curvature, double bending, int direction) {
-    double speed = real_min(speed_in_gap(profile, free, clearance), pace_in_passage(profile, free, width));
+double pace_at(const Profile *profile, const Agility *agility, double passage, double clearance, double curvature,
+               double bending, int direction) {
+    double speed = speed_in_gap(profile, passage, clearance);
     if (direction < 0)
         speed = real_min(speed, profile->reversing_speed);
     double bend = fabs(curvature), change = fabs(bending);
@@ -62,7 +62,7 @@ double pace_at(const Profile *profile, const Agility *agility, double free, doub
                                          agility->rate / bend));
     if (change > 0)
         speed = real_min(speed, sqrt(agility->acceleration / change));
-    return real_max(speed, real_min(TURNING_CREEP, free));
+    return real_max(speed, real_min(TURNING_CREEP, passage));
 }
 
 double pace_price(const Profile *profile, double left, double right) {

@@ -17,6 +17,7 @@ typedef struct Agility {
     double acceleration; /* rad/s2: PACE_MOMENT of the turning moment over the inertia about the axle */
     double rate;         /* rad/s: nine tenths of the turn rate, and what half of the push holds the mass centre at */
     double swing;        /* m/s2, across: PACE_MOMENT of the turning moment over m c; infinite without a mass centre */
+    double sharpest;     /* rad/m, the greatest curvature that can be driven at all */
 } Agility;
 
 Agility pace_agility(const Profile *profile);
@@ -24,30 +25,23 @@ Agility pace_agility(const Profile *profile);
 /* Returns the agility's acceleration alone, rad/s2. */
 double pace_turning(const Profile *profile);
 
-/* Returns the speed, m/s, of a driver whose free speed is `free` m/s and who is as agile as `agility` says, where the
- * body has `clearance` m, the passage is `width` m wide (PACE_FORESIGHT), the
- * path's curvature is `curvature` rad/m and changes by `bending` rad/m2; `direction` is -1 backwards.
+/* Returns the speed, m/s, of a driver who takes a passage at `passage` m/s at most (foresight.h) and is as agile as
+ * `agility` says, where the body has `clearance` m, the path's curvature is `curvature` rad/m and changes by `bending`
+ * rad/m2; `direction` is -1 backwards.
  *
- * Width: v = (W - w) / b, but no less than drive.creep. Clearance: in the middle of a straight passage the clearance
- * on either side is (W - w) / 2; where the body turns, or the path leads close by an obstacle, the same law holds with
- * twice the clearance, with the floor of the paper for corners, drive.minimum_speed. With less than body.hands beside
- * the rims the arms are tucked in: PACE_TUCKED_SPEED. Curvature k: v^2 k <= the lateral acceleration, v k <= nine
- * tenths of the turn rate, since a driver who turns as quickly as possible cannot come back to the path, and of the
- * rate w at which half of the push holds the mass centre, c ahead of the axle: m c w^2 <= push / 2; m c v^2 k <= half
- * of the turning moment, since the drive wheels hold the axle and the mass centre swings the chair straight. Bending: I
- * v^2 dk/ds <= half of the turning moment. A bend is taken at 0.03 m/s, however narrow it is and however weak the
- * driver. */
-double pace_at(const Profile *profile, const Agility *agility, double free, double clearance, double width,
-               double curvature, double bending, int direction);
+ * Clearance: in the middle of a straight passage the clearance on either side is (W - w) / 2; where the body turns, or
+ * the path leads close by an obstacle, the same law holds with twice the clearance, with the floor of the paper for
+ * corners, drive.minimum_speed. With less than body.hands beside the rims the arms are tucked in: PACE_TUCKED_SPEED.
+ * Curvature k: v^2 k <= the lateral acceleration, v k <= nine tenths of the turn rate, since a driver who turns as
+ * quickly as possible cannot come back to the path, and of the rate w at which half of the push holds the mass centre,
+ * c ahead of the axle: m c w^2 <= push / 2; m c v^2 k <= half of the turning moment, since the drive wheels hold the
+ * axle and the mass centre swings the chair straight. Bending: I v^2 dk/ds <= half of the turning moment. A bend is
+ * taken at 0.03 m/s, however narrow it is and however weak the driver. */
+double pace_at(const Profile *profile, const Agility *agility, double passage, double clearance, double curvature,
+               double bending, int direction);
 
-/* m, assumed: a door's leaf or a corner slows a driver this far before and after it. The width is that of the passage
- * across the body's middle, the least within this distance, and where the body's axis stays parallel to 20 degrees
- * (PACE_PARALLEL, a cosine) the least room on the left and the least on the right together: across a thin wall no ray
- * of a body that passes askew meets both jambs of a door. */
-#define PACE_FORESIGHT 0.2
-#define PACE_PARALLEL 0.94
-
-/* Returns the speed, m/s, that the width W of the passage alone allows. */
+/* Returns the speed, m/s, up to `free`, that the width W of the passage alone allows: v = (W - w) / b, but no less than
+ * drive.creep. */
 double pace_in_passage(const Profile *profile, double free, double width);
 
 /* 1 and m/s, assumed: the share of the push that is left with the arms tucked in, and the greatest speed then. */

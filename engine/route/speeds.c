@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/real.h"
 #include "route/field.h"
+#include "route/foresight.h"
 #include "route/pace.h"
 #include "space/passage.h"
 
@@ -30,9 +31,8 @@
 #define SHORTEST 5e-3 /* m: steps are not taken as shorter, as on the way (track.c) */
 
 enum {
-    ROOMS = 16,
-    SPAN = 2,         /* stations on either side of one over which its curvature is the mean */
-    WIDTHS = 2 * SPAN /* stations on either side of one whose passage limits its speed: PACE_FORESIGHT */
+    ROOMS = 17,
+    SPAN = 2 /* stations on either side of one over which its curvature is the mean */
 };
 
 Speeds speeds_make(size_t count) {
@@ -52,7 +52,8 @@ Speeds speeds_make(size_t count) {
                     room + 12 * count,
                     room + 13 * count,
                     room + 14 * count,
-                    room + 15 * count};
+                    room + 15 * count,
+                    room + 16 * count};
 }
 
 void speeds_free(Speeds *speeds) {
@@ -68,15 +69,6 @@ static double body_clearance(const Course *course, const Station *station, doubl
 static bool rests(const Way *way, size_t s) {
     size_t k = way->stations[s].piece;
     return s == way->pieces[k].first || (s == way->pieces[k].last && k + 1 < way->piece_count);
-}
-
-/* Return the first and the last station over which the curvature at a station is the mean. */
-static size_t lower(const WayPiece *piece, size_t s) {
-    return s >= piece->first + SPAN ? s - SPAN : piece->first;
-}
-
-static size_t upper(const WayPiece *piece, size_t s) {
-    return s + SPAN <= piece->last ? s + SPAN : piece->last;
 }
 
 double speeds_turn(const Speeds *speeds, size_t a, size_t b) {
@@ -96,10 +88,31 @@ static double length_between(const Speeds *speeds, size_t low, size_t high) {
     return real_max(length, SHORTEST);
 }
 
-/* Returns the curvature at a station, rad/m: the mean over the SPAN stations on either side of it. */
-static double mean_curvature(const Course *course, const Speeds *speeds, size_t s) {
+/* True if the step from a station to the next one of its piece is too short, or too sharp, to be rolled: it is turned
+ * on the spot, as on the way (track.c). */
+static bool is_turned(const Course *course, const Speeds *speeds, size_t s) {
     const WayPiece *piece = &course->way->pieces[course->way->stations[s].piece];
-    size_t low = lower(piece, s), high = upper(piece, s);
+    double length = speeds->length[s];
+    return (length < SHORTEST && (s == piece->first || s + 1 == piece->last)) ||
+           fabs(speeds_turn(speeds, s, s + 1)) > length * course->agility.sharpest;
+}
+
+/* Finds the first and the last station over which the curvature at a station is the mean: SPAN to either side, but not
+ * beyond a turn at an end of the piece. */
+static void find_span(const Course *course, const Speeds *speeds, size_t s, size_t *low, size_t *high) {
+    const WayPiece *piece = &course->way->pieces[course->way->stations[s].piece];
+    *low = s >= piece->first + SPAN ? s - SPAN : piece->first;
+    *high = s + SPAN <= piece->last ? s + SPAN : piece->last;
+    if (*low == piece->first && s > *low && is_turned(course, speeds, *low))
+        ++*low;
+    if (*high == piece->last && s < *high && is_turned(course, speeds, *high - 1))
+        --*high;
+}
+
+/* Returns the curvature at a station, rad/m. */
+static double mean_curvature(const Course *course, const Speeds *speeds, size_t s) {
+    size_t low, high;
+    find_span(course, speeds, s, &low, &high);
     return speeds_turn(speeds, low, high) / length_between(speeds, low, high);
 }
 
@@ -112,6 +125,46 @@ static size_t after(const Way *way, size_t station, size_t steps) {
     return station + steps < way->count ? station + steps : way->count - 1;
 }
 
+static size_t lesser(size_t a, size_t b) {
+    return a < b ? a : b;
+}
+
+static size_t greater(size_t a, size_t b) {
+    return a > b ? a : b;
+}
+
+/* Returns the last station on one side (-1: before) that sees the passage at a station, or is seen from there. */
+static size_t in_sight(const Way *way, size_t station, int side) {
+    double passed = 0;
+    size_t s = station;
+    for (int beyond = 0; beyond < 2 && (side > 0 ? s + 1 < way->count : s > 0); beyond += passed > FORESIGHT_REACH) {
+        size_t next = side > 0 ? s + 1 : s - 1;
+        passed += vec2_distance(way->stations[s].at, way->stations[next].at);
+        s = next;
+    }
+    return s;
+}
+
+/* True if the passage limits the speed at one of some stations. */
+static bool is_narrow(const Speeds *speeds, size_t begin, size_t end) {
+    bool narrow = false;
+    for (size_t s = begin; s <= end; s++)
+        narrow |= speeds->room_left[s] < HUGE_VAL;
+    return narrow;
+}
+
+/* Finds the stations whose limits change where the stations begin to end have moved. */
+static void find_range(const Course *course, const Speeds *from, const Speeds *to, size_t begin, size_t end,
+                       size_t *low, size_t *high) {
+    const Way *way = course->way;
+    *low = before(begin, 2 * SPAN);
+    *high = after(way, end, 2 * SPAN);
+    if (is_narrow(from, begin, end) || is_narrow(to, begin, end)) {
+        *low = lesser(*low, in_sight(way, begin, -1));
+        *high = greater(*high, in_sight(way, end, 1));
+    }
+}
+
 /* Returns the room beside the middle of the body at a station, m; infinite where the clearance tells that it does not
  * limit the speed. */
 static Passage find_room(const Course *course, const Station *station, double clearance) {
@@ -122,18 +175,23 @@ static Passage find_room(const Course *course, const Station *station, double cl
     return passage_within(course->space, middle, station->axis, profile->width / 2 + 2 * pace_enough(profile));
 }
 
-/* Returns the width of the passage at a station (PACE_FORESIGHT), m. */
-static double find_width(const Course *course, const Speeds *speeds, size_t s) {
-    const Way *way = course->way;
-    double least = HUGE_VAL, left = HUGE_VAL, right = HUGE_VAL;
-    for (size_t k = before(s, WIDTHS); k <= after(way, s, WIDTHS); k++) {
-        least = real_min(least, speeds->room_left[k] + speeds->room_right[k]);
-        if (vec2_dot(way->stations[s].axis, way->stations[k].axis) > PACE_PARALLEL) {
-            left = real_min(left, speeds->room_left[k]);
-            right = real_min(right, speeds->room_right[k]);
-        }
+/* Returns the part of the step from a station to the next one at which the passage jumps from the one's width to the
+ * other's, as far as such widths limit the speed; FORESIGHT_EDGE if it does not jump. */
+static double find_edge(const Course *course, const Speeds *speeds, size_t s) {
+    const Profile *profile = course->profile;
+    double half = profile->width / 2 + 2 * pace_enough(profile), low = 0, high = 1;
+    double here = real_min(speeds->room_left[s], half) + real_min(speeds->room_right[s], half);
+    double next = real_min(speeds->room_left[s + 1], half) + real_min(speeds->room_right[s + 1], half);
+    if (fabs(here - next) < FORESIGHT_JUMP)
+        return FORESIGHT_EDGE;
+    for (int i = 0; i < FORESIGHT_HALVINGS; i++) {
+        double part = (low + high) / 2;
+        Station between = way_between(course->way, s, part);
+        Vec2 middle = vec2_along(between.at, course->body->ahead, between.axis);
+        double width = passage_width(passage_within(course->space, middle, between.axis, half));
+        *((width < (here + next) / 2) == (here < next) ? &low : &high) = part;
     }
-    return real_min(least, left + right);
+    return (low + high) / 2;
 }
 
 /* Fills in what limits the speed at a station and on its way from and to it; the curvatures about it are known. */
@@ -143,10 +201,12 @@ static void find_limit(const Course *course, Speeds *speeds, size_t s) {
     speeds->braking[s] = pace_braking(profile, clearance);
     speeds->starting[s] = pace_starting(profile, clearance);
     speeds->limit[s] = 0;
-    if (rests(course->way, s))
-        return;
     const WayPiece *piece = &course->way->pieces[course->way->stations[s].piece];
-    size_t low = lower(piece, s), high = upper(piece, s);
+    if (rests(course->way, s) || (s > piece->first && is_turned(course, speeds, s - 1)) ||
+        (s < piece->last && is_turned(course, speeds, s)))
+        return;
+    size_t low, high;
+    find_span(course, speeds, s, &low, &high);
     double bend = speeds->bend[s], sharpest = fabs(bend);
     double bending = fabs(speeds->bend[high] - speeds->bend[low]) / length_between(speeds, low, high);
     double before_it = s > piece->first ? length_between(speeds, s - 1, s) : 0;
@@ -161,8 +221,11 @@ static void find_limit(const Course *course, Speeds *speeds, size_t s) {
     double in_bend = pace_in_bend(course->agility.acceleration, bend);
     speeds->braking[s] = real_min(speeds->braking[s], in_bend);
     speeds->starting[s] = real_min(speeds->starting[s], in_bend);
-    speeds->limit[s] = pace_at(profile, &course->agility, profile->free_speed, clearance, find_width(course, speeds, s),
-                               sharpest, bending, piece->direction);
+    Foresight foresight = {speeds->room_left, speeds->room_right, speeds->heading,
+                           speeds->length,    speeds->edge,       course->way->count};
+    double passage =
+        foresight_speed(&foresight, s, profile, profile->free_speed, speeds->starting[s], speeds->braking[s]);
+    speeds->limit[s] = pace_at(profile, &course->agility, passage, clearance, sharpest, bending, piece->direction);
 }
 
 /* Fills in the time and the cost of the step from station s to the next one. */
@@ -170,6 +233,8 @@ static void count_step(const Course *course, Speeds *speeds, size_t s) {
     const WayPiece *piece = &course->way->pieces[course->way->stations[s].piece];
     double step = step_length(course->way, s),
            time = 2 * step / real_max(speeds->speed[s] + speeds->speed[s + 1], 1e-6);
+    if (is_turned(course, speeds, s))
+        time = fabs(speeds_turn(speeds, s, s + 1)) / course->profile->turn_rate;
     double clearance = real_min(speeds->clearance[s], speeds->clearance[s + 1]);
     double rough = 0, price = 0, weight = course->centring ? CENTRED_ROUGHNESS : ROUGHNESS;
     if (s > piece->first)
@@ -195,6 +260,7 @@ static void take_over(Speeds *to, const Speeds *from, size_t s) {
     to->room_left[s] = from->room_left[s];
     to->room_right[s] = from->room_right[s];
     to->length[s] = from->length[s];
+    to->edge[s] = from->edge[s];
     to->heading[s] = from->heading[s];
     to->braking[s] = from->braking[s];
     to->starting[s] = from->starting[s];
@@ -204,7 +270,8 @@ static void take_over(Speeds *to, const Speeds *from, size_t s) {
 void speeds_run(const Course *course, const Speeds *from, Speeds *to, size_t begin, size_t end, size_t *first,
                 size_t *last) {
     const Way *way = course->way;
-    size_t low = before(begin, 2 * SPAN), high = after(way, end, 2 * SPAN), count = way->count, s;
+    size_t low, high, count = way->count, s;
+    find_range(course, from, to, begin, end, &low, &high);
     for (s = before(low, SPAN); s <= after(way, high, SPAN); s++)
         to->bend[s] = mean_curvature(course, to, s);
     for (s = low; s <= high; s++)
@@ -265,6 +332,7 @@ static void copy_places(const Course *course, Speeds *to, const Speeds *from, si
     memcpy(to->room_left + low, from->room_left + low, size);
     memcpy(to->room_right + low, from->room_right + low, size);
     memcpy(to->length + low, from->length + low, size);
+    memcpy(to->edge + low, from->edge + low, size);
     memcpy(to->clearance + low, from->clearance + low, size);
     memcpy(to->heading + low, from->heading + low, size);
 }
@@ -284,17 +352,22 @@ bool speeds_look(const Course *course, const Speeds *from, Speeds *to, size_t be
         to->room_left[s] = room.left;
         to->room_right[s] = room.right;
     }
-    /* the farthest station whose limit changes takes headings and widths from 2 SPAN beyond it */
-    size_t low = before(begin, 4 * SPAN), high = after(way, end, 4 * SPAN);
-    if (low < begin)
-        copy_places(course, to, from, low, begin - 1);
-    if (high > end)
-        copy_places(course, to, from, end + 1, high);
+    size_t low, high;
+    find_range(course, from, to, begin, end, &low, &high);
+    size_t first = lesser(before(low, 2 * SPAN), in_sight(way, low, -1));
+    size_t last = greater(after(way, high, 2 * SPAN), in_sight(way, high, 1));
+    if (first < begin)
+        copy_places(course, to, from, first, begin - 1);
+    if (last > end)
+        copy_places(course, to, from, end + 1, last);
     for (size_t s = before(begin, 1); s <= end; s++) {
         to->clearance[s] = to->own[s];
+        to->length[s] = 0;
+        to->edge[s] = FORESIGHT_EDGE;
         if (s == way->pieces[way->stations[s].piece].last)
             continue;
         to->length[s] = step_length(way, s);
+        to->edge[s] = find_edge(course, to, s);
         double least = real_min(to->own[s], to->own[s + 1]);
         int places = least < BETWEEN ? way_places(way, s) : 0;
         WayPlace before_it = {0, to->own[s]};

@@ -28,6 +28,7 @@ typedef struct Speeds {
     double *room_left;            /* m, of the passage at the station, where it can limit the speed */
     double *room_right;           /* m */
     double *length;               /* m, of the step to the next station of its piece */
+    double *edge;                 /* 1, the part of that step at which the passage changes (foresight.h) */
     double *heading;              /* rad */
     double *bend;                 /* rad/m, only about what speeds_run was asked for */
     double *braking, *starting;   /* m/s2, that the driver plans with */

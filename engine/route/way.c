@@ -128,14 +128,14 @@ bool way_join(Way *way) {
     return any;
 }
 
-bool way_straighten_cusps(Way *way) {
+bool way_straighten_cusps(Way *way, double share) {
     bool any = false;
     for (size_t k = 1; k < way->piece_count; k++) {
         Joint *joint = &way->joints[k];
         size_t before = way->pieces[k - 1].last, after = way->pieces[k].first;
         if (!joint->turns || way->pieces[k].direction == way->pieces[k - 1].direction)
             continue;
-        double heading = (joint->in + joint->out) / 2;
+        double heading = joint->in + share * (joint->out - joint->in);
         *joint = (Joint){heading, heading, false};
         way->stations[before].axis = way->stations[after].axis = vec2_heading(heading);
         any = true;
@@ -143,31 +143,31 @@ bool way_straighten_cusps(Way *way) {
     return any;
 }
 
-bool way_drop_shortest(Way *way, double most) {
-    size_t shortest = 0;
-    for (size_t k = 1; k + 1 < way->piece_count; k++) {
-        double length = piece_length(way, &way->pieces[k]);
-        if (way->pieces[k].direction != way->pieces[k - 1].direction &&
-            way->pieces[k - 1].direction == way->pieces[k + 1].direction && length <= most) {
-            most = length;
-            shortest = k;
-        }
-    }
-    if (!shortest)
+bool way_drop(Way *way, size_t k, double most) {
+    if (k + 1 >= way->piece_count || piece_length(way, &way->pieces[k]) > most)
         return false;
-    WayPiece *before = &way->pieces[shortest - 1], *after = &way->pieces[shortest + 1];
-    size_t gap = after->first - before->last - 1;
-    memmove(&way->stations[before->last + 1], &way->stations[after->first],
-            (way->count - after->first) * sizeof *way->stations);
+    bool merges = k > 0 && way->pieces[k - 1].direction == way->pieces[k + 1].direction;
+    Joint *joint = &way->joints[k];
+    const Joint *next = &way->joints[k + 1];
+    bool turns = joint->turns || next->turns;
+    double heading = k > 0 ? (joint->in + next->out) / 2 : joint->in;
+    *joint = turns ? (Joint){joint->in, next->out, true} : (Joint){heading, heading, false};
+    size_t first = way->pieces[k].first, after = way->pieces[k + 1].first, gap = after - first;
+    if (!merges)
+        way->stations[after].at = way->stations[k > 0 ? first - 1 : 0].at;
+    memmove(&way->stations[first], &way->stations[after], (way->count - after) * sizeof *way->stations);
     way->count -= gap;
-    before->last = after->last - gap;
-    for (size_t k = shortest; k + 2 < way->piece_count; k++) {
-        way->pieces[k] = way->pieces[k + 2];
-        way->pieces[k].first -= gap;
-        way->pieces[k].last -= gap;
-        way->joints[k] = way->joints[k + 2];
+    if (merges)
+        way->pieces[k - 1].last = way->pieces[k + 1].last - gap;
+    size_t dropped = merges ? 2 : 1;
+    for (size_t j = k; j + dropped < way->piece_count; j++) {
+        way->pieces[j] = way->pieces[j + dropped];
+        way->pieces[j].first -= gap;
+        way->pieces[j].last -= gap;
+        if (merges || j > k)
+            way->joints[j] = way->joints[j + dropped];
     }
-    way->piece_count -= 2;
+    way->piece_count -= dropped;
     return true;
 }
 
@@ -443,12 +443,20 @@ void way_write(const Way *way, SearchTrack *track) {
     track->reversals = way_reversals(way);
 }
 
-bool way_is_even(const Way *way, size_t low, size_t high) {
+bool way_stays_even(const Way *way, const Station *before, size_t low, size_t high) {
     for (size_t s = low; s < high; s++) {
         const Station *a = &way->stations[s], *b = a + 1;
         double step = way->pieces[a->piece].step, length = vec2_distance(a->at, b->at);
-        if (a->piece == b->piece && (length < LEAST_STEP * step || length > MOST_STEP * step))
+        double least = LEAST_STEP * step, most = MOST_STEP * step;
+        if (a->piece != b->piece || (length >= least && length <= most))
+            continue;
+        double was = before ? vec2_distance(before[s].at, before[s + 1].at) : 0;
+        if (!before || length < fmin(least, was) || length > fmax(most, was))
             return false;
     }
     return true;
+}
+
+bool way_is_even(const Way *way, size_t low, size_t high) {
+    return way_stays_even(way, NULL, low, high);
 }

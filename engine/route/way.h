@@ -59,13 +59,13 @@ Way way_copy(const Way *way);
  * Returns false if there is none. */
 bool way_join(Way *way);
 
-/* Gives each change of direction at which the way turns on the spot the mean heading on both sides. Returns false if
- * there is none. */
-bool way_straighten_cusps(Way *way);
+/* Gives each change of direction at which the way turns on the spot one heading, after `share` (0 to 1) of that turn.
+ * Returns false if there is none. */
+bool way_straighten_cusps(Way *way, double share);
 
-/* Leaves the shortest piece out that lies between two of the other direction and is at most `most` m long, and makes
- * one piece of its neighbours, with a kink. Returns false if there is none. */
-bool way_drop_shortest(Way *way, double most);
+/* Leaves piece k out if it is at most `most` m long and not the last one. Two pieces in one direction become one, with
+ * a kink; else the next one begins where the one before it ends, or at the start. Returns false if it stays. */
+bool way_drop(Way *way, size_t k, double most);
 void way_free(Way *way);
 
 /* Spaces the stations again, about `spacing` m apart, along the same curve. */
@@ -111,6 +111,10 @@ bool way_is_smooth(const Way *way, size_t low, size_t high);
 /* True if between the stations low and high no step is much longer or shorter than the step of its piece: the averages
  * over some stations are those over as much of the way. */
 bool way_is_even(const Way *way, size_t low, size_t high);
+
+/* True if this holds, but for steps that were already as short or as long when the stations were those of `before`
+ * (count). */
+bool way_stays_even(const Way *way, const Station *before, size_t low, size_t high);
 
 /* True if the way passes its pins, and crosses its exit. */
 bool way_reaches_goals(const Way *way);

@@ -170,19 +170,21 @@ TEST(a_turn_on_the_spot_is_as_tight_as_its_tightest_heading) {
 TEST(the_pace_follows_its_limits) {
     Profile chair = rooms_chair(1.1, 0.63);
     Agility agility = pace_agility(&chair);
-    CHECK_NEAR(pace_at(&chair, &agility, 0.69, 1, HUGE_VAL, 0, 0, 1), 0.69, 0);                  /* free */
-    CHECK_NEAR(pace_at(&chair, &agility, 0.69, 0.1, HUGE_VAL, 0, 0, 1), 0.5, 1e-12);             /* 2 c / b */
-    CHECK_NEAR(pace_at(&chair, &agility, 0.69, 0.01, HUGE_VAL, 0, 0, 1), 0.3, 0);                /* the least speed */
-    CHECK_NEAR(pace_at(&chair, &agility, 0.69, 1, HUGE_VAL, 0, 0, -1), 0.3, 0);                  /* backwards */
-    CHECK_NEAR(pace_at(&chair, &agility, 0.69, 1, HUGE_VAL, -2, 0, 1), 0.45, 1e-12);             /* 0.9 turn rate / k */
-    CHECK_NEAR(pace_at(&chair, &agility, 0.69, 1, HUGE_VAL, 1.3, 0, 1), sqrt(0.6 / 1.3), 1e-12); /* sqrt(a / k) */
-    CHECK_NEAR(pace_at(&chair, &agility, 0.69, pace_enough(&chair), HUGE_VAL, 0, 0, 1), 0.69, 1e-12);
-    CHECK_NEAR(pace_at(&chair, &agility, 0.69, 0.03, 0.63 + 0.06, 0, 0, 1), 0.15, 1e-12); /* (W - w) / b */
-    CHECK_NEAR(pace_at(&chair, &agility, 0.69, 0.01, 0.63 + 0.02, 0, 0, 1), 0.1, 1e-12);  /* the creep */
+    CHECK_NEAR(pace_at(&chair, &agility, 0.69, 1, 0, 0, 1), 0.69, 0);                  /* free */
+    CHECK_NEAR(pace_at(&chair, &agility, 0.69, 0.1, 0, 0, 1), 0.5, 1e-12);             /* 2 c / b */
+    CHECK_NEAR(pace_at(&chair, &agility, 0.69, 0.01, 0, 0, 1), 0.3, 0);                /* the least speed */
+    CHECK_NEAR(pace_at(&chair, &agility, 0.69, 1, 0, 0, -1), 0.3, 0);                  /* backwards */
+    CHECK_NEAR(pace_at(&chair, &agility, 0.69, 1, -2, 0, 1), 0.45, 1e-12);             /* 0.9 turn rate / k */
+    CHECK_NEAR(pace_at(&chair, &agility, 0.69, 1, 1.3, 0, 1), sqrt(0.6 / 1.3), 1e-12); /* sqrt(a / k) */
+    CHECK_NEAR(pace_at(&chair, &agility, 0.69, pace_enough(&chair), 0, 0, 1), 0.69, 1e-12);
+    CHECK_NEAR(pace_at(&chair, &agility, pace_in_passage(&chair, 0.69, 0.63 + 0.06), 0.03, 0, 0, 1), 0.15,
+               1e-12); /* (W - w) / b */
+    CHECK_NEAR(pace_at(&chair, &agility, pace_in_passage(&chair, 0.69, 0.63 + 0.02), 0.01, 0, 0, 1), 0.1,
+               1e-12); /* the creep */
     chair.mass = 80;
     chair.radius_of_gyration = 0.5;
     chair.turning_moment = 40;
     agility = pace_agility(&chair);
-    CHECK_NEAR(pace_at(&chair, &agility, 0.69, 1, HUGE_VAL, 0, 10, 1), sqrt(40 / 2 / (80 * 0.25 * 10)),
+    CHECK_NEAR(pace_at(&chair, &agility, 0.69, 1, 0, 10, 1), sqrt(40 / 2 / (80 * 0.25 * 10)),
                1e-12); /* I v^2 dk/ds = M / 2 */
 }

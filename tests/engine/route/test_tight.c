@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "planned_time.h"
+#include "route/hasten.h"
 #include "tight.h"
 
 static Profile manual_chair(void) {
@@ -153,7 +154,7 @@ TEST(a_little_more_room_never_costs_a_change_of_direction) {
         double wider, time;
     } known[] = {
         {TIGHT_IN, 175, 0.01, 13.3}, {TIGHT_IN, 115, 0.01, 13.3}, {TIGHT_IN, 67, 0.02, 14.1},
-        {TIGHT_IN, 13, 0.02, 14.5},  {TIGHT_OUT, 146, 0, 15.7},   {TIGHT_U, 130, 0.02, 16.8},
+        {TIGHT_IN, 13, 0.02, 14.9},  {TIGHT_OUT, 146, 0, 15.7},   {TIGHT_U, 130, 0.02, 16.8},
     };
     Profile profile = manual_chair();
     static TightHouse tight;
@@ -162,6 +163,33 @@ TEST(a_little_more_room_never_costs_a_change_of_direction) {
         CHECK(route.answer == ROUTE_FOUND);
         CHECK_NEAR(route.reversals, 0, 0);
         CHECK(planned_time(&tight.house, &profile, &route) <= 1.02 * known[i].time);
+        route_free(&route);
+        tight_free(&tight);
+    }
+    profile_free(&profile);
+}
+
+/* Doors that are hardly wider than the chair, which creeps through them: what a way costs while it is planned, at any
+ * distance of its stations, and what it takes when it is driven. */
+TEST(a_way_takes_as_long_as_it_was_planned_with) {
+    static const struct {
+        TightKind kind;
+        uint64_t seed;
+    } cases[] = {{TIGHT_OUT, 1002}, {TIGHT_IN, 1001}};
+    static const double spacings[] = {0.05, 0.04, 0.031, 0.025}; /* m */
+    Profile profile = manual_chair();
+    static TightHouse tight;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        Route route = route_through(&tight, cases[i].kind, cases[i].seed, 0, &profile);
+        CHECK(route.answer == ROUTE_FOUND);
+        double time = planned_time(&tight.house, &profile, &route);
+        SearchTrack track = {.poses = route.poses, .count = route.count, .exit = route.exit};
+        Rectangle body = search_body(&profile);
+        for (size_t k = 0; k < sizeof spacings / sizeof *spacings; k++) {
+            Way way = way_of_track(&track, &tight.house.plan.exits[route.exit], NULL, 0, spacings[k]);
+            CHECK_NEAR(hasten_time(&way, tight.query.space, &body, &profile), time, 0.02 * time);
+            way_free(&way);
+        }
         route_free(&route);
         tight_free(&tight);
     }
