@@ -59,28 +59,8 @@ void house_file_run(Observation *observation, const House *house, const Options 
         terminal_clear_progress();
 }
 
-static bool is_graded(const Observation *observation) {
-    size_t people = 0;
-    for (size_t i = 0; i < observation->person_count; i++)
-        people += observation->people[i].took_part;
-    return observation->completed && people <= CENSUS_FEW;
-}
-
 bool house_file_letters(Grade **letters, const House *house, const Observation *observation, const Options *options) {
-    *letters = NULL;
-    if (!is_graded(observation))
-        return true;
-    bool *out = memory_zeroed(house->person_count, sizeof *out);
-    for (size_t i = 0; i < house->person_count; i++)
-        out[i] = observation->people[i].completed;
-    *letters = memory_zeroed(house->person_count, sizeof **letters);
-    bool whole = grade_all_letters(*letters, house, out, options->jobs, &progress_stop);
-    memory_free(out);
-    if (whole)
-        return true;
-    memory_free(*letters);
-    *letters = NULL;
-    return false;
+    return grade_answer(letters, house, observation, CENSUS_FEW, options->jobs, &progress_stop);
 }
 
 size_t house_file_drivers(const Options *options, const Plan *plan) {

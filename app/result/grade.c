@@ -8,12 +8,11 @@ static bool is_known(const House *house, const Grade *grades, size_t person) {
     return house->people[person].profile->driving == DRIVING_DRIVER && !(grades && grades[person].interrupted);
 }
 
-size_t result_grade_worst(const House *house, const Grade *grades) {
-    size_t worst = SIZE_MAX;
-    for (size_t i = 0; i < house->person_count; i++)
-        if (is_known(house, grades, i) && (worst == SIZE_MAX || grades[i].letter > grades[worst].letter))
-            worst = i;
-    return worst;
+const char *result_grade_place(const char *what, Arena *arena) {
+    static const char start[] = "start, ";
+    if (strncmp(what, start, strlen(start)) == 0)
+        return text_in_arena(arena, "at the start, %s", what + strlen(start));
+    return text_in_arena(arena, "at %s", what);
 }
 
 /* Returns "grade" or, of several people, "worst grade". */
@@ -29,8 +28,7 @@ static size_t count_known(const House *house, const Grade *grades) {
 }
 
 const char *result_grade_phrase(const House *house, const Grade *grades, Arena *arena) {
-    static const char start[] = "start, ";
-    size_t worst = result_grade_worst(house, grades);
+    size_t worst = grade_worst(house, grades);
     if (worst == SIZE_MAX)
         return "";
     const Grade *grade = &grades[worst];
@@ -40,16 +38,14 @@ const char *result_grade_phrase(const House *house, const Grade *grades, Arena *
         return text_in_arena(arena, "%s, driver too weak", said);
     if (!grade->has_place)
         return said;
-    if (strncmp(grade->what, start, strlen(start)) == 0)
-        return text_in_arena(arena, "%s, at the start, %s", said, grade->what + strlen(start));
-    return text_in_arena(arena, "%s, at %s", said, grade->what);
+    return text_in_arena(arena, "%s, %s", said, result_grade_place(grade->what, arena));
 }
 
 void result_grade_add(const char **title, const char **detail, const House *house, const Grade *grades, Arena *arena) {
     size_t known = count_known(house, grades);
     if (!known)
         return;
-    const Grade *worst = grades ? &grades[result_grade_worst(house, grades)] : NULL;
+    const Grade *worst = grades ? &grades[grade_worst(house, grades)] : NULL;
     *title = text_in_arena(arena, "%s, %s %s", *title, noun(known), worst ? grade_letter(worst->letter) : "\u2026");
     if (worst)
         *detail = text_in_arena(arena, **detail ? "%s; %s" : "%s%s", grade_words(worst->letter), *detail);

@@ -4,9 +4,8 @@
 #include "base/text.h"
 #include "inquiry/grade.h"
 
-/* Returns the person with the worst grade, the first one of those with the same; SIZE_MAX: no grade is known. `grades`
- * is (person_count). */
-size_t result_grade_worst(const House *house, const Grade *grades);
+/* Returns "at door d3" or "at the start, beside wall w1" for the place of a grade, in the arena. */
+const char *result_grade_place(const char *what, Arena *arena);
 
 /* Returns "grade D", "worst grade B, with care, at door d7" if there are several people, "grade E, helper only, driver
  * too weak", in the arena; "": no grade is known. */

@@ -1,6 +1,7 @@
 #include "inquiry/grade.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -89,29 +90,35 @@ static bool has_room(Grading *grading, GradeTry *known, double growth, int rever
     return tried.found;
 }
 
-/* Finds the letter, and what stands in the way of the next one. */
-static void find_letter(Grading *grading) {
+/* Finds the letter, and what stands in the way of the next one. It may be any that is not worse than `enough` if it is
+ * not worse than that. */
+static void find_letter(Grading *grading, int enough) {
     Grade *grade = grading->grade;
     const House *house = grading->house;
     int any = house->plan.run.reversals;
     GradeTry known = grading->own = try_growth(grading, 0, any);
     if (!known.found)
         grade->letter = known.weak || known.fits ? GRADE_E : GRADE_F;
-    else if (!has_room(grading, &known, GRADE_ARMS_IN, few_of(any)))
+    else if (enough < GRADE_D && !has_room(grading, &known, GRADE_ARMS_IN, few_of(any)))
         grade->letter = GRADE_D;
-    else if (!has_room(grading, &known, GRADE_HANDS, 0))
+    else if (enough < GRADE_C && !has_room(grading, &known, GRADE_HANDS, 0))
         grade->letter = GRADE_C;
-    else if (!has_room(grading, &known, easy_for(house->people[grading->person].profile), 0))
+    else if (enough < GRADE_B && !has_room(grading, &known, easy_for(house->people[grading->person].profile), 0))
         grade->letter = GRADE_B;
     else
         grade->letter = GRADE_A;
     grade->weak = grading->weak;
 }
 
-Grade grade_person_letter(const House *house, size_t person, const Stop *stop) {
+static Grade letter_of(const House *house, size_t person, int enough, const Stop *stop) {
     Grade grade = {.tightness = (double)NAN, .to_next = (double)NAN};
-    find_letter(&(Grading){.house = house, .person = person, .stop = stop, .blocked_from = HUGE_VAL, .grade = &grade});
+    find_letter(&(Grading){.house = house, .person = person, .stop = stop, .blocked_from = HUGE_VAL, .grade = &grade},
+                enough);
     return stop_requested(stop) ? (Grade){.interrupted = true} : grade;
+}
+
+Grade grade_person_letter(const House *house, size_t person, const Stop *stop) {
+    return letter_of(house, person, GRADE_A, stop);
 }
 
 Grade grade_person(const House *house, size_t person, const Stop *stop) {
@@ -119,7 +126,7 @@ Grade grade_person(const House *house, size_t person, const Stop *stop) {
     Grading grading = {.house = house, .person = person, .stop = stop, .blocked_from = HUGE_VAL, .grade = &grade};
     int any = house->plan.run.reversals, few = few_of(any);
     double easy = easy_for(house->people[person].profile);
-    find_letter(&grading);
+    find_letter(&grading, GRADE_A);
     if (grade.weak) /* room is not what is missing */
         return grade;
     double least = largest_growth(&grading, any, easy);
@@ -192,9 +199,63 @@ bool grade_all_letters(Grade *grades, const House *house, const bool *part, int 
     return !stop_requested(stop);
 }
 
+static bool is_answered(const Observation *observation, size_t few) {
+    size_t people = 0;
+    for (size_t i = 0; i < observation->person_count; i++)
+        people += observation->people[i].took_part;
+    return observation->completed && people <= few;
+}
+
+bool grade_answer(Grade **grades, const House *house, const Observation *observation, size_t few, int jobs,
+                  const Stop *stop) {
+    *grades = NULL;
+    if (!is_answered(observation, few))
+        return true;
+    bool *out = memory_zeroed(house->person_count, sizeof *out);
+    for (size_t i = 0; i < house->person_count; i++)
+        out[i] = observation->people[i].completed;
+    *grades = memory_zeroed(house->person_count, sizeof **grades);
+    bool whole = grade_all_letters(*grades, house, out, jobs, stop);
+    memory_free(out);
+    if (whole)
+        return true;
+    memory_free(*grades);
+    *grades = NULL;
+    return false;
+}
+
+bool grade_answer_worst(Grade *worst, const House *house, const Observation *observation, size_t few,
+                        const Stop *stop) {
+    *worst = (Grade){.interrupted = true};
+    size_t asked = is_answered(observation, few) ? house->person_count : 0;
+    for (size_t i = 0; i < asked; i++) {
+        if (!is_driven(house, i) || !observation->people[i].completed)
+            continue;
+        Grade grade = letter_of(house, i, worst->interrupted ? GRADE_A : worst->letter, stop);
+        if (grade.interrupted)
+            return false;
+        if (worst->interrupted || grade.letter > worst->letter)
+            *worst = grade;
+    }
+    return true;
+}
+
+size_t grade_worst(const House *house, const Grade *grades) {
+    size_t worst = SIZE_MAX;
+    for (size_t i = 0; i < house->person_count; i++)
+        if (is_driven(house, i) && !grades[i].interrupted &&
+            (worst == SIZE_MAX || grades[i].letter > grades[worst].letter))
+            worst = i;
+    return worst;
+}
+
+const char *const *grade_letters(void) {
+    static const char *const letters[GRADES] = {"A", "B", "C", "D", "E", "F"};
+    return letters;
+}
+
 const char *grade_letter(int letter) {
-    static const char *const letters[] = {"A", "B", "C", "D", "E", "F"};
-    return letters[letter];
+    return grade_letters()[letter];
 }
 
 const char *grade_words(int letter) {

@@ -23,6 +23,7 @@
 
 #include "base/stop.h"
 #include "house/house.h"
+#include "house/observation.h"
 
 #define GRADE_RESOLUTION 0.002 /* m */
 #define GRADE_HANDS 0.05       /* m */
@@ -31,7 +32,7 @@
 
 enum { GRADE_PLACES_MOST = 6 };
 
-typedef enum GradeLetter { GRADE_A, GRADE_B, GRADE_C, GRADE_D, GRADE_E, GRADE_F } GradeLetter;
+typedef enum GradeLetter { GRADE_A, GRADE_B, GRADE_C, GRADE_D, GRADE_E, GRADE_F, GRADES } GradeLetter;
 
 /* A place of a way that is too tight for a better grade. */
 typedef struct GradePlace {
@@ -72,6 +73,21 @@ bool grade_all(Grade *grades, const House *house, int jobs, const Stop *stop);
 /* Finds the letters of those drivers who are of `part` (person_count); the others are `interrupted`: nothing
  * is known of them. Returns false if interrupted. */
 bool grade_all_letters(Grade *grades, const House *house, const bool *part, int jobs, const Stop *stop);
+
+/* Finds the letters that an answer tells without being asked: all who took part are out, and they are at most `few`.
+ * `grades` is (person_count), by memory_zeroed; NULL: none are told. Returns false, without grades, if interrupted. */
+bool grade_answer(Grade **grades, const House *house, const Observation *observation, size_t few, int jobs,
+                  const Stop *stop);
+
+/* Finds the worst of these letters alone, of the same person as grade_worst: others are tried until they are known to
+ * have no worse one. `interrupted`: none is told. Returns false if interrupted by `stop`. */
+bool grade_answer_worst(Grade *worst, const House *house, const Observation *observation, size_t few, const Stop *stop);
+
+/* Returns the driver with the worst known grade, the first one of those with the same; SIZE_MAX: no grade is known. */
+size_t grade_worst(const House *house, const Grade *grades);
+
+/* Returns all letters (GRADES), "A" first. */
+const char *const *grade_letters(void);
 
 /* Return "A", "B", ... and "easy", "with care", ... */
 const char *grade_letter(int letter);

@@ -82,6 +82,32 @@ TEST(the_letter_alone_is_that_of_the_room_and_only_of_those_asked_for) {
     }
 }
 
+/* The last person has more room than the first one in the same corridor. */
+TEST(the_worst_letter_is_the_worst_of_all_letters) {
+    static const double widths[] = {0.67, 0.72, 0.80, 0.95};
+    for (size_t k = 0; k < sizeof widths / sizeof *widths; k++) {
+        House house;
+        json_t *plan = case_corridor(widths[k]);
+        case_add_person(plan, "manual-chair", 14, 0, 0);
+        case_add_person(plan, "manual-chair", 12, 0, 0);
+        case_made(&house, plan, -1, NULL);
+        PersonObservation people[2] = {{.took_part = true, .completed = true}, {.took_part = true, .completed = true}};
+        Observation observation = {.completed = true, .people = people, .person_count = 2};
+        Grade *grades, worst;
+        CHECK(grade_answer(&grades, &house, &observation, 2, 2, NULL) && grades);
+        CHECK(grade_answer_worst(&worst, &house, &observation, 2, NULL) && !worst.interrupted);
+        const Grade *expected = &grades[grade_worst(&house, grades)];
+        CHECK(worst.letter == expected->letter && worst.has_place == expected->has_place);
+        CHECK_TEXT(worst.what, expected->what);
+        memory_free(grades);
+        CHECK(grade_answer(&grades, &house, &observation, 1, 2, NULL) && !grades); /* two are a crowd then */
+        CHECK(grade_answer_worst(&worst, &house, &observation, 1, NULL) && worst.interrupted);
+        observation.completed = false;
+        CHECK(grade_answer_worst(&worst, &house, &observation, 2, NULL) && worst.interrupted);
+        house_free(&house);
+    }
+}
+
 LONG_TEST(a_corner_is_as_tight_turned_and_no_tighter_when_wider) {
     Grade narrow = grade_corner(0.94, 0), slanted = grade_corner(0.94, M_PI / 6), wide = grade_corner(0.98, 0);
     printf("c*: %.1f mm, turned %.1f mm; 4 cm wider %.1f mm\n", 1000 * narrow.tightness, 1000 * slanted.tightness,
