@@ -28,6 +28,7 @@ typedef struct Trial {
     double *series;   /* (series_count) values that a run lists, by memory_zeroed; trial_clear releases them */
     size_t series_count;
     char *fault; /* NULL, or the reason why these values cannot be run; by memory_zeroed */
+    char *note;  /* NULL, or words that belong to a result, such as the place of a grade; by memory_zeroed */
     bool done;   /* false: interrupted before the run */
 } Trial;
 
@@ -49,6 +50,11 @@ typedef struct Experiment {
     const char *const *verdicts; /* (verdict_count) its words */
     size_t verdict_count;        /* 0: there is no such observable */
     size_t verdict_quick;        /* the first of the words of quick runs */
+
+    size_t rank;              /* observable that is an index into words, best first */
+    const char *const *ranks; /* (rank_count) the words */
+    size_t rank_count;        /* 0: there is no such observable */
+    const char *note;         /* name of the note of a run, which belongs to the rank: "grade_place"; NULL: none */
 
     const char *turning; /* frequency, Hz, of a shaft, which people read in rpm: its name; NULL: none */
     const char *cycle;   /* the word for what repeats: "revolution"; NULL: "cycle" */
@@ -98,10 +104,19 @@ static inline const char *trial_verdict(const Trial *trial, const Experiment *ex
                                                                                   : NULL;
 }
 
+/* Returns the word of a trial's rank, or NULL. */
+static inline const char *trial_rank(const Trial *trial, const Experiment *experiment) {
+    double value = experiment->rank_count ? trial->observed[experiment->rank] : -1;
+    return trial->done && value >= 0 && value < (double)experiment->rank_count ? experiment->ranks[(size_t)value]
+                                                                               : NULL;
+}
+
 static inline void trial_clear(Trial *trial) {
     memory_free(trial->series);
     memory_free(trial->fault);
+    memory_free(trial->note);
     trial->series = NULL;
     trial->fault = NULL;
+    trial->note = NULL;
     trial->series_count = 0;
 }

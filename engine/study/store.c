@@ -15,7 +15,8 @@
 #include "base/text.h"
 
 enum {
-    FORMAT = 1,
+    FORMAT = 2,
+    FORMAT_WITHOUT_NOTES = 1,
     APPLICATION = 0x436c6561, /* "Clea": the application id that SQLite keeps at byte 68 */
     PATIENCE = 2000,          /* ms, for another program that reads the file */
     LAST_PATIENCE = 60000,    /* ms, the same for the last commit */
@@ -27,7 +28,7 @@ enum {
 static const char tables[] =
     "CREATE TABLE study (id INTEGER PRIMARY KEY, digest INTEGER NOT NULL UNIQUE, trials INTEGER NOT NULL);"
     "CREATE TABLE trial (study INTEGER NOT NULL, trial INTEGER NOT NULL, observed BLOB NOT NULL, series BLOB NOT NULL,"
-    " fault TEXT, digest INTEGER NOT NULL, PRIMARY KEY (study, trial)) WITHOUT ROWID;";
+    " fault TEXT, digest INTEGER NOT NULL, note TEXT, PRIMARY KEY (study, trial)) WITHOUT ROWID;";
 
 struct Store {
     sqlite3 *database;
@@ -96,9 +97,20 @@ static int64_t count_tables(Store *store, Fault *fault) {
     return known;
 }
 
+/* Gives a file of an earlier version the column that it lacks. */
+static bool add_notes(Store *store) {
+    bool lacks =
+        ask(store, "PRAGMA application_id") == APPLICATION && ask(store, "PRAGMA user_version") == FORMAT_WITHOUT_NOTES;
+    return !lacks || run_statement(store, "ALTER TABLE trial ADD COLUMN note TEXT; PRAGMA user_version = 2");
+}
+
 /* Creates the tables in a file without tables. */
 static bool prepare_tables(Store *store, Fault *fault) {
     int64_t known = count_tables(store, fault);
+    if (known > 0 && !add_notes(store)) {
+        add_database_fault(store, fault);
+        return false;
+    }
     if (known)
         return known > 0 && check_format(store, fault);
     char statement[100];
@@ -113,17 +125,23 @@ static bool prepare_tables(Store *store, Fault *fault) {
 
 /* Series are counted in numbers, not in bytes. */
 static uint64_t row_digest(const void *observed, size_t observables, const void *series, size_t series_count,
-                           const char *reason, int64_t index) {
+                           const char *reason, const char *note, int64_t index) {
     uint64_t digest = digest_bytes(DIGEST_START, observed, observables * sizeof(double));
     digest = digest_bytes(digest, series, series_count * sizeof(double));
-    return digest_mix(digest_text(digest, reason ? reason : ""), (double)index);
+    digest = digest_text(digest, reason ? reason : "");
+    return digest_mix(note ? digest_text(digest, note) : digest, (double)index);
 }
 
 static uint64_t trial_digest(const Trial *trial, size_t observables, size_t index) {
-    return row_digest(trial->observed, observables, trial->series, trial->series_count, trial->fault, (int64_t)index);
+    return row_digest(trial->observed, observables, trial->series, trial->series_count, trial->fault, trial->note,
+                      (int64_t)index);
 }
 
-static const char rows[] = "SELECT trial, observed, series, fault, digest FROM trial WHERE study = ?";
+static const char rows[] = "SELECT trial, observed, series, fault, digest, note FROM trial WHERE study = ?";
+
+static const char *text_at(sqlite3_stmt *row, int column) {
+    return (const char *)sqlite3_column_text(row, column);
+}
 
 /* Returns the trial of a row, or SIZE_MAX if the row is not as it was written. */
 static size_t check_row(sqlite3_stmt *row, const Study *study) {
@@ -133,7 +151,7 @@ static size_t check_row(sqlite3_stmt *row, const Study *study) {
         (size_t)sqlite3_column_bytes(row, 1) != observables * sizeof(double) || bytes % sizeof(double))
         return SIZE_MAX;
     uint64_t digest = row_digest(sqlite3_column_blob(row, 1), observables, sqlite3_column_blob(row, 2),
-                                 bytes / sizeof(double), (const char *)sqlite3_column_text(row, 3), index);
+                                 bytes / sizeof(double), text_at(row, 3), text_at(row, 5), index);
     return (uint64_t)sqlite3_column_int64(row, 4) == digest ? (size_t)index : SIZE_MAX;
 }
 
@@ -146,8 +164,9 @@ static bool take_row(sqlite3_stmt *row, Study *study, size_t index, double *obse
         result.series = memory_zeroed(result.series_count, sizeof(double));
         memcpy(result.series, sqlite3_column_blob(row, 2), result.series_count * sizeof(double));
     }
-    const char *text = (const char *)sqlite3_column_text(row, 3);
-    result.fault = text ? text_copy(text) : NULL;
+    const char *fault = text_at(row, 3), *note = text_at(row, 5);
+    result.fault = fault ? text_copy(fault) : NULL;
+    result.note = note ? text_copy(note) : NULL;
     return study_take(study, index, &result);
 }
 
@@ -242,7 +261,7 @@ static bool open_database(Store *store, StoreUse use, Study *study, uint64_t dig
     if (!prepare_tables(store, fault) || !find_study(store, study, digest, found, fault) ||
         !read_trials(store, study, found, fault))
         return false;
-    static const char insert[] = "INSERT OR REPLACE INTO trial VALUES (?, ?, ?, ?, ?, ?)";
+    static const char insert[] = "INSERT OR REPLACE INTO trial VALUES (?, ?, ?, ?, ?, ?, ?)";
     if (sqlite3_prepare_v2(store->database, insert, -1, &store->insert, NULL) != SQLITE_OK) {
         add_database_fault(store, fault);
         return false;
@@ -298,6 +317,7 @@ static bool write_trial(Store *store, const Study *study, size_t index) {
                         trial->series_count * sizeof(double), SQLITE_STATIC);
     sqlite3_bind_text(insert, 5, trial->fault, -1, SQLITE_STATIC);
     sqlite3_bind_int64(insert, 6, (int64_t)trial_digest(trial, observables, index));
+    sqlite3_bind_text(insert, 7, trial->note, -1, SQLITE_STATIC);
     bool good = sqlite3_step(insert) == SQLITE_DONE;
     return sqlite3_reset(insert) == SQLITE_OK && good;
 }

@@ -295,23 +295,30 @@ void study_clear(Study *study) {
     study->full = false;
 }
 
-/* Moves the series and the fault of a result to the file. */
+/* Copies bytes to the file. Returns NULL where there are none, or no room for them. */
+static void *copy_to_file(const Study *study, const void *bytes, size_t count) {
+    void *copy = count ? file_memory_take(study->large, count) : NULL;
+    if (copy)
+        memcpy(copy, bytes, count);
+    return copy;
+}
+
+static char *text_to_file(const Study *study, const char *text) {
+    return copy_to_file(study, text, text ? strlen(text) + 1 : 0);
+}
+
+/* Moves what a result holds to the file. */
 static bool move_to_file(const Study *study, Trial *result) {
-    size_t bytes = result->series_count * sizeof *result->series,
-           letters = result->fault ? strlen(result->fault) + 1 : 0;
-    double *series = bytes ? file_memory_take(study->large, bytes) : NULL;
-    char *fault = letters ? file_memory_take(study->large, letters) : NULL;
-    if ((bytes && !series) || (letters && !fault))
-        return false;
-    if (bytes)
-        memcpy(series, result->series, bytes);
-    if (letters)
-        memcpy(fault, result->fault, letters);
     size_t count = result->series_count;
+    double *series = copy_to_file(study, result->series, count * sizeof *series);
+    char *fault = text_to_file(study, result->fault), *note = text_to_file(study, result->note);
+    if ((count && !series) || (result->fault && !fault) || (result->note && !note))
+        return false;
     trial_clear(result);
     result->series = series;
     result->series_count = count;
     result->fault = fault;
+    result->note = note;
     return true;
 }
 
@@ -329,6 +336,7 @@ bool study_take(Study *study, size_t index, Trial *result) {
     trial->series = result->series;
     trial->series_count = result->series_count;
     trial->fault = result->fault;
+    trial->note = result->note;
     trial->done = true;
     return true;
 }
@@ -341,7 +349,7 @@ void study_forget(Study *study) {
             trial_clear(trial);
         trial->series = NULL;
         trial->series_count = 0;
-        trial->fault = NULL;
+        trial->fault = trial->note = NULL;
         trial->done = false;
         clear_observed(study, trial);
     }

@@ -102,9 +102,10 @@ static void add_trial(Sheet *sheet, const Study *study, size_t index) {
 
 /* Adds a number, or the word of a class. */
 static void add_observed(Sheet *sheet, const Experiment *experiment, const Trial *trial, size_t o) {
-    bool is_word = experiment->verdict_count && o == experiment->verdict;
-    const char *word = is_word ? trial_verdict(trial, experiment) : NULL;
-    if (is_word)
+    bool verdict = experiment->verdict_count && o == experiment->verdict,
+         rank = experiment->rank_count && o == experiment->rank;
+    const char *word = verdict ? trial_verdict(trial, experiment) : rank ? trial_rank(trial, experiment) : NULL;
+    if (verdict || rank)
         add_word(sheet, word ? word : "");
     else
         add_number(sheet, trial->observed[o]);
@@ -119,6 +120,8 @@ int study_csv_write_trials(const Study *study, const char *path) {
     add_head(&sheet, "seed", "", "");
     for (size_t o = 0; o < experiment->observable_count; o++)
         add_head(&sheet, experiment->observables[o].name, "", experiment->observables[o].unit);
+    if (experiment->note)
+        add_head(&sheet, experiment->note, "", "");
     add_head(&sheet, "fault", "", "");
     end_row(&sheet);
     for (size_t t = 0; t < study->trial_count; t++) {
@@ -128,6 +131,8 @@ int study_csv_write_trials(const Study *study, const char *path) {
         add_trial(&sheet, study, t);
         for (size_t o = 0; o < experiment->observable_count; o++)
             add_observed(&sheet, experiment, trial, o);
+        if (experiment->note)
+            add_quoted(&sheet, trial->note);
         add_quoted(&sheet, trial->fault);
         end_row(&sheet);
     }
@@ -167,7 +172,20 @@ static void add_points_head(Sheet *sheet, const Study *study) {
     for (size_t o = 0; o < study->experiment->observable_count; o++)
         for (size_t k = 0; k < sizeof kinds / sizeof *kinds && !summary_is_class(study->experiment, o); k++)
             add_head(sheet, study->experiment->observables[o].name, kinds[k], study->experiment->observables[o].unit);
+    if (study->experiment->rank_count)
+        add_head(sheet, study->experiment->observables[study->experiment->rank].name, "", "");
+    if (study->experiment->note)
+        add_head(sheet, study->experiment->note, "", "");
     end_row(sheet);
+}
+
+/* Adds the worst rank at a point, and the note of that run. */
+static void add_worst_rank(Sheet *sheet, const Study *study, size_t pass, size_t i1, size_t i0) {
+    const Trial *worst = summary_worst_rank(study, pass, i1, i0);
+    if (study->experiment->rank_count)
+        add_word(sheet, worst ? trial_rank(worst, study->experiment) : "");
+    if (study->experiment->note)
+        add_quoted(sheet, worst ? worst->note : NULL);
 }
 
 /* Returns how many runs at a point have a verdict. */
@@ -202,6 +220,7 @@ static void add_point(Sheet *sheet, const Study *study, size_t pass, size_t i1, 
         for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
             add_number(sheet, numbers[i]);
     }
+    add_worst_rank(sheet, study, pass, i1, i0);
     end_row(sheet);
     montecarlo_clear(&point);
 }

@@ -45,6 +45,7 @@ size_t *summary_verdicts(const Study *study) {
 
 bool summary_is_class(const Experiment *experiment, size_t observable) {
     return (experiment->verdict_count && observable == experiment->verdict) ||
+           (experiment->rank_count && observable == experiment->rank) ||
            (experiment->periods && observable == experiment->outcome);
 }
 
@@ -82,6 +83,18 @@ SummaryRange *summary_ranges(const Study *study, size_t pass, size_t axis, size_
             ranges[(*count)++] = (SummaryRange){i, i, state};
     }
     return ranges;
+}
+
+const Trial *summary_worst_rank(const Study *study, size_t pass, size_t i1, size_t i0) {
+    const Experiment *experiment = study->experiment;
+    const Trial *worst = NULL;
+    for (size_t run = 0; run < study->runs && experiment->rank_count; run++) {
+        const Trial *trial = study_trial(study, pass, run, i1, i0);
+        if (trial_rank(trial, experiment) &&
+            (!worst || trial->observed[experiment->rank] > worst->observed[experiment->rank]))
+            worst = trial;
+    }
+    return worst;
 }
 
 /* 1: relative difference below which measures belong to one response that is still settling */
@@ -131,6 +144,7 @@ uint64_t summary_digest(const Study *study) {
         digest = digest_bytes(digest, trial->observed, study->experiment->observable_count * sizeof *trial->observed);
         digest = digest_bytes(digest, trial->series, trial->series_count * sizeof *trial->series);
         digest = digest_text(digest, trial->fault ? trial->fault : "");
+        digest = trial->note ? digest_text(digest, trial->note) : digest;
     }
     return digest;
 }

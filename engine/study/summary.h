@@ -38,6 +38,9 @@ SummaryCount summary_count(const Study *study);
 /* Returns the state of all runs of a point. */
 SummaryState summary_point(const Study *study, size_t pass, size_t i1, size_t i0);
 
+/* Returns the run of a point with the worst rank, the first one of those with the same; NULL: no run has one. */
+const Trial *summary_worst_rank(const Study *study, size_t pass, size_t i1, size_t i0);
+
 /* Returns the ranges of an axis from its first value to its last, each over all values of the other axis. The caller
  * releases them with memory_free. */
 SummaryRange *summary_ranges(const Study *study, size_t pass, size_t axis, size_t *count);

@@ -263,10 +263,31 @@ TEST(a_damaged_row_is_not_taken_for_a_result) {
     check_store_fault(path, "is damaged");
     make_database(path, "UPDATE trial SET observed = zeroblob(8) WHERE trial = 3");
     check_store_fault(path, "is damaged");
+    unlink(path);
+    write_finished(path, 1, 5);
+    make_database(path, "UPDATE trial SET note = 'door d2' WHERE trial = 3");
+    check_store_fault(path, "is damaged");
     make_database(path, "DROP TABLE trial");
     check_store_fault(path, "is damaged");
     make_database(path, "PRAGMA user_version = 9");
-    check_store_fault(path, "has format 9, must be 1");
+    check_store_fault(path, "has format 9, must be 2");
+    unlink(path);
+}
+
+TEST(a_file_of_the_version_without_notes_is_read_and_goes_on) {
+    char path[SCRATCH_PATH];
+    write_finished(path, 1, 5);
+    make_database(path, "ALTER TABLE trial DROP COLUMN note; PRAGMA user_version = 1");
+    Toy toy = {0};
+    Experiment experiment = toy_experiment(&toy);
+    Study study = sweep(&experiment, 0, 1, 5);
+    study_begin(&study);
+    StoreFound found;
+    Fault fault = {0};
+    Store *store = store_open(path, STORE_ALONE, &study, study_digest(&study, 7), &found, &fault);
+    CHECK(store && found.done == 5 && study_done(&study) == 5 && !study.trials[3].note);
+    CHECK(store_close(store, &fault) && fault.count == 0);
+    study_clear(&study);
     unlink(path);
 }
 
