@@ -8,6 +8,7 @@
 #include "base/json.h"
 #include "result/json.h"
 #include "result/study.h"
+#include "result/study_grades.h"
 #include "study/basins.h"
 
 static void set(json_t *object, const char *key, json_t *value) {
@@ -89,6 +90,8 @@ json_t *study_answer_make(const Study *study, const char *file) {
     set(answer, "ranges", result_json_take_list(result_study_ranges(study)));
     if (study->axis_count == 1 && study->pass_count > 1)
         set(answer, "passes_differ_at", make_differences(study));
+    if (study->experiment->note)
+        set(answer, "grades", result_json_take_list(study_grades_table(study)));
     set(answer, "best", make_extreme(study, false));
     set(answer, "worst", make_extreme(study, true));
     if (basins_exist(study))

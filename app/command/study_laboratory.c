@@ -11,6 +11,7 @@
 #include "experiment/house_experiment.h"
 #include "laboratory/shipped.h"
 #include "report/report_lines.h"
+#include "result/census.h"
 #include "result/source_line.h"
 
 /* Adds an error when the command line has an option for houses only. */
@@ -46,6 +47,12 @@ static bool open_crank(Experiment *experiment, const Options *options, Fault *fa
     return true;
 }
 
+/* True if the runs of a point are of one house: a shake or a spread makes each run another one, whose grade costs more
+ * than the run. Types tell runs by their times. */
+static bool has_grades(const Options *options) {
+    return !options->study.shakes && !options->study.spread_count && !options->types;
+}
+
 static bool open_house(Experiment *experiment, const Options *options, Fault *fault) {
     if (options->thorough) {
         fault_add(fault, "clearance: --thorough is for beams and cranks, %s is a house", options->files[0]);
@@ -68,6 +75,8 @@ static bool open_house(Experiment *experiment, const Options *options, Fault *fa
     else if (!good)
         house_experiment_close(experiment);
     population_free(&population);
+    if (good && has_grades(options))
+        house_experiment_grade(experiment, CENSUS_FEW);
     return good;
 }
 

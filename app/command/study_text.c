@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "result/study.h"
+#include "result/study_grades.h"
 #include "result/study_number.h"
 #include "result/text.h"
 #include "study/basins.h"
@@ -397,13 +398,23 @@ static const char letters[] = {[SUMMARY_NOTHING] = ' ',
                                [SUMMARY_MIXED] = '+',
                                [SUMMARY_UNDECIDED] = '?'};
 
+/* Returns the letter of a cell: of its grade, if all are out and have one. */
+static char letter_at(const Study *study, size_t pass, size_t i1, size_t i0) {
+    SummaryState state = summary_point(study, pass, i1, i0);
+    const char *grade = state == SUMMARY_REGULAR ? study_grades_letter(study, i1, i0) : NULL;
+    return grade ? *grade : letters[state];
+}
+
 static void add_legend(Text *text, const Study *study) {
     SummaryCount count = summary_count(study);
     const bool occurs[] = {[SUMMARY_REGULAR] = true,
                            [SUMMARY_IRREGULAR] = true,
                            [SUMMARY_MIXED] = study->runs > 1,
                            [SUMMARY_UNDECIDED] = count.undecided};
-    for (SummaryState state = SUMMARY_REGULAR; state <= SUMMARY_UNDECIDED; state++)
+    bool graded = study_grades_exist(study);
+    if (graded)
+        text_format(text, "\nA to F %s with that grade", result_study_state(study->experiment, SUMMARY_REGULAR));
+    for (SummaryState state = graded ? SUMMARY_IRREGULAR : SUMMARY_REGULAR; state <= SUMMARY_UNDECIDED; state++)
         if (occurs[state])
             text_format(text, "%s%c %s", state == SUMMARY_REGULAR ? "\n" : ", ", letters[state],
                         result_study_state(study->experiment, state));
@@ -421,7 +432,7 @@ static void add_map(Text *text, const Study *study, size_t pass) {
         char value[WORD], line[MAP_COLUMNS + 1];
         study_number_step(study, 1, i1, false, value);
         for (size_t c = 0; c < columns; c++)
-            line[c] = letters[summary_point(study, pass, i1, columns > 1 ? c * (steps0 - 1) / (columns - 1) : 0)];
+            line[c] = letter_at(study, pass, i1, columns > 1 ? c * (steps0 - 1) / (columns - 1) : 0);
         line[columns] = 0;
         text_format(text, "%10s %s\n", value, line);
     }
@@ -509,6 +520,7 @@ void study_text_add(Text *text, const Study *study, const char *file) {
     add_verdicts(text, study);
     if (study->axis_count == 1)
         add_differences(text, study);
+    study_grades_say(text, study);
     if (basins_exist(study))
         add_basins(text, study);
     if (study->axis_count == 2) {

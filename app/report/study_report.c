@@ -7,6 +7,7 @@
 #include "report/report_lines.h"
 #include "result/page.h"
 #include "result/study.h"
+#include "result/study_grades.h"
 #include "visual/study/study_plots.h"
 
 /* Design points. */
@@ -70,6 +71,8 @@ static void add_tables(Document *document, const Study *study) {
         result_page_take(document, "Ranges of equal answers along each parameter.", result_study_ranges(study));
     else if (study->runs > 1)
         result_page_take(document, "Distribution of each quantity over the runs.", result_study_distributions(study));
+    result_page_take(document, "Worst grade of the ways out, over the values where all people are out.",
+                     study_grades_ranges(study));
 }
 
 Document study_report_make(const StudyReport *report, const Making *making) {

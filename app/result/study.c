@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "result/study_grades.h"
 #include "result/study_number.h"
 #include "study/montecarlo.h"
 
@@ -35,7 +36,8 @@ bool result_study_is_shown(const Study *study, size_t observable) {
     const Experiment *experiment = study->experiment;
     const char *name = experiment->observables[observable].name, *hidden = find_words(experiment)->hidden;
     bool verdict = experiment->verdict_count && observable == experiment->verdict;
-    if (observable == experiment->regular || verdict || strcmp(name, hidden) == 0)
+    bool words = verdict || (experiment->rank_count && observable == experiment->rank);
+    if (observable == experiment->regular || words || strcmp(name, hidden) == 0)
         return false;
     bool any = false;
     for (size_t t = 0; t < study->trial_count && !any; t++)
@@ -211,6 +213,10 @@ ResultTable result_study_extreme(const Study *study, bool greatest) {
 
 /* Points ---------------------------------------------------------------------------------------------------------- */
 
+static void add_grade(ResultTable *table, const Study *study, size_t i) {
+    result_add(table, (ResultRow){.label = "grade", .text = study_grades_letter(study, 0, i)});
+}
+
 static void add_run(ResultTable *table, const Study *study, size_t pass, size_t i) {
     const Experiment *experiment = study->experiment;
     const Trial *trial = study_trial(study, pass, 0, 0, i);
@@ -218,6 +224,7 @@ static void add_run(ResultTable *table, const Study *study, size_t pass, size_t 
     result_add(table, (ResultRow){.label = "answer",
                                   .text = verdict ? verdict
                                                   : result_study_state(experiment, summary_point(study, pass, 0, i))});
+    add_grade(table, study, i);
     for (size_t o = 0; o < experiment->observable_count; o++) {
         if (!result_study_is_shown(study, o))
             continue;
@@ -251,6 +258,7 @@ static void add_runs(ResultTable *table, const Study *study, size_t pass, size_t
                                   .number = point.share,
                                   .unit = "%",
                                   .factor = 100});
+    add_grade(table, study, i);
     for (size_t c = 0; c < sizeof columns / sizeof *columns; c++) {
         ResultRow row = observed(&table->arena, columns[c].number);
         row.label = c ? columns[c].name : text_in_arena(&table->arena, "mean %s", measure->name);

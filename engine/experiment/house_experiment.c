@@ -9,7 +9,9 @@
 #include "base/parameters_number.h"
 #include "base/text.h"
 #include "experiment/drivers.h"
+#include "experiment/grade_record.h"
 #include "house/run.h"
+#include "inquiry/grade.h"
 #include "experiment/shake_record.h"
 
 typedef struct HouseGiven {
@@ -20,8 +22,9 @@ typedef struct HouseGiven {
     House house; /* with nominal values, before any shake */
     ShakeRecord shake;
     LocusRecord locus;
+    GradeRecord *grades;   /* NULL: nothing is graded */
     Population population; /* without rows: nobody is drawn */
-    Arena arena;           /* holds the names of shake observables */
+    Arena arena;           /* holds the descriptions of more observables */
 } HouseGiven;
 
 static bool read_given(House *house, const HouseGiven *given, const HouseOptions *options, Fault *fault) {
@@ -159,6 +162,8 @@ static void run_one(const HouseGiven *given, const char *const *names, size_t na
         trial->done = !observation.interrupted;
         if (trial->done)
             observe(trial, given, &house, &observation);
+        if (trial->done && given->grades)
+            trial->done = grade_record_observe(given->grades, &house, &observation, names, name_count, trial, stop);
         observation_free(&observation);
         house_free(&house);
     } else {
@@ -287,6 +292,20 @@ const LocusRecord *house_experiment_follow(Experiment *experiment, const Locus *
     return record;
 }
 
+void house_experiment_grade(Experiment *experiment, size_t few) {
+    HouseGiven *given = experiment->given;
+    given->grades = grade_record_create(few, HOUSE_OBSERVABLES);
+    Observable *all = arena_allocate(&given->arena, (HOUSE_OBSERVABLES + 1) * sizeof *all);
+    memcpy(all, observables, sizeof observables);
+    all[HOUSE_OBSERVABLES] = grade_record_describe();
+    experiment->observables = all;
+    experiment->observable_count = HOUSE_OBSERVABLES + 1;
+    experiment->rank = HOUSE_OBSERVABLES;
+    experiment->ranks = grade_letters();
+    experiment->rank_count = GRADES;
+    experiment->note = "grade_place";
+}
+
 const House *house_experiment_house(const Experiment *experiment) {
     return &((const HouseGiven *)experiment->given)->house;
 }
@@ -300,6 +319,7 @@ void house_experiment_close(Experiment *experiment) {
     if (given) {
         house_free(&given->house);
         population_free(&given->population);
+        grade_record_free(given->grades);
         arena_clear(&given->arena);
         memory_free(given);
     }

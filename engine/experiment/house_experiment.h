@@ -43,6 +43,10 @@ void house_experiment_drive(Experiment *experiment, Population *population);
  * which belongs to the experiment; its count is 0 if the locus is too short. */
 const LocusRecord *house_experiment_follow(Experiment *experiment, const Locus *measured, size_t person);
 
+/* Adds the worst grade of each run in which all people are out, at most `few`, as an observable, and its place as the
+ * note: see grade_record.h. Neither after a shake nor with a locus. */
+void house_experiment_grade(Experiment *experiment, size_t few);
+
 void house_experiment_close(Experiment *experiment);
 
 /* Return the house with nominal values, before any shake; and the record of shakes, or NULL. */

@@ -33,7 +33,7 @@ engine/cycle        mechanics
 engine/beam         cycle mechanics
 engine/crank        cycle mechanics
 engine/study        -
-engine/experiment   beam crank cycle house plan study
+engine/experiment   beam crank cycle house inquiry plan study
 engine/lesson       experiment house inquiry plan space study
 engine/exchange     house mechanics plan space
 app/draw            -

@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "cycle/motion_class.h"
+#include "study/summary.h"
 #include "visual/study/measured_marks.h"
 #include "visual/study/study_axes.h"
 
@@ -276,6 +277,25 @@ static void classify_type(Map *map) {
     store_classes(map, classes, 4);
 }
 
+/* Shows the worst rank of each cell. */
+static void classify_rank(Map *map, const char *name) {
+    static const Role roles[] = {ROLE_CLASS_FIRST, ROLE_CLASS_SECOND, ROLE_CLASS_THIRD,
+                                 ROLE_TYPE_SECOND, ROLE_CLASS_FOURTH, ROLE_CLASS_SIXTH};
+    enum { ROLES = sizeof roles / sizeof *roles };
+    const Experiment *experiment = map->study->experiment;
+    PlotClass classes[ROLES];
+    size_t count = experiment->rank_count < ROLES ? experiment->rank_count : ROLES;
+    for (size_t c = 0; c < count; c++)
+        classes[c] = (PlotClass){text_in_arena(map->arena, "%s %s", name, experiment->ranks[c]), experiment->ranks[c],
+                                 roles[c], (PlotPattern)(c % PLOT_PATTERNS)};
+    for (size_t i = 0; i < map->columns * map->rows; i++) {
+        const Trial *worst = summary_worst_rank(map->study, map->pass, i / map->columns * map->every[1],
+                                                i % map->columns * map->every[0]);
+        map->values[i] = worst ? worst->observed[experiment->rank] : NAN;
+    }
+    store_classes(map, classes, count);
+}
+
 static const char *attractor_name(const Map *map, const Attractor *attractor) {
     const Experiment *experiment = map->study->experiment;
     const Observable *outcome = &experiment->observables[experiment->outcome];
@@ -439,6 +459,8 @@ static bool fill_map(Map *map, size_t observable) {
     } else if (observable == experiment->regular) {
         map->to->plot.title = is_house(map) ? "Are all people out?" : "Periodic or not";
         classify_regular(map);
+    } else if (experiment->rank_count && observable == experiment->rank) {
+        classify_rank(map, shown->name);
     } else {
         return fill_quantity(map, observable);
     }

@@ -10,10 +10,12 @@
 #include "visual/study/study_maps.h"
 #include "visual/study/type_bands.h"
 #include "study/montecarlo.h"
+#include "study/summary.h"
 
 /* Design points. */
 #define LINE_WIDTH 2.0
 #define SIGN 5.0
+#define RANK_SIGN 9.0
 #define PASS_GROWTH 4.0 /* of the symbols of a class, per pass painted over them */
 
 /* Quantiles of the values, shown for many runs. */
@@ -23,8 +25,9 @@ enum {
     BARS_MOST = 40,
     DOTS_MOST = 2000000, /* of a pass of a large study */
     GUIDES_MOST = 4,     /* of a plot, besides a band for every other step */
-    MARKS_MOST = 8 /* measured series of one plot */,
-    SIGNS_MOST = 60 /* points of a line */
+    MARKS_MOST = 8,      /* measured series of one plot */
+    RANKS_MOST = 6,      /* ranks whose points are marked */
+    SIGNS_MOST = 60      /* points of a line */
 };
 
 /* The look of a pass. */
@@ -56,7 +59,8 @@ static Plot *add_plot(StudyPlots *plots, const Study *study, const char *name, s
     StudyPlot *added = &plots->plots[plots->count++];
     size_t bands = study->axis_count ? study->axes[0].steps / 2 + 1 : 0;
     added->name = name;
-    added->plot.series = arena_allocate(&plots->arena, (2 * study->pass_count + MARKS_MOST) * sizeof(PlotSeries));
+    added->plot.series =
+        arena_allocate(&plots->arena, (2 * study->pass_count + MARKS_MOST + RANKS_MOST) * sizeof(PlotSeries));
     added->plot.guides = arena_allocate(&plots->arena, (GUIDES_MOST + bands) * sizeof(PlotGuide));
     added->plot.areas = arena_allocate(&plots->arena, (areas + 1 + TYPE_BANDS) * sizeof(PlotArea));
     return &added->plot;
@@ -265,6 +269,38 @@ static void add_blocked(Sweep *sweep) {
     }
 }
 
+/* Marks the points of each rank: the last series is the only curve. */
+static void add_ranks(Sweep *sweep) {
+    enum { SHAPES = 4 /* later ranks have the same ones as outlines */ };
+    static const Symbol shapes[SHAPES] = {SYMBOL_DISC, SYMBOL_BOX, SYMBOL_TRIANGLE, SYMBOL_DIAMOND};
+    static const Role roles[RANKS_MOST] = {ROLE_CLASS_FIRST, ROLE_CLASS_SECOND, ROLE_CLASS_THIRD,
+                                           ROLE_TYPE_SECOND, ROLE_CLASS_FOURTH, ROLE_CLASS_SIXTH};
+    const Study *study = sweep->study;
+    const Experiment *experiment = study->experiment;
+    const PlotSeries curve = sweep->plot->series[sweep->plot->series_count - 1];
+    for (size_t rank = 0; rank < experiment->rank_count && rank < RANKS_MOST; rank++) {
+        double *y = steps_array(sweep);
+        bool any = false;
+        for (size_t i = 0; i < steps_of(study); i++) {
+            const Trial *worst = summary_worst_rank(study, 0, 0, i);
+            bool has = worst && worst->observed[experiment->rank] == (double)rank;
+            y[i] = has ? curve.y[i] : (double)NAN;
+            any |= has;
+        }
+        if (any)
+            sweep->plot->series[sweep->plot->series_count++] = (PlotSeries){
+                .name = text_in_arena(sweep->arena, "%s %s", experiment->observables[experiment->rank].name,
+                                      experiment->ranks[rank]),
+                .x = curve.x,
+                .y = y,
+                .count = curve.count,
+                .role = roles[rank],
+                .symbol = shapes[rank % SHAPES],
+                .open = rank >= SHAPES,
+                .size = RANK_SIGN};
+    }
+}
+
 /* True if it is known somewhere and not constant. */
 static bool is_varied(const Study *study, size_t observable) {
     double first = NAN;
@@ -300,6 +336,8 @@ static void add_observable(StudyPlots *plots, Sweep sweep, size_t observable) {
         add_blocked(&sweep);
     for (size_t pass = 0; pass < study->pass_count; pass++)
         add_curve(&sweep, pass, observable, error);
+    if (observable == study->experiment->measure && study->pass_count == 1)
+        add_ranks(&sweep);
     bool laid = measured_marks_add(sweep.plot, sweep.measured, (MeasuredAxis){study->axes[0].name, sweep.scale.factor},
                                    (MeasuredAxis){shown->name, 1}, "measured", 0, sweep.arena);
     if (laid && !sweep.plot->series[0].name)
@@ -371,7 +409,8 @@ StudyPlots study_plots_make(const Study *study, const Measured *measured) {
             add_basins(&plots, sweep);
     }
     for (size_t o = 0; o < experiment->observable_count && study->axis_count < 2; o++) {
-        bool words = experiment->verdict_count && o == experiment->verdict;
+        bool words = (experiment->verdict_count && o == experiment->verdict) ||
+                     (experiment->rank_count && o == experiment->rank);
         if (words || is_error(experiment->observables[o].name) || study_axes_is_mark(study, o) || !is_varied(study, o))
             continue;
         if (study->axis_count)

@@ -114,6 +114,7 @@ verbs = {
     "rules, json": ["rules", house("corner-0.78-0.78"), "--json"],
     "loci": ["loci", house("corner-1.20-1.20"), "--json"],
     "study of a house": ["study", walker, "--vary", "door.d1.width=0.6:0.9:2", "--json"],
+    "study of a house, graded": ["study", snug, "--vary", "door.d1.width=0.78:0.8:2", "--json"],
     "study of a house, files": ["study", wide, "--runs", "3", "--json", "--out", "OUT"],
     "study of a beam": ["study", oscillator, *short, "--vary", "drive.frequency=290:300:3", "--json"],
     "study of a beam, swept": ["study", oscillator, *short, "--vary", "drive.frequency=290:300:3", "--sweep", "up,down"],
@@ -234,6 +235,9 @@ def told(part, whole, path=""):
     elif isinstance(part, list) and isinstance(whole, list):
         if path.endswith("suggestions"):
             yield from (f"{path}: {s['words']}" for s in part if s not in whole)
+            return
+        if path.endswith("grades"):  # those of the points that are done
+            yield from (f"{path}: {grade}" for grade in part if grade not in whole)
             return
         for i, value in enumerate(part):
             yield from told(value, whole[i], f"{path}[{i}]") if i < len(whole) else [f"{path}[{i}]"]

@@ -43,8 +43,8 @@ def check_answers(folder):
     check(words[0] == f"{flat}: door.d1.width from 0.60 to 1.10 m in 11 steps", f"title {words[0]!r}")
     check(words[1].startswith("not out at 0.60 m, out from 0.65 m on; the time until all people are out falls from"),
           f"answer {words[1]!r}")
-    check(words[3].split()[:3] == ["door.d1.width", "m", "answer"], f"table {words[3]!r}")
-    check(len(words) == 4 + 11, f"a row a value: {len(words)}")
+    check(words[4].split()[:4] == ["door.d1.width", "m", "answer", "grade"], f"table {words[4]!r}")
+    check(len(words) == 5 + 11, f"a row a value: {len(words)}")
     answer = json.loads(expect(0, "study", flat, *DOOR, "--json", "--jobs", "1").stdout)
     check((answer["kind"], answer["experiment"], answer["runs"]) == ("study", "house", 1), f"--json {answer}")
     check(answer["trials"] == answer["done"] == 11 and answer["faults"] == 0, "--json counts")
@@ -59,12 +59,51 @@ def check_answers(folder):
     check("not out throughout" in late.stdout, "--until of a study", late.stdout)
 
 
+def check_grades(folder):
+    """Each row has the grade of run on the same house, for any number of threads, read back or run at once."""
+    flat, out = draft(folder), os.path.join(folder, "grades")
+    done = expect(0, "study", flat, *DOOR, "--out", out, "--jobs", "2")
+    words = done.stdout.splitlines()
+    check(words[2] == "grade D, at door d1, at 0.65 m; grade C, at door d1, at 0.70 m; grade B, at door d1, from 0.75 to 0.90 m; "
+          "grade A from 0.95 m on",
+          f"ranges of grades {words[2]!r}")
+    with open(os.path.join(out, "study.csv"), newline="") as file:
+        rows = list(csv.DictReader(file))
+    listed = {round(row["at"]["door.d1.width"], 6): row for row in summary(out)["grades"]}
+    check(len(rows) == 11 and len(listed) == 10, "who is not out has no grade")
+    table = [line.split() for line in words[5:16]]
+    for row, shown in zip(rows, table):
+        width = round(float(row["door.d1.width [m]"]), 6)
+        alone = json.loads(run("run", flat, "--set", f"door.d1.width={width}", "--json").stdout).get("grades", [])
+        letters = [row["grade [1]"], listed[width]["grade"], shown[2]] if alone else [row["grade [1]"]]
+        check(set(letters) == {alone[0]["grade"] if alone else ""}, f"{width}: {letters} are not those of run: {alone}")
+        check(row["grade_place [1]"] == (alone[0].get("what", "") if alone else ""),
+              f"{width}: the place {row['grade_place [1]']} is not that of run: {alone}")
+    files = {name: pathlib.Path(out, name).read_bytes() for name in ("study.csv", "summary.json")}
+    again = expect(0, "study", flat, *DOOR, "--out", out, says="all 11 runs are read back")
+    check(again.stdout == done.stdout, "grades are read back", again.stdout)
+    expect(0, "study", flat, *DOOR, "--out", os.path.join(folder, "one"), "--jobs", "1")
+    for name, content in files.items():
+        check(content == pathlib.Path(out, name).read_bytes() == pathlib.Path(folder, "one", name).read_bytes(), f"bytes of {name}")
+    several = expect(0, "study", flat, "--runs", "3").stdout
+    check("\ngrade A, easy\n" in several, "runs of one house have one grade", several)
+    drivers = json.loads(expect(0, "study", flat, "--vary", "door.d1.width=0.7:0.8:2", "--drivers", "3", "--json").stdout)
+    check([row["grade"] for row in drivers["grades"]] == ["C", "B"], f"grades beside drivers {drivers['grades']}")
+    spread = expect(0, "study", flat, "--runs", "3", "--spread", "profile.manual-chair.free_speed=0.1", "--json").stdout
+    check("grades" not in json.loads(spread), "a tolerance makes each run another house: no grades")
+    crowd = draft(folder, "crowd", people=FLAT["people"] + [
+        {"id": f"a{n}", "profile": "adult", "at": [3.4 + 0.5 * (n // 2), 0.3 + 0.6 * (n % 2)]} for n in range(6)])
+    check(json.loads(expect(0, "study", crowd, "--vary", "door.d1.width=1:1.1:2", "--json").stdout)["grades"] == [],
+          "a crowd has no grades")
+
+
 def check_maps_and_runs(folder):
     flat = draft(folder)
     words = expect(0, "study", flat, "--vary", "door.d1.width=0.6:1.1:3", "--vary",
                    "profile.manual-chair.width=0.5:0.7:3").stdout
     check("out in 7 of 9 runs" in words, "a map counts", words)
-    check("# out, . not out\nto the right door.d1.width, upwards " in words and "0.7 .##" in words, "a map in letters", words)
+    check("A to F out with that grade, . not out\nto the right door.d1.width, upwards " in words and "0.7 .BA" in words,
+          "a map in letters", words)
     spread = ("--runs", "12", "--spread", "profile.manual-chair.free_speed=0.1")
     words = expect(0, "study", flat, *spread).stdout
     check("12 runs, seeds 1 to 12\nprofile.manual-chair.free_speed with a standard deviation of 10 %\n" in words, words)
@@ -308,7 +347,7 @@ def check_wrong_use(folder):
 
 
 with tempfile.TemporaryDirectory(prefix="clearance study ä ") as directory:
-    for number, part in enumerate((check_answers, check_maps_and_runs, check_files, check_going_on, check_killed,
+    for number, part in enumerate((check_answers, check_grades, check_maps_and_runs, check_files, check_going_on, check_killed,
                                    check_changed_while_running, check_beams, check_paper, check_wrong_stores,
                                    check_wrong_use)):
         own = os.path.join(directory, str(number))

@@ -4,12 +4,14 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "command/study_answer.h"
 #include "command/study_text.h"
 #include "result/json.h"
 #include "result/page.h"
 #include "result/paper.h"
 #include "result/study.h"
+#include "result/study_grades.h"
 #include "result/text.h"
 #include "result/types.h"
 
@@ -95,6 +97,65 @@ TEST(a_change_of_less_than_a_thousandth_of_the_range_is_not_reported) {
         memory_free(text.text);
         study_clear(&study);
     }
+}
+
+/* Ranks the third observable, as the grades of a house are. */
+static Experiment graded_house(void) {
+    static const char *const ranks[] = {"A", "B", "C", "D", "E", "F"};
+    Experiment graded = house;
+    graded.rank = EMPTY;
+    graded.ranks = ranks;
+    graded.rank_count = sizeof ranks / sizeof *ranks;
+    graded.note = "grade_place";
+    return graded;
+}
+
+TEST(grades_stand_in_the_table_in_a_sentence_and_in_json) {
+    static const double grades[] = {NAN, 3, 3, 1};
+    static const char *const places[] = {NULL, "door d1", "door d1", "start, beside wall w1"};
+    const Experiment graded = graded_house();
+    Study study = make_study(1, 4, 1);
+    study.experiment = &graded;
+    for (size_t t = 0; t < 4; t++) {
+        study.trials[t].observed[EMPTY] = grades[t];
+        study.trials[t].note = places[t] ? text_copy(places[t]) : NULL;
+    }
+    check_answer(&study,
+                 "flat.json: door.d1.width from 0.8 to 1.1 m in 4 steps\n"
+                 "not out at 0.8 m, out from 0.9 m on; the time until all people are out falls from 19 to 17 s\n"
+                 "grade D, at door d1, from 0.9 to 1.0 m; grade B, at the start, beside wall w1, at 1.1 m\n\n"
+                 "door.d1.width m  answer   grade  time s\n"
+                 "            0.8  not out  -           -\n"
+                 "            0.9  out      D          19\n"
+                 "            1.0  out      D          18\n"
+                 "            1.1  out      B          17\n");
+    json_t *answer = study_answer_make(&study, "flat.json"), *list = json_object_get(answer, "grades");
+    CHECK(json_array_size(list) == 3);
+    CHECK_TEXT(json_string_value(json_object_get(json_array_get(list, 2), "grade")), "B");
+    CHECK_TEXT(json_string_value(json_object_get(json_array_get(list, 2), "said")), "B, with care");
+    CHECK_TEXT(json_string_value(json_object_get(json_array_get(list, 0), "what")), "door d1");
+    CHECK_NEAR(json_number_value(json_object_get(json_object_get(json_array_get(list, 0), "at"), "door.d1.width")), 0.9,
+               1e-12);
+    json_decref(answer);
+    ResultTable ranges = study_grades_ranges(&study);
+    CHECK(ranges.record_count == 2);
+    CHECK_TEXT(result_find(&ranges, 1, "what")->text, "start, beside wall w1");
+    result_clear(&ranges);
+    study_clear(&study);
+}
+
+TEST(an_interrupted_study_has_the_grades_of_the_runs_that_are_done) {
+    const Experiment graded = graded_house();
+    Study study = make_study(1, 3, 2);
+    study.experiment = &graded;
+    for (size_t t = 0; t < 6; t++) {
+        study.trials[t].observed[EMPTY] = t % 3 ? (double)t : NAN; /* steps 1 and 2: B and C, then E and F */
+        study.trials[t].done = t < 5;
+    }
+    CHECK(!study_grades_letter(&study, 0, 0));
+    CHECK_TEXT(study_grades_letter(&study, 0, 1), "E");
+    CHECK_TEXT(study_grades_letter(&study, 0, 2), "C");
+    study_clear(&study);
 }
 
 TEST(an_answer_in_json_has_the_counts_the_ranges_and_the_best_run) {

@@ -242,6 +242,39 @@ TEST(attractors_are_told_by_outcome_and_measure_the_most_visited_first) {
     free_study(&study);
 }
 
+TEST(the_points_of_each_rank_are_marked_over_the_measure_and_a_map_has_a_class_for_each) {
+    static const char *const ranks[] = {"A", "B", "C"};
+    Experiment ranked = beam;
+    ranked.series = NULL;
+    ranked.rank = RATIO;
+    ranked.ranks = ranks;
+    ranked.rank_count = 3;
+    Study study = make_study(&ranked, 4, 1, 1, 1);
+    static const double known[] = {NAN, 2, 2, 0};
+    for (size_t t = 0; t < 4; t++)
+        study.trials[t].observed[RATIO] = known[t];
+    StudyPlots plots = study_plots_make(&study, NULL);
+    const Plot *plot = find_plot(&plots, "peak_max");
+    CHECK(plot && plot->series_count == 3 && !find_plot(&plots, "clearance_ratio"));
+    CHECK_TEXT(plot ? plot->series[1].name : "", "clearance_ratio A");
+    CHECK_TEXT(plot ? plot->series[2].name : "", "clearance_ratio C");
+    for (size_t t = 0; plot && t < 4; t++) {
+        CHECK(isnan(plot->series[2].y[t]) == (known[t] != 2) && isnan(plot->series[1].y[t]) == (known[t] != 0));
+        CHECK(known[t] != 2 || plot->series[2].y[t] == plot->series[0].y[t]);
+    }
+    study_plots_free(&plots);
+    free_study(&study);
+    study = make_study(&ranked, 2, 2, 1, 1);
+    for (size_t t = 0; t < 4; t++)
+        study.trials[t].observed[RATIO] = known[t];
+    plots = study_plots_make(&study, NULL);
+    const Plot *map = find_plot(&plots, "map-clearance_ratio");
+    CHECK(map && map->raster->class_count == 2 && isnan(map->raster->values[0]));
+    CHECK_TEXT(map ? map->raster->classes[1].mark : "", "C");
+    study_plots_free(&plots);
+    free_study(&study);
+}
+
 TEST(measured_columns_are_the_study_s_parameters_and_observables) {
     Study study = make_study(&beam, 4, 1, 1, 1);
     Arena arena = {0};
