@@ -89,22 +89,21 @@ static json_t *make_answer(const House houses[2], const Observation observations
 }
 
 /* Writes the pictures of B, with the paths in A as "before". */
-static bool write_pictures(const House houses[2], const Observation observations[2], const Grade *letters,
+static bool write_pictures(const House houses[2], const Observation observations[2], Grade *const letters[2],
                            const Options *options) {
+    const Before before = {.house = &houses[0], .observation = &observations[0], .letters = letters[0]};
     if (options->out) {
         Scene scene = {0};
-        house_scene_make_compared(&scene, &houses[1], &observations[1],
-                                  (Before){.house = &houses[0], .observation = &observations[0]});
-        if (letters && scene.title)
-            result_grade_add(&scene.title, &scene.detail, &houses[1], letters, &scene.arena);
+        house_scene_make_compared(&scene, &houses[1], &observations[1], before);
+        if (letters[1] && scene.title)
+            result_grade_add(&scene.title, &scene.detail, &houses[1], letters[1], &scene.arena);
         bool written = output_stills(&scene, options);
         scene_clear(&scene);
         if (!written)
             return false;
     }
     return !frames_wanted(options) ||
-           frames_write(&houses[1], &observations[1], (Before){.house = &houses[0], .observation = &observations[0]},
-                        NULL, options);
+           frames_write(&houses[1], &observations[1], before, &(Answered){.letters = letters[1]}, options);
 }
 
 /* Runs the same drivers through both houses. Returns false if interrupted. */
@@ -170,7 +169,7 @@ int command_compare(const Options *options) {
         memory_free(letters[h]);
         letters[h] = NULL;
     }
-    bool nothing = told, written = nothing || write_pictures(houses, observations, letters[1], options);
+    bool nothing = told, written = nothing || write_pictures(houses, observations, letters, options);
     told = output_tell_interrupted(told);
     Drivers of[2] = {{.count = 0}};
     const PairedDrivers drivers = {of, &population, {letters[0], letters[1]}};

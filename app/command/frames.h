@@ -13,10 +13,16 @@ bool frames_wanted(const Options *options);
  * standard error. */
 int frames_check(const Options *options);
 
+/* Facts beside the answer in each picture. */
+typedef struct Answered {
+    const Grade *letters; /* (person_count), or NULL */
+    const Scene *drivers; /* or NULL */
+} Answered;
+
 /* Writes --out's frames/frame-00001.png and so on, the film, and with --view raised the last picture as raised.png,
- * with progress; `drivers` (may be NULL) is shown in each picture. Ctrl-C keeps complete files. False: an error was
+ * with progress; `answered` is shown in each picture. Ctrl-C keeps complete files. False: an error was
  * printed. */
-bool frames_write(const House *house, const Observation *observation, Before before, const Scene *drivers,
+bool frames_write(const House *house, const Observation *observation, Before before, const Answered *answered,
                   const Options *options);
 
 /* Draws the end of the run in the raised view, without plots, in the theme paper; memory_free(picture->pixels). False:

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "result/grade.h"
 #include "visual/house/blockage_scene.h"
 #include "visual/house/crowd_scene.h"
 #include "visual/house/density_scene.h"
@@ -129,6 +130,8 @@ static void make_still(Film *film) {
     Census census = census_make(house, film->observation);
     film->crowd = house_scene_begin(scene, house, film->observation, &census);
     census_clear(&census);
+    if (film->options.letters)
+        result_grade_add(&scene->title, &scene->detail, house, film->options.letters, &scene->arena);
     house_scene_add_before(scene, film->options.before);
     if (box_width(film->options.box) > 0)
         scene->box = film->options.box;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "draw/scene.h"
+#include "inquiry/grade.h"
 #include "visual/house/furniture_fall.h"
 #include "visual/house/house_scene.h"
 #include "visual/house/plan_walls.h"
@@ -36,11 +37,13 @@ enum {
 
 typedef struct FilmOptions {
     Camera camera;
-    bool bare;     /* the house alone, without answer and list */
-    bool changed;  /* the run is of a house that differs from its file: the name says so */
-    int panels;    /* places for plots next to the plan, instead of the list */
-    int shown;     /* sum of FILM_CIRCLES and so on */
-    int hidden;    /* sum of FILM_RINGS and so on */
+    bool bare;    /* the house alone, without answer and list */
+    bool changed; /* the run is of a house that differs from its file: the name says so */
+    int panels;   /* places for plots next to the plan, instead of the list */
+    int shown;    /* sum of FILM_CIRCLES and so on */
+    int hidden;   /* sum of FILM_RINGS and so on */
+    const Grade
+        *letters;  /* (person_count) of the grades that stand beside the answer, until the film is created; or NULL */
     Before before; /* the comparison, whose loci are shown as "before" */
     bool live;  /* for a window: the interval between bodies does not depend on the length of the run, and the people of
                    the comparison move, too */

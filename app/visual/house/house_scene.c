@@ -11,6 +11,7 @@
 #include "visual/house/crowd_scene.h"
 #include "visual/house/people_scene.h"
 #include "visual/house/plan_scene.h"
+#include "result/grade.h"
 #include "result/headline.h"
 #include "result/house.h"
 #include "result/jam.h"
@@ -252,7 +253,9 @@ void house_scene_add_before(Scene *scene, Before before) {
     if (!before.observation)
         return;
     const char *sentence = headline_sentence(before.house, before.observation, &scene->arena);
-    const char *headline = names_text(before.house, sentence, &scene->arena);
+    const char *headline = names_text(before.house, sentence, &scene->arena), *words = "";
+    if (before.letters)
+        result_grade_add(&headline, &words, before.house, before.letters, &scene->arena);
     scene->detail = scene_text(scene, *scene->detail ? "%s: %s; now: %s" : "%s: %s", house_scene_before_name(before),
                                headline, scene->detail);
 }

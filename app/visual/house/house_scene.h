@@ -4,6 +4,7 @@
 
 #include "draw/scene.h"
 #include "house/observation.h"
+#include "inquiry/grade.h"
 #include "result/census.h"
 
 #define HOUSE_SCENE_GRID 1.0   /* m, between the faint lines of a plan */
@@ -17,7 +18,8 @@ void house_scene_make(Scene *scene, const House *house, const Observation *obser
 typedef struct Before {
     const House *house;
     const Observation *observation;
-    const char *name; /* its name, if not "before"; or NULL */
+    const char *name;     /* its name, if not "before"; or NULL */
+    const Grade *letters; /* (house->person_count) of its grades, or NULL */
 } Before;
 
 static inline const char *house_scene_before_name(Before before) {

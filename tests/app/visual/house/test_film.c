@@ -239,6 +239,21 @@ TEST(a_touch_is_seen_where_it_is) {
     hide(&shown);
 }
 
+TEST(the_answer_of_a_film_and_of_its_comparison_has_the_grade) {
+    Grade now = {.letter = GRADE_B}, then = {.letter = GRADE_D};
+    Shown shown;
+    show(&shown, "corner-1.20-1.20", (FilmOptions){.letters = &now});
+    const char *title = film_still(shown.film)->title, *detail = film_still(shown.film)->detail;
+    CHECK(strstr(title, "Out in ") && strstr(title, ", grade B"));
+    CHECK(strncmp(detail, "with care; ", strlen("with care; ")) == 0);
+    const Before before = {.house = &shown.house, .observation = &shown.observation, .letters = &then};
+    Film *film = film_create(&shown.house, &shown.observation, &(FilmOptions){.letters = &now, .before = before});
+    detail = film_still(film)->detail;
+    CHECK(strstr(detail, "before: Out in ") && strstr(detail, ", grade D; now: with care"));
+    film_destroy(film);
+    hide(&shown);
+}
+
 /* In a crowd each person still inside is shown once, and the exits count the others. */
 TEST(a_crowd_is_counted_out) {
     House house;
