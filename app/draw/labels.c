@@ -82,7 +82,8 @@ typedef struct Places {
     Mask mask;
     Layout *layout;
     const Layout *under; /* the layer below, whose labels are claimed, too; or NULL */
-    size_t names;        /* of rooms and furniture, that still may be placed */
+    const Scene *scene;
+    size_t names; /* of rooms and furniture, that still may be placed */
 } Places;
 
 static bool overlap(Box a, Box b) {
@@ -105,7 +106,7 @@ static bool overlaps_any(const Layout *layout, Box box) {
 static bool is_free(const Places *places, Box box) {
     Box frame = places->layout->frame;
     return box.low.x >= frame.low.x && box.low.y >= frame.low.y && box.high.x <= frame.high.x &&
-           box.high.y <= frame.high.y && !overlaps_any(places->layout, box) &&
+           box.high.y <= frame.high.y && !overlap(box, places->layout->taken) && !overlaps_any(places->layout, box) &&
            (!places->under || !overlaps_any(places->under, box));
 }
 
@@ -262,12 +263,70 @@ static bool is_across(const Layout *layout, const Primitive *label, Box box) {
     return overlap(box, apart) && !(box_holds(apart, box.low) && box_holds(apart, box.high));
 }
 
+/* Moves a caption into the frame and below the texts above the plan. */
+static void clamp_to_view(const Layout *layout, Caption *caption) {
+    clamp_within(caption, (Box){{layout->frame.low.x, layout->plan.low.y - AIR}, layout->frame.high});
+}
+
+/* True if the caption of a label hides nothing where it stands. */
+static bool stands_free(const Places *places, const Primitive *label, const Caption *caption) {
+    Box box = caption_box(caption);
+    return is_free(places, box) && !is_across(places->layout, label, box);
+}
+
+static double distance_to(Box box, Vec2 p) {
+    return vec2_distance(p, vec2(real_clamp(p.x, box.low.x, box.high.x), real_clamp(p.y, box.low.y, box.high.y)));
+}
+
+/* True if no other label with several places has its point nearer to the caption of a label than this one has. */
+static bool is_at_own_point(const Places *places, const Primitive *label, const Caption *caption) {
+    Box box = caption_box(caption);
+    double own = distance_to(box, caption->pointed);
+    for (size_t i = 0; i < places->scene->count; i++) {
+        const Primitive *other = &places->scene->primitives[i];
+        if (other->kind == PRIMITIVE_LABEL && other->fixed && other->count > 2 && other != label &&
+            distance_to(box, layout_raised(places->layout, other->points[0], other->base)) < own)
+            return false;
+    }
+    return true;
+}
+
+/* True if the caption of a label is free at a place, or after a move into the view that leaves its point bare. */
+static bool fits_place(const Places *places, const Primitive *label, Caption *caption) {
+    Vec2 place = caption->centre;
+    clamp_to_view(places->layout, caption);
+    return vec2_distance(caption->centre, place) <= GAP && stands_free(places, label, caption);
+}
+
 /* Finds the first free place of a label with several; false: there is none. */
 static bool find_place(const Places *places, const Primitive *label, const char *text, Caption *caption) {
     for (size_t i = 1; text && i + 1 < label->count; i += 2) {
         *caption = beside(places, label, text, i, i + 1);
-        Box box = caption_box(caption);
-        if (is_free(places, box) && !is_across(places->layout, label, box))
+        caption->pointed = layout_raised(places->layout, label->points[0], label->base);
+        if (fits_place(places, label, caption) && is_at_own_point(places, label, caption))
+            return true;
+    }
+    return false;
+}
+
+/* Finds the free place nearest to the point of a label whose own places are all taken, if possible where no other
+ * label's point is nearer, and in the direction of its first place; false: there is none. */
+static bool find_nearby(const Places *places, const Primitive *label, const char *text, Caption *caption) {
+    const Layout *layout = places->layout;
+    Vec2 from = layout_raised(layout, label->points[1], label->base);
+    Vec2 towards = vec2_sub(layout_raised(layout, label->points[2], label->base), from);
+    Primitive shown = *label;
+    shown.text = text;
+    *caption = label_caption(places->layout, &shown, layout_raised(layout, label->points[0], label->base), label->size);
+    Vec2 at = caption->pointed, half = vec2_scale(caption->extent, 0.5);
+    for (int i = 0; i < 2 * RINGS * DIRECTIONS; i++) {
+        int ring = i / DIRECTIONS % RINGS, turn = i % DIRECTIONS;
+        int steps = turn % 2 ? (turn + 1) / 2 : -turn / 2; /* to both sides of the direction in turn */
+        Vec2 way = vec2_heading(atan2(towards.y, towards.x) + 2 * M_PI * steps / DIRECTIONS);
+        double reach = GAP + ring * RING_STEP;
+        caption->centre = vec2_add(at, vec2(way.x * (half.x + reach), way.y * (half.y + reach)));
+        bool second_round = i >= RINGS * DIRECTIONS;
+        if (fits_place(places, label, caption) && (second_round || is_at_own_point(places, label, caption)))
             return true;
     }
     return false;
@@ -289,13 +348,13 @@ static void place_fixed(Places *places, const Primitive *label) {
     Vec2 at = layout_raised(layout, label->points[0], label->base);
     Caption caption =
         label->count == 2 ? beside(places, label, label->text, 0, 1) : caption_on_point(layout, label, at);
-    Box room = {{layout->frame.low.x, layout->plan.low.y - AIR}, layout->frame.high};
+    const char *brief = label->brief ? label->brief : label->text;
     if (label->count > 2 && !find_place(places, label, label->text, &caption) &&
-        !find_place(places, label, label->brief, &caption))
-        caption = beside(places, label, label->brief ? label->brief : label->text, 1, 2);
-    clamp_within(&caption, room);
-    Box box = caption_box(&caption);
-    if (label->optional && (!is_free(places, box) || is_across(layout, label, box)))
+        !find_place(places, label, label->brief, &caption) &&
+        (label->optional || !find_nearby(places, label, brief, &caption)))
+        caption = beside(places, label, brief, 1, 2);
+    clamp_to_view(layout, &caption);
+    if (label->optional && !stands_free(places, label, &caption))
         return;
     *caption_add(layout, caption.text, caption.size, caption.bold, at) = caption;
 }
@@ -308,7 +367,7 @@ static bool has_free_labels(const Scene *scene) {
 }
 
 void labels_place(Layout *layout, const Layout *under, const Scene *scene) {
-    Places places = {.layout = layout, .under = under};
+    Places places = {.layout = layout, .under = under, .scene = scene};
     size_t fixed = layout->caption_count;
     for (size_t i = 0; i < scene->count; i++)
         if (scene->primitives[i].kind == PRIMITIVE_LABEL && scene->primitives[i].fixed &&

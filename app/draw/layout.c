@@ -440,7 +440,7 @@ static void place_margins(Layout *layout, const Scene *scene) {
 }
 
 void layout_make(Layout *layout, const Scene *scene, Vec2 page) {
-    *layout = (Layout){.page = page};
+    *layout = (Layout){.page = page, .taken = scene->taken};
     place_band(layout, scene);
     bool below = divide_page(layout, scene);
     place_plan(layout, scene);
@@ -462,6 +462,7 @@ void layout_make_over(Layout *layout, const Layout *under, const Scene *scene) {
     layout->page = under->page;
     layout->frame = under->frame;
     layout->plan = under->plan;
+    layout->taken = under->taken;
     layout->view = under->view;
     layout->metre = under->metre;
     layout->caption_count = layout->sample_count = 0;

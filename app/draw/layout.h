@@ -46,6 +46,7 @@ typedef struct Layout {
     Box band, list; /* empty when the scene has no answer, no rows and no panels */
     Box frame;      /* the rest of the page; clips the scene */
     Box plan;       /* within the frame, around the scene's box */
+    Box taken;      /* the scene's, in which no label lies */
     View view;
     double metre;             /* design points per metre of the plan; in a raised view, at its middle */
     Box panels[SCENE_PANELS]; /* (scene.panels) */

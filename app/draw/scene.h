@@ -100,7 +100,7 @@ typedef struct Primitive {
     bool bold;
     bool fixed;    /* labels: exactly on their point, or next to it towards points[1]: moving labels must not jump.
                       With more points, next to points[1] towards points[2], or next to points[3] towards points[4],
-                      and so on: the first place that is free */
+                      and so on: the first place that is free, otherwise the nearest free one around points[0] */
     bool optional; /* labels: left out rather than put over something */
     bool note;     /* labels: says how the picture is made; left out of a quiet scene */
     bool level;    /* labels: never turned */
@@ -153,6 +153,7 @@ typedef struct Scene {
     bool quiet;          /* without notes: for a presentation */
     bool keyed;          /* with a key at the foot, which the scale bar keeps off: */
     double key_end;      /* m, its right end */
+    Box taken;           /* design points of the page: labels stay out of it, since a button lies there; empty: none */
     int panels;          /* pictures next to it, for instance plots, instead of the rows; at most SCENE_PANELS */
     double panel_height; /* design points, the least height of panels below the plan; 0: the place that leaves the plan
                             larger */

@@ -17,6 +17,8 @@
 #define MARGIN 12.0
 #define LEAST_SIDE 24.0
 #define EDIT_HEIGHT 32.0
+#define EDIT_TOP 8.0
+#define EDIT_AIR 4.0      /* around the button, free of labels */
 #define SCALE_WIDTH 150.0 /* of the view's scale bar, at the right */
 #define SCALE_HEIGHT 40.0 /* of the scale bar with its number, in the same corner */
 #define LEAST_NOTE 110.0  /* width of a note */
@@ -36,6 +38,38 @@ enum { RING_POINTS = 36 };
 
 static Vec2 middle_of(Box box) {
     return vec2_scale(vec2_add(box.low, box.high), 0.5);
+}
+
+/* The button that shows the tools ---------------------------------------------------------------------------------- */
+
+static const char *edit_label(bool editing) {
+    return editing ? "\u2713 Done editing" : "\u270e Edit plan";
+}
+
+/* True if the view has the button that shows the tools. */
+static bool has_edit_button(Window *window) {
+    return tab_editor(window_tab(window)) && !window->present && !window->frame.compact;
+}
+
+static double edit_width(Window *window, bool editing) {
+    return ui_extent(window->ui, UI_BODY, edit_label(editing)).x + 2 * MARGIN;
+}
+
+/* Shows the button that shows the tools or puts them away. */
+static void show_edit_button(Window *window) {
+    Vec2 low = vec2_add(window->frame.view.low, vec2(MARGIN, EDIT_TOP));
+    ui_at(window->ui, (Box){low, vec2_add(low, vec2(edit_width(window, window->editing), EDIT_HEIGHT))});
+    if (ui_button(window->ui, &(UiButton){.id = "edit plan",
+                                          .label = edit_label(window->editing),
+                                          .help = keys_help(&window->arena, ACTION_EDIT_PLAN)}))
+        act_do(window, ACTION_EDIT_PLAN, 0, 0);
+}
+
+/* Keeps the labels of the picture off the button, with either of its labels. */
+static void keep_off_edit_button(Window *window, ViewLayers *layers) {
+    double width = fmax(edit_width(window, false), edit_width(window, true));
+    Box button = {{MARGIN, EDIT_TOP}, {MARGIN + width, EDIT_TOP + EDIT_HEIGHT}};
+    view_layers_take(layers, has_edit_button(window) ? box_expand(button, EDIT_AIR) : (Box){0});
 }
 
 /* Pictures --------------------------------------------------------------------------------------------------------- */
@@ -76,6 +110,7 @@ void canvas_paint(Window *window) {
     if (!tab->session || width < LEAST_SIDE || height < LEAST_SIDE)
         return;
     view_layers_fit(&tab->view_layers, sdl_window_gl(window->sdl_window), width, height, window->unit, window->theme);
+    keep_off_edit_button(window, &tab->view_layers);
     tab->view_layers.plain = window->present;
     if (tab->view_layers.paint)
         view_layers_show(&tab->view_layers, tab->laboratory, tab->session, tab_time(tab));
@@ -117,31 +152,10 @@ static size_t plot_of(const Tab *tab, const PlotPane *pane) {
 
 /* The view --------------------------------------------------------------------------------------------------------- */
 
-static const char *edit_label(const Window *window) {
-    return window->editing ? "\u2713 Done editing" : "\u270e Edit plan";
-}
-
-/* True if the view has the button that shows the tools. */
-static bool has_edit_button(Window *window) {
-    return tab_editor(window_tab(window)) && !window->present && !window->frame.compact;
-}
-
-/* Shows the button that shows the tools or puts them away. */
-static void show_edit_button(Window *window) {
-    Box view = window->frame.view;
-    const char *label = edit_label(window);
-    Vec2 low = vec2_add(view.low, vec2(MARGIN, 8));
-    ui_at(window->ui,
-          (Box){low, vec2_add(low, vec2(ui_extent(window->ui, UI_BODY, label).x + 2 * MARGIN, EDIT_HEIGHT))});
-    if (ui_button(window->ui,
-                  &(UiButton){.id = "edit plan", .label = label, .help = keys_help(&window->arena, ACTION_EDIT_PLAN)}))
-        act_do(window, ACTION_EDIT_PLAN, 0, 0);
-}
-
 /* Returns the left edge of the note: next to the button. */
 static double note_left(Window *window) {
     double left = window->frame.view.low.x + MARGIN;
-    return has_edit_button(window) ? left + ui_extent(window->ui, UI_BODY, edit_label(window)).x + 4 * MARGIN : left;
+    return has_edit_button(window) ? left + edit_width(window, window->editing) + 2 * MARGIN : left;
 }
 
 /* Returns the box of the plan and its names in the view, design points. */

@@ -21,6 +21,15 @@ void view_layers_clear(ViewLayers *view_layers) {
     *view_layers = (ViewLayers){0};
 }
 
+void view_layers_take(ViewLayers *view_layers, Box taken) {
+    Box now = view_layers->taken;
+    if (now.low.x == taken.low.x && now.low.y == taken.low.y && now.high.x == taken.high.x &&
+        now.high.y == taken.high.y)
+        return;
+    view_layers->taken = taken;
+    view_layers_invalidate(view_layers);
+}
+
 void view_layers_invalidate(ViewLayers *view_layers) {
     view_layers->painted = false;
 }
@@ -46,6 +55,7 @@ static void lay_over(ViewLayers *view_layers, Layout *layout, const Scene *scene
 
 static void paint_still(ViewLayers *view_layers, const Scene *scene) {
     Scene shown = *scene;
+    shown.taken = view_layers->taken;
     shown.unscaled |= view_layers->plain;
     shown.quiet = view_layers->plain;
     shown.grid = view_layers->plain ? 0 : shown.grid;

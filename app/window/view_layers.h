@@ -12,12 +12,16 @@ typedef struct ViewLayers {
     Theme theme;
     bool painted; /* the static layer is painted */
     bool plain;   /* for a presentation: only the most dangerous place has its disc, without scale bar and grid */
+    Box taken;    /* design points of the picture, by a button over it: labels keep off */
     Layout still, added, moving;
 } ViewLayers;
 
 /* Sets the size; a picture of another size is empty. */
 void view_layers_fit(ViewLayers *view_layers, const Gl *gl, int width, int height, double unit, Theme theme);
 void view_layers_clear(ViewLayers *view_layers);
+
+/* Sets the place that labels keep off. */
+void view_layers_take(ViewLayers *view_layers, Box taken);
 
 /* Marks the static layer as changed. */
 void view_layers_invalidate(ViewLayers *view_layers);

@@ -38,8 +38,14 @@ def written(screen):
     return state["text_in_view"] + above, view, state
 
 
+def signs_of(texts):
+    """Returns the boxes of the exits' signs, by what stands on them before the number of people."""
+    named = {text["string"].split(":")[0]: text["box"] for text in texts}
+    return {name: box for name, box in named.items() if re.match(r"EXIT|e[0-9]+$", name)}
+
+
 def look(screen, what):
-    """Checks what is written at this moment."""
+    """Checks what is written at this moment, and returns the places of the exits' signs."""
     texts, view, state = written(screen)
     standing = [t for t in texts if not is_person(t)]  # letters of people move over what lies on the floor
     pairs = [(a["string"], b["string"]) for a, b in itertools.combinations(standing, 2) if overlap(a["box"], b["box"])]
@@ -56,6 +62,7 @@ def look(screen, what):
     kept = os.environ.get("CLEARANCE_SCREENS")
     if kept:
         shutil.copy(screen.shot("now"), pathlib.Path(kept) / f"{what.replace(' ', '-').replace(',', '')}.png")
+    return signs_of(texts)
 
 
 chosen = [name for name in sys.argv[2:] if name in HOUSES] if sys.argv[2:] else HOUSES
@@ -65,17 +72,21 @@ for (width, height), name in itertools.product(SIZES, chosen):
     if screen.state()["playing"]:
         screen.keys("space")
     screen.point_to(width - 1, height - 1)
-    first = screen.state()["layers"]
+    first, signs = screen.state()["layers"], {}
     for theme in ("paper", "board"):
         for part in (0, 1):
             for layers in ("first", "all"):
                 if layers == "all":
                     screen.keys(*[str(i) for i in range(1, 10) if not screen.last["layers"] & 1 << i - 1])
-                look(screen, f"{name}, {height}, {theme}, {('begin', 'middle')[part]}, {layers} layers")
+                where = f"{name}, {height}, {theme}, {('begin', 'middle')[part]}, {layers} layers"
+                now = look(screen, where)
+                check(signs.setdefault(layers, now) == now, f"3: {where}: the exits' signs stay in place", (signs[layers], now))
                 if theme == "paper":
                     screen.keys("v")
                     screen.until(lambda s: s["raised"])
-                    look(screen, f"{name}, {height}, {theme}, {('begin', 'middle')[part]}, {layers} layers, raised")
+                    now = look(screen, f"{where}, raised")
+                    check(signs.setdefault(layers + "raised", now) == now,
+                          f"3: {where}, raised: the exits' signs stay in place", (signs[layers + "raised"], now))
                     screen.keys("v")
             screen.keys(*[str(i) for i in range(1, 10) if (screen.last["layers"] ^ first) & 1 << i - 1])
             check(screen.last["layers"] == first, "the layers are as at first", (first, screen.last["layers"]))
