@@ -10,6 +10,7 @@
 #define WALL_EDGE 1.5 /* keeps thin walls of large plans visible */
 #define THIN_WALL 3.0 /* walls without thickness */
 #define FURNITURE_EDGE 2.0
+#define FALLEN_EDGE 3.0
 #define LEAF 4.0
 #define SWING 1.5
 #define EXIT_BAND 10.0
@@ -70,14 +71,16 @@ static Primitive *add_body(Scene *scene, const Furniture *piece, double share) {
 
 static void add_furniture(Scene *scene, const Furniture *piece) {
     Primitive *body = add_body(scene, piece, piece->toppled);
-    body->hatched = piece->toppled;
     body->height = fmin(furniture_fall_height(piece, piece->toppled), PLAN_SCENE_STOREY);
     if (!piece->toppled)
         return;
+    body->hatched = true;
+    body->edge = ROLE_ERROR;
+    body->width = FALLEN_EDGE;
     Vec2 corners[4];
     furniture_fall_corners(piece, 0, corners);
     Primitive *before = scene_add_polygon(scene, ROLE_FURNITURE, corners, 4);
-    before->edge = ROLE_WALL;
+    before->edge = ROLE_ERROR;
     before->width = FURNITURE_EDGE;
     before->style = LINE_DASHED;
 }
