@@ -20,6 +20,9 @@ typedef enum HouseItem {
     HOUSE_ITEMS,
 } HouseItem;
 
+/* The heading on the panel above the pieces that stop people in earthquakes. */
+#define HOUSE_FIX_HEADING "What to fix to the wall"
+
 enum { HOUSE_ITEM_NAME = 128 /* characters of an item's name */ };
 
 size_t house_item_count(const House *house, const Observation *observation, int kind);

@@ -47,6 +47,8 @@ typedef struct Tab {
     bool trial_near;         /* and has been brought near */
     PlotPanes panes;
     bool plot_panes_stale; /* the panes must be chosen again */
+    uint64_t shaken_in;    /* number of the last earthquake that was seen; 0: none */
+    uint64_t fixed_in;     /* number of that after which a piece was fixed to the wall; 0: none is fixed */
     double worked;         /* s of wall time spent simulating */
 } Tab;
 

@@ -22,14 +22,22 @@
 
 enum { TRY_WATCH = 1, TRY_NARROW = 2, TRY_SHAKE = 4, TRY_ALL = 7, TRIES = 3 };
 
-static const struct {
+typedef struct Try {
     int bit;
     const char *label, *help;
-} tries[TRIES] = {
+} Try;
+
+static const Try tries[TRIES] = {
     {TRY_WATCH, "1  Watch them leave (Space)", "Watch them leave (Space): Play the run"},
     {TRY_NARROW, "2  Make a door narrower", "Make a door narrower: Select the tightest door and open its width"},
     {TRY_SHAKE, "3  Shake the house (Shift+T)", "Shake the house (Shift+T): Make an earthquake; some furniture falls"},
 };
+
+/* The parts of the third that follow the earthquake. */
+static const Try fix = {TRY_SHAKE, "3  Fix one piece to the wall",
+                        "Fix one piece to the wall: Fix the piece that blocks the way most often, then shake again"};
+static const Try again = {TRY_SHAKE, "3  Shake again (Shift+T)",
+                          "Shake again (Shift+T): Make another earthquake; the fixed piece stays where it is"};
 
 /* True where the strip belongs: in a house from a file, where there is something to try, in a window that a person
  * sees. */
@@ -47,9 +55,46 @@ static bool has_free_strip(Window *window) {
            !window->export && !notice_shown(window, &faults);
 }
 
+/* True if a piece that falls in the file's house is fixed to the wall. */
+static bool has_fixed(const Tab *tab) {
+    size_t count;
+    const PanelParameter *parameters = tab->laboratory->parameters(tab->session, &count);
+    for (size_t i = 0; i < count; i++) {
+        const char *end = strrchr(parameters[i].name, '.');
+        if (end && strcmp(end, ".topples") == 0 && parameters[i].value != parameters[i].initial &&
+            parameters[i].value == TOPPLE_NO)
+            return true;
+    }
+    return false;
+}
+
+/* Returns the button of the panel that fixes a piece to the wall; NULL: there is none. `known`: the panel tells which
+ * pieces stop somebody. */
+static const PanelRow *fix_row(const Tab *tab, bool *known) {
+    size_t count;
+    const PanelRow *rows = tab->laboratory->rows(tab->session, &count);
+    *known = false;
+    for (size_t i = 0; i < count; i++) {
+        *known |= rows[i].row.kind == ROW_HEADING && strcmp(rows[i].row.cells[0], HOUSE_FIX_HEADING) == 0;
+        if (rows[i].act == ROW_ACT_FIX)
+            return &rows[i];
+    }
+    return NULL;
+}
+
+/* Returns a thing to try, in the part that is due. */
+static const Try *try_now(const Window *window, const Tab *tab, int index) {
+    EditorShake shake;
+    if (tries[index].bit != TRY_SHAKE || window->settings.state.tried & TRY_SHAKE)
+        return &tries[index];
+    if (tab->fixed_in)
+        return &again;
+    return editor_last_shake(tab_editor(tab), &shake) ? &fix : &tries[index];
+}
+
 /* Returns the width that the button of a thing to try needs. */
-static double button_width(Window *window, int index) {
-    return ui_extent(window->ui, UI_BOLD, tries[index].label).x + BUTTON_PAD;
+static double button_width(Window *window, const Try *try) {
+    return ui_extent(window->ui, UI_BOLD, try->label).x + BUTTON_PAD;
 }
 
 /* Returns the first thing that has not been tried; TRIES: all have. */
@@ -73,7 +118,8 @@ void tries_take_room(Window *window) {
     if (!is_due(window))
         return;
     if (right < LEAST_WIDTH || foot - frame->view.low.y < LEAST_VIEW) {
-        double width = 2 * GAP + HEAD_WIDTH + button_width(window, next_try(window)) + GAP + CROSS_WIDTH;
+        const Try *due = try_now(window, window_tab(window), next_try(window));
+        double width = 2 * GAP + HEAD_WIDTH + button_width(window, due) + GAP + CROSS_WIDTH;
         if (has_free_strip(window) && width <= box_width(frame->strip))
             window->tries = (Box){frame->strip.low, {frame->strip.low.x + width, frame->strip.high.y}};
         return;
@@ -135,25 +181,57 @@ static void select_door(Window *window, Tab *tab) {
     ui_focus_number(window->ui, "panel");
 }
 
-static void begin(Window *window, Tab *tab, int bit) {
-    if (bit == TRY_WATCH) {
+/* Fixes the piece to the wall that the panel names, which it shows. */
+static void fix_piece(Window *window, Tab *tab) {
+    bool known;
+    Fault fault = {0};
+    const PanelRow *row = fix_row(tab, &known);
+    window->panel = window->drawer = true;
+    ui_focus(window->ui, "view");
+    if (row)
+        editor_fix_to_wall(tab_editor(tab), row->item, &fault);
+    else
+        notice_post(window, "100 earthquakes are being worked out: wait until the panel names the piece to fix");
+    notice_fault(window, &fault, NAN);
+}
+
+static void begin(Window *window, Tab *tab, const Try *try) {
+    if (try->bit == TRY_WATCH) {
         tab_seek(tab, 0);
         tab->player.playing = true;
-    } else if (bit == TRY_NARROW) {
+    } else if (try->bit == TRY_NARROW) {
         select_door(window, tab);
+    } else if (try == &fix) {
+        fix_piece(window, tab);
     } else {
         act_do(window, ACTION_SHAKE, 0, 0);
     }
     window->dirty = true;
 }
 
-static void note_done(Window *window, const Tab *tab) {
+/* True once a piece was fixed to the wall after an earthquake, and another earthquake followed; or after an earthquake
+ * of a house in which no piece is worth fixing, or of one with so many people that none is named. */
+static bool has_shaken(Tab *tab) {
+    EditorShake shake;
+    bool shaken = editor_last_shake(tab_editor(tab), &shake), known;
+    if (shaken)
+        tab->shaken_in = shake.seed;
+    if (!has_fixed(tab))
+        tab->fixed_in = 0;
+    else if (!tab->fixed_in)
+        tab->fixed_in = tab->shaken_in;
+    if (!shaken || tab->fixed_in)
+        return shaken && shake.seed > tab->fixed_in;
+    return tab_opens_plots(tab, false) || (!fix_row(tab, &known) && known);
+}
+
+static void note_done(Window *window, Tab *tab) {
     int *tried = &window->settings.state.tried;
     if (tab->player.time > WATCHED && tab->player.playing)
         *tried |= TRY_WATCH;
     if (!(*tried & TRY_NARROW) && has_narrowed(tab))
         *tried |= TRY_NARROW;
-    if (*editor_shake_result(tab_editor(tab)))
+    if (!(*tried & TRY_SHAKE) && has_shaken(tab))
         *tried |= TRY_SHAKE;
 }
 
@@ -171,14 +249,15 @@ static void end_narrowing(Window *window) {
 }
 
 static void show_try(Window *window, Tab *tab, int index, Box box, bool due) {
-    bool done = window->settings.state.tried & tries[index].bit;
+    const Try *try = try_now(window, tab, index);
+    bool done = window->settings.state.tried & try->bit;
     UiButton button = {.id = text_in_arena(&window->arena, "try %d", index),
-                       .label = text_in_arena(&window->arena, "%s%s", done ? "\u2713 " : "", tries[index].label),
-                       .help = tries[index].help,
+                       .label = text_in_arena(&window->arena, "%s%s", done ? "\u2713 " : "", try->label),
+                       .help = try->help,
                        .chosen = due && !done};
     ui_at(window->ui, box);
     if (ui_button(window->ui, &button))
-        begin(window, tab, tries[index].bit);
+        begin(window, tab, try);
 }
 
 static void show_strip(Window *window, Tab *tab, Box strip) {

@@ -1,6 +1,7 @@
 /* The strip of three first things to try, between the view and the timeline; in a small window it is the next one
- * alone, in the strip of keys. Each is ticked once it has been done;
- * after the third, or its cross, the strip is gone until Help > Try this. */
+ * alone, in the strip of keys. Each is ticked once it has been done, the third once a piece was fixed to the wall
+ * after an earthquake and the house was shaken again; after all three, or its cross, the strip is gone until Help > Try
+ * this. */
 #pragma once
 
 #include "window/window_state.h"

@@ -92,7 +92,7 @@ static const OutlookPiece *piece_to_fix(const HouseSession *session, const Outlo
 static void add_pieces(HouseSession *session, const Outlook *outlook) {
     Arena *arena = &session->texts.moment.arena;
     const OutlookPiece *fixed = piece_to_fix(session, outlook);
-    PanelRow *heading = house_rows_add(session, ROW_HEADING, "What to fix to the wall");
+    PanelRow *heading = house_rows_add(session, ROW_HEADING, HOUSE_FIX_HEADING);
     heading->advice = true;
     heading->row.cells[1] = fixed ? name_of(session, item_of(session, fixed->id)) : "nothing";
     for (size_t f = 0; f < outlook->piece_count && f < PIECES_MOST; f++) {

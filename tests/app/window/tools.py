@@ -277,7 +277,12 @@ def middle_of(box, part=0.5):
     return box[0] + part * (box[2] - box[0]), (box[1] + box[3]) / 2
 
 
-first = Plan("tries")
+def third():
+    """Returns the words on the third button of the strip."""
+    return next((t["string"] for t in first.texts() if t["string"].lstrip("\u2713 ").startswith("3  ")), "")
+
+
+first = Plan("tries", texts=True)
 state = first.until(lambda s: s.get("complete") and s["frame"]["tries"][2] > 0)
 strip = state["frame"]["tries"]
 check(strip[3] - strip[1] >= 46 and state["frame"]["view"][3] <= strip[1], "21: an empty home has a strip to try", strip)
@@ -305,6 +310,26 @@ first.keys("Return", "ctrl+a")
 first.type("0.7")
 first.keys("Return")
 check(first.state()["focus"] == "view", "21: a width that was typed leads back to the plan, too", first.state()["focus"])
+check(third() == "3  Shake the house (Shift+T)", "21: the third begins with an earthquake", third())
+first.keys("shift+t")
+state = first.until(lambda s: third() == "3  Fix one piece to the wall", patience=30)
+check(state["tried"] == 3 and third() == "3  Fix one piece to the wall", "21: goes on with what to fix", (third(), state["tried"]))
+first.shot("fix-one-piece")
+first.keys("shift+t")
+check(first.state()["tried"] == 3, "21: another earthquake alone is no fix", first.state()["tried"])
+first.until(lambda s: "What to fix to the wall" in [row[0] for row in s["rows"]], patience=240)
+piece = next(text["string"] for text in first.texts() if text["string"].startswith("Fix the "))
+first.click(*middle_of(strip, 0.85))
+state = first.until(lambda s: s["undo_name"].startswith("Fix "))
+check(state["undo_name"] == piece.replace("the ", "") + " to the wall" and state["focus"] == "view",
+      "21: its button fixes the piece that the panel names, as one step", (state["undo_name"], piece, state["focus"]))
+check(first.until(lambda s: third() == "3  Shake again (Shift+T)") and first.state()["tried"] == 3,
+      "21: and then with the same house shaken again", (third(), first.state()["tried"]))
+first.shot("shake-again")
+first.keys("ctrl+z")
+check(first.until(lambda s: third() == "3  Fix one piece to the wall"), "21: undone, the piece is to be fixed again", third())
+first.keys("ctrl+y")
+first.until(lambda s: third() == "3  Shake again (Shift+T)")
 first.keys("shift+t")
 state = first.until(lambda s: s["frame"]["tries"][2] == 0)
 check(state["tried"] == 7 and state["frame"]["tries"][2] == 0, "21: after the third the strip is gone", state["tried"])
