@@ -3,8 +3,14 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/quantity.h"
 #include "laboratory/edit/gesture.h"
 #include "laboratory/edit/select.h"
+
+enum {
+    TEXT_MOST = 4096,  /* bytes of a text that a field of the panel holds, with the zero */
+    POINTS_MOST = 1024 /* corners in such a text */
+};
 
 static const char *const kind_names[DRAFT_LISTS] = {"wall", "door",   "furniture", "room",
                                                     "exit", "person", "crowd",     "route"};
@@ -13,6 +19,141 @@ static void add(Editor *edit, size_t *count, EditText text) {
     edit->texts = memory_reserve(edit->texts, &edit->text_capacity, *count + 1, sizeof *edit->texts);
     edit->texts[(*count)++] = text;
 }
+
+/* Corners and times ------------------------------------------------------------------------------------------------ */
+
+/* Writes the member of an element as it is typed. False: it is too long for a field. */
+typedef bool (*Write)(const json_t *element, char text[TEXT_MOST]);
+
+/* Sets the member by what was typed; false: the reason is a fault. */
+typedef bool (*Read)(Draft *draft, const char *id, const char *typed, Fault *fault);
+
+static bool write_points(const json_t *points, char text[TEXT_MOST]) {
+    size_t i, length = 0;
+    json_t *point;
+    *text = 0;
+    json_array_foreach(points, i, point) {
+        double x = json_number_value(json_array_get(point, 0)), y = json_number_value(json_array_get(point, 1));
+        length += (size_t)snprintf(text + length, TEXT_MOST - length, "%s%.9g %.9g", i ? "; " : "", x, y);
+        if (length >= TEXT_MOST)
+            return false;
+    }
+    return true;
+}
+
+/* Reads "x y; x y" in m. Returns the number of points; 0: the reason is a fault. */
+static size_t read_points(const char *typed, Vec2 points[POINTS_MOST], Fault *fault) {
+    char words[TEXT_MOST], reason[QUANTITY_REASON] = "two numbers belong to a corner", *rest = words, *corner;
+    size_t count = 0;
+    snprintf(words, sizeof words, "%s", typed);
+    while ((corner = strsep(&rest, ";"))) {
+        char *numbers = corner, *x = strtok_r(numbers, " ", &numbers), *y = strtok_r(NULL, " ", &numbers);
+        if (!x && !rest && count)
+            break; /* a semicolon at the end */
+        bool pair = x && y && !strtok_r(NULL, " ", &numbers);
+        if (count == POINTS_MOST || !pair || !quantity_read(x, "m", &points[count].x, reason) ||
+            !quantity_read(y, "m", &points[count].y, reason)) {
+            fault_add(fault, "corner %zu: %s; type x and y in m, and a semicolon between corners: 0 0; 4 0; 4 3",
+                      count + 1, reason);
+            return 0;
+        }
+        count++;
+    }
+    return count;
+}
+
+static bool write_wall(const json_t *wall, char text[TEXT_MOST]) {
+    return write_points(json_object_get(wall, "points"), text);
+}
+
+static bool read_wall(Draft *draft, const char *id, const char *typed, Fault *fault) {
+    Vec2 points[POINTS_MOST];
+    size_t count = read_points(typed, points, fault);
+    return count && draft_set_points(draft, id, "points", points, count);
+}
+
+static bool write_room(const json_t *room, char text[TEXT_MOST]) {
+    return write_points(json_object_get(room, "outline"), text);
+}
+
+static bool read_room(Draft *draft, const char *id, const char *typed, Fault *fault) {
+    Vec2 points[POINTS_MOST];
+    size_t count = read_points(typed, points, fault);
+    return count && draft_set_points(draft, id, "outline", points, count);
+}
+
+static bool write_exit(const json_t *exit, char text[TEXT_MOST]) {
+    json_t *ends = json_pack("[OO]", json_object_get(exit, "from"), json_object_get(exit, "to"));
+    bool fits = write_points(ends, text);
+    json_decref(ends);
+    return fits;
+}
+
+static bool read_exit(Draft *draft, const char *id, const char *typed, Fault *fault) {
+    Vec2 ends[POINTS_MOST];
+    size_t count = read_points(typed, ends, fault);
+    if (count && count != 2)
+        fault_add(fault, "an exit has two ends; type x and y in m of both: 0 1; 0 2");
+    return count == 2 && draft_set_point(draft, id, "from", ends[0]) && draft_set_point(draft, id, "to", ends[1]);
+}
+
+static bool write_closing(const json_t *exit, char text[TEXT_MOST]) {
+    const json_t *closes = json_object_get(exit, "closes");
+    snprintf(text, TEXT_MOST, "never");
+    if (json_is_number(closes))
+        snprintf(text, TEXT_MOST, "%.9g s", json_number_value(closes));
+    return true;
+}
+
+static bool read_closing(Draft *draft, const char *id, const char *typed, Fault *fault) {
+    char reason[QUANTITY_REASON];
+    double closes;
+    if (!*typed || strcmp(typed, "never") == 0)
+        return draft_set(draft, id, "closes", NULL);
+    if (!quantity_read(typed, "s", &closes, reason)) {
+        fault_add(fault, "%.60s: %s; type a time in s, or never", typed, reason);
+        return false;
+    }
+    return draft_set_number(draft, id, "closes", closes);
+}
+
+/* A member that is typed as a text though it is none in the file. */
+typedef struct Shape {
+    DraftList list;
+    const char *member, *group, *label, *step, *help;
+    Write write;
+    Read read;
+} Shape;
+
+static const Shape shapes[] = {
+    {DRAFT_WALLS, "corners", "Shape", "corners, m", "Change the corners of",
+     "Centre line: x and y of each corner, in m.", write_wall, read_wall},
+    {DRAFT_ROOMS, "corners", "Shape", "corners, m", "Change the corners of", "Outline: x and y of each corner, in m.",
+     write_room, read_room},
+    {DRAFT_EXITS, "ends", "Line and times", "ends, m", "Change the ends of",
+     "Line to cross: x and y of both ends, in m.", write_exit, read_exit},
+    {DRAFT_EXITS, "closes", "Line and times", "closes at", "Change the closing time of",
+     "Time from which nobody can leave by it, or never.", write_closing, read_closing},
+};
+enum { SHAPES = sizeof shapes / sizeof *shapes };
+
+static const Shape *find_shape(DraftList list, const char *member) {
+    for (size_t i = 0; i < SHAPES; i++)
+        if (shapes[i].list == list && strcmp(shapes[i].member, member) == 0)
+            return &shapes[i];
+    return NULL;
+}
+
+static void add_shapes(Editor *edit, size_t *count, DraftList list, const char *id, const json_t *element) {
+    char text[TEXT_MOST];
+    for (size_t i = 0; i < SHAPES; i++)
+        if (shapes[i].list == list && shapes[i].write(element, text))
+            add(edit, count,
+                (EditText){text_in_arena(&edit->text_arena, "%s.%s.%s", kind_names[list], id, shapes[i].member),
+                           shapes[i].group, shapes[i].label, arena_text(&edit->text_arena, text), shapes[i].help});
+}
+
+/* Texts ------------------------------------------------------------------------------------------------------------ */
 
 static bool is_named(DraftList list) {
     return list == DRAFT_FURNITURE || list == DRAFT_ROOMS;
@@ -33,6 +174,7 @@ static void add_selected(Editor *edit, size_t *count) {
     add(edit, count,
         (EditText){text_in_arena(&edit->text_arena, "%s.%s.id", kind_names[list], id), group, "id",
                    arena_text(&edit->text_arena, id), "Short name in the file, for references and settings."});
+    add_shapes(edit, count, list, id, draft_at(edit->draft, list, index));
 }
 
 const EditText *edit_text_list(Editor *edit, size_t *count) {
@@ -59,7 +201,8 @@ static bool split(const Editor *edit, const char *name, char id[EDIT_NAME], cons
     *member = last + 1;
     DraftList list = draft_find(edit->draft, id, &index);
     return list < DRAFT_LISTS && strlen(kind_names[list]) == kind && strncmp(kind_names[list], name, kind) == 0 &&
-           (strcmp(*member, "id") == 0 || (strcmp(*member, "name") == 0 && is_named(list)));
+           (strcmp(*member, "id") == 0 || (strcmp(*member, "name") == 0 && is_named(list)) ||
+            find_shape(list, *member));
 }
 
 static bool rename_element(Editor *edit, const char *id, const char *to, Fault *fault) {
@@ -78,6 +221,18 @@ static bool rename_element(Editor *edit, const char *id, const char *to, Fault *
     return good;
 }
 
+/* Changes a member that is typed as a text, in one step. */
+static bool reshape(Editor *edit, const char *id, const Shape *shape, const char *typed, Fault *fault) {
+    char step[EDIT_NAME], item[EDIT_NAME];
+    edit_select_name(edit, id, item);
+    snprintf(step, sizeof step, "%s %.80s", shape->step, item);
+    edit_gesture_begin_step(edit, step);
+    if (shape->read(edit->draft, id, typed, fault))
+        return edit_gesture_end_step(edit, fault);
+    draft_cancel(edit->draft);
+    return false;
+}
+
 bool edit_text_set(Editor *edit, const char *name, const char *value, Fault *fault) {
     char id[EDIT_NAME], step[EDIT_NAME], item[EDIT_NAME];
     const char *member;
@@ -93,6 +248,10 @@ bool edit_text_set(Editor *edit, const char *name, const char *value, Fault *fau
     }
     if (strcmp(member, "id") == 0)
         return rename_element(edit, id, value, fault);
+    size_t index;
+    const Shape *shape = find_shape(draft_find(edit->draft, id, &index), member);
+    if (shape)
+        return reshape(edit, id, shape, value, fault);
     edit_select_name(edit, id, item);
     snprintf(step, sizeof step, "Name %.100s", item);
     edit_gesture_begin_step(edit, step);

@@ -128,6 +128,58 @@ TEST(texts_are_changed_and_things_renamed_everywhere) {
     laboratory->close(session);
 }
 
+/* Returns the text of the selection with this name; NULL: there is none. */
+static const char *text_called(void *session, const char *name) {
+    size_t count;
+    const EditText *texts = editor_texts(laboratory->editor(session), &count);
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(texts[i].name, name) == 0)
+            return texts[i].value;
+    return NULL;
+}
+
+/* Sets a text that must be refused. */
+static void check_refused(void *session, const char *name, const char *value) {
+    Fault fault = {0};
+    char *before = editing_text(session);
+    CHECK(!editor_set_text(laboratory->editor(session), name, value, &fault) && fault.count == 1);
+    char *after = editing_text(session);
+    CHECK_TEXT(after, before);
+    memory_free(before);
+    memory_free(after);
+    fault_clear(&fault);
+}
+
+TEST(corners_ends_and_closing_times_are_typed_and_each_is_one_step) {
+    void *session = editing_open_text(editing_small_house);
+    Editor *editor = laboratory->editor(session);
+    char *before = editing_text(session);
+    Fault fault = {0};
+    editing_click(session, 0, 0.5);
+    CHECK_TEXT(text_called(session, "wall.w1.corners"), "0 0; 4 0; 4 3; 0 3; 0 0");
+    CHECK(
+        editing_succeeds(editor_set_text(editor, "wall.w1.corners", "0 0; 450cm 0; 4,5 3; 0 3; 0 0;", &fault), &fault));
+    CHECK(strstr(editor_text(editor), "\"points\": [[0, 0], [4.5, 0], [4.5, 3], [0, 3], [0, 0]]"));
+    CHECK(strstr(editor_undo_name(editor), "Change the corners of ") == editor_undo_name(editor));
+    check_refused(session, "wall.w1.corners", "0 0");
+    check_refused(session, "wall.w1.corners", "0 0; 4; 4 3");
+    check_refused(session, "wall.w1.corners", "0 0; 4 0 3; 4 3");
+    check_refused(session, "wall.w1.corners", "0 0; 4 kg; 4 3");
+    check_refused(session, "wall.w1.corners", "");
+    CHECK(editing_succeeds(editor_set_text(editor, "room.r1.corners", "0 0; 4 0; 4 3", &fault), &fault));
+    CHECK(strstr(editor_text(editor), "\"outline\": [[0, 0], [4, 0], [4, 3]]"));
+    CHECK_TEXT(editor_undo_name(editor), "Change the corners of hall");
+    check_refused(session, "exit.e1.ends", "4.8 1");
+    CHECK(editing_succeeds(editor_set_text(editor, "exit.e1.ends", "5.2 1; 5.2 2", &fault), &fault));
+    CHECK(strstr(editor_text(editor), "\"from\": [5.2, 1], \"to\": [5.2, 2]"));
+    CHECK(editing_succeeds(editor_set_text(editor, "exit.e1.closes", "1.5 min", &fault), &fault));
+    CHECK(strstr(editor_text(editor), "\"closes\": 90"));
+    check_refused(session, "exit.e1.closes", "soon");
+    CHECK(editing_succeeds(editor_set_text(editor, "exit.e1.closes", "never", &fault), &fault));
+    CHECK(!strstr(editor_text(editor), "closes"));
+    editing_undo_all(session, before);
+}
+
 /* Earthquakes and proposals ---------------------------------------------------------------------------------------- */
 
 TEST(a_shake_topples_what_its_seed_draws_and_is_one_step) {
