@@ -103,7 +103,7 @@ static bool show_text(Window *window, Editor *editor, const EditText *text) {
     char typed[TEXT_MOST];
     Fault fault = {0};
     snprintf(typed, sizeof typed, "%s", text->value);
-    const char *help = text_in_arena(&window->arena, "%s: %s; Return applies it", text->label, text->help);
+    const char *help = text_in_arena(&window->arena, "%s: %s Return applies it", text->label, text->help);
     const char *name = text_in_arena(&window->arena, "%s", text->name);
     if (!ui_field(window->ui, name, text->label, help, typed, sizeof typed) || strcmp(typed, text->value) == 0)
         return false;

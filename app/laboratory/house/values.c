@@ -23,7 +23,7 @@ static const Offer furniture_offers[] = {
     {"centre.x", "place, x", 0, 0}, {"centre.y", "place, y", 0, 0}, {"angle", "angle", -180, 180},
     {"size.x", "width", 0, 0},      {"size.y", "depth", 0, 0},      {"probability", "falls with probability", 0, 1},
     {"topples", "falls to", 0, 0},  {"toppled", "fallen", 0, 0}};
-static const Offer wall_offers[] = {{"thickness", "thickness", 0, 0.5}};
+static const Offer wall_offers[] = {{"thickness", "thickness", 0, 0.5}, {"height", "height", 0, 0}};
 static const Offer exit_offers[] = {{"opens", "opens at", 0, 60}};
 static const Offer person_offers[] = {{"delay", "delay", 0, 30},
                                       {"speed", "free speed (0: usual)", 0, 2},
