@@ -278,11 +278,12 @@ static double distance_to(Box box, Vec2 p) {
     return vec2_distance(p, vec2(real_clamp(p.x, box.low.x, box.high.x), real_clamp(p.y, box.low.y, box.high.y)));
 }
 
-/* True if no other label with several places has its point nearer to the caption of a label than this one has. */
+/* True if no other label with several places has its point nearer to the caption of a label than this one has. An
+ * optional label may stand anywhere: its places say what it belongs to. */
 static bool is_at_own_point(const Places *places, const Primitive *label, const Caption *caption) {
     Box box = caption_box(caption);
     double own = distance_to(box, caption->pointed);
-    for (size_t i = 0; i < places->scene->count; i++) {
+    for (size_t i = 0; !label->optional && i < places->scene->count; i++) {
         const Primitive *other = &places->scene->primitives[i];
         if (other->kind == PRIMITIVE_LABEL && other->fixed && other->count > 2 && other != label &&
             distance_to(box, layout_raised(places->layout, other->points[0], other->base)) < own)
