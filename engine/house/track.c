@@ -1,8 +1,8 @@
 #include "house/track.h"
 
 #include "base/real.h"
-#include "house/track_doors.h"
 #include "plan/plan_geometry.h"
+#include "route/doorway.h"
 #include "route/foresight.h"
 #include "route/pace.h"
 #include "space/passage.h"
@@ -45,6 +45,21 @@ static void mark_exit(Track *track, const Exit *exit) {
     for (size_t i = 0; i + 1 < track->count; i++)
         if (plan_geometry_leads_out(exit, track->points[i].at, track->points[i + 1].at))
             track->exit_s = track->points[i].s;
+}
+
+static void mark_doors(Track *track, const Plan *plan, const Profile *profile) {
+    int *doors = memory_zeroed(track->count, sizeof *doors), next_door = -1;
+    DoorwayPlace *places = memory_zeroed(track->count, sizeof *places);
+    for (size_t i = 0; i < track->count; i++)
+        places[i] = (DoorwayPlace){track->points[i].at, vec2_heading(track->points[i].heading)};
+    doorway_mark(doors, places, track->count, plan, profile);
+    for (size_t i = track->count; i-- > 0;) {
+        track->points[i].door = doors[i];
+        next_door = doors[i] >= 0 ? (int)i : next_door;
+        track->points[i].next_door = next_door;
+    }
+    memory_free(doors);
+    memory_free(places);
 }
 
 /* Measures width and room at every point, across the body's middle. */
@@ -238,7 +253,7 @@ void track_build_driver(Track *track, const House *house, const Inhabitant *pers
     if (house_ring(house) == RING_STEERS)
         measure_sides(track, house, profile);
     decelerate(track, profile);
-    track_doors_mark(track, &house->plan, person->profile);
+    mark_doors(track, &house->plan, person->profile);
     mark_exit(track, &house->plan.exits[route->exit]);
 }
 
@@ -532,7 +547,7 @@ void track_build_miura(Track *track, const House *house, const Inhabitant *perso
             point->speed = fmin(person->profile->minimum_speed, point->speed);
     }
     decelerate(track, person->profile);
-    track_doors_mark(track, &house->plan, person->profile);
+    mark_doors(track, &house->plan, person->profile);
     mark_exit(track, &house->plan.exits[route->exit]);
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "base/real.h"
+#include "route/doorway.h"
 #include "route/hasten.h"
 #include "route/recall.h"
 #include "route/relax.h"
@@ -16,9 +17,10 @@
  * no small change makes it quicker (hasten.c). A proposal that does not come free is dropped, which proves nothing: if
  * it had no change of direction, later proposals must have one, since the search would find the same way again, except
  * for bodies of nearly the true size. A way with changes of direction is tried with arcs in place of its turns on the
- * spot, without its short motions to and fro, and compared with what is found with fewer changes. A no is given only
- * after a search with more states where the others had to give up. The budget is counted in expansions, proposals and
- * sweeps, never in time, so that the answer is always the same. */
+ * spot, without its short pieces, and compared with what is found with fewer changes. What the chair waits for shut
+ * doors that it swings against counts among the ways that are free, though the descent does not know it. A no is given
+ * only after a search with more states where the others had to give up. The budget is counted in expansions, proposals
+ * and sweeps, never in time, so that the answer is always the same. */
 
 #define SPACING 0.05         /* m, of the stations */
 #define ALIKE 3e-3           /* 1: ways whose times differ by less than this share are one */
@@ -110,7 +112,7 @@ typedef struct Decide {
     double margin; /* m, that the start leaves, at most MARGIN */
     Way best;
     double kept;           /* m, the margin of the best */
-    double time;           /* s, of the best */
+    double time;           /* s, of the best, with what it waits for doors */
     int confirmed;         /* number of proposals that have led to about this time */
     double before;         /* s, the time of the best before the latest proposal */
     double latest;         /* s, the least time that the latest proposal has led to with this margin */
@@ -190,6 +192,21 @@ static bool turns_on_spot(const Way *way) {
     return turns;
 }
 
+/* Returns the time for which the chair waits on a way until the doors are open that it must open, s. */
+static double delay_by_doors(const Decide *decide, const Way *way) {
+    const RouteQuery *query = decide->query;
+    SearchTrack track = {0};
+    search_track_add(&track, (Pose){query->at, query->heading, 0, 0});
+    way_write(way, &track);
+    DoorwayPlace *places = memory_zeroed(track.count, sizeof *places);
+    for (size_t i = 0; i < track.count; i++)
+        places[i] = (DoorwayPlace){track.poses[i].at, vec2_heading(track.poses[i].heading)};
+    double delay = doorway_delay(places, track.count, query->plan, query->profile);
+    memory_free(places);
+    search_track_clear(&track);
+    return delay;
+}
+
 /* Makes a way that keeps a margin quicker, and keeps it if it is the best: one with the whole margin goes before one
  * that has hardly any. Takes the way over. Returns false if interrupted. */
 static bool improve(Decide *decide, Way *way, double margin) {
@@ -208,6 +225,8 @@ static bool improve(Decide *decide, Way *way, double margin) {
     }
     if (!decide->any && margin == decide->kept && time < WORTH_HASTENING * decide->time)
         whole = hasten(decide, way, margin, &time);
+    if (!decide->any)
+        time += delay_by_doors(decide, way);
     if (whole && margin == decide->kept) {
         decide->latest = fmin(decide->latest, time);
         if (time < decide->time) {
