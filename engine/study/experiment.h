@@ -48,12 +48,12 @@ typedef struct Experiment {
     size_t verdict; /* observable that is a class, by index into its words; one of them is known to be final
                        if it is below verdict_quick */
     const char *const *verdicts; /* (verdict_count) its words */
-    size_t verdict_count;        /* 0: there is no such observable */
+    size_t verdict_count;        /* 0: no observable is one */
     size_t verdict_quick;        /* the first of the words of quick runs */
 
     size_t rank;              /* observable that is an index into words, best first */
     const char *const *ranks; /* (rank_count) the words */
-    size_t rank_count;        /* 0: there is no such observable */
+    size_t rank_count;        /* 0: no observable is one */
     const char *note;         /* name of the note of a run, which belongs to the rank: "grade_place"; NULL: none */
 
     const char *turning; /* frequency, Hz, of a shaft, which people read in rpm: its name; NULL: none */

@@ -62,14 +62,18 @@ static size_t read_points(const char *typed, Vec2 points[POINTS_MOST], Fault *fa
     return count;
 }
 
+static bool set_corners(Draft *draft, const char *id, const char *member, const char *typed, Fault *fault) {
+    Vec2 points[POINTS_MOST];
+    size_t count = read_points(typed, points, fault);
+    return count && draft_set_points(draft, id, member, points, count);
+}
+
 static bool write_wall(const json_t *wall, char text[TEXT_MOST]) {
     return write_points(json_object_get(wall, "points"), text);
 }
 
 static bool read_wall(Draft *draft, const char *id, const char *typed, Fault *fault) {
-    Vec2 points[POINTS_MOST];
-    size_t count = read_points(typed, points, fault);
-    return count && draft_set_points(draft, id, "points", points, count);
+    return set_corners(draft, id, "points", typed, fault);
 }
 
 static bool write_room(const json_t *room, char text[TEXT_MOST]) {
@@ -77,9 +81,7 @@ static bool write_room(const json_t *room, char text[TEXT_MOST]) {
 }
 
 static bool read_room(Draft *draft, const char *id, const char *typed, Fault *fault) {
-    Vec2 points[POINTS_MOST];
-    size_t count = read_points(typed, points, fault);
-    return count && draft_set_points(draft, id, "outline", points, count);
+    return set_corners(draft, id, "outline", typed, fault);
 }
 
 static bool write_exit(const json_t *exit, char text[TEXT_MOST]) {

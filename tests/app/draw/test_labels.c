@@ -1,22 +1,7 @@
+#include "captions.h"
 #include "check.h"
 
-#include <string.h>
-
-#include "draw/caption.h"
-#include "draw/layout.h"
-
 static const Vec2 PAGE = {1280, 720};
-
-static bool boxes_overlap(Box a, Box b) {
-    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
-}
-
-static const Caption *find_caption(const Layout *layout, const char *text) {
-    for (size_t i = 0; i < layout->caption_count; i++)
-        if (strcmp(layout->captions[i].text, text) == 0)
-            return &layout->captions[i];
-    return NULL;
-}
 
 /* Adds a sign at a point, with its places above and below it. */
 static void add_sign(Scene *scene, Vec2 at, const char *text, const char *brief) {
@@ -40,11 +25,12 @@ TEST(signs_whose_places_are_all_taken_stand_near_their_point_and_apart) {
     Layout layout;
     layout_make(&layout, &scene, PAGE);
     for (size_t i = 0; i < 4; i++) {
-        const Caption *sign = find_caption(&layout, names[i]);
+        const Caption *sign = captions_find(&layout, names[i]);
         CHECK(sign != NULL);
         CHECK(sign && distance_to(caption_box(sign), sign->pointed) < 40);
         for (size_t k = 0; sign && k < layout.caption_count; k++)
-            CHECK(&layout.captions[k] == sign || !boxes_overlap(caption_box(sign), caption_box(&layout.captions[k])));
+            CHECK(&layout.captions[k] == sign ||
+                  !captions_overlap(caption_box(sign), caption_box(&layout.captions[k])));
     }
     layout_clear(&layout);
     scene_clear(&scene);
@@ -59,7 +45,7 @@ TEST(a_sign_stands_nearer_to_its_own_point_than_to_another_sign_s) {
     add_sign(&scene, vec2(1.2, 2.7), "two", NULL);
     Layout layout;
     layout_make(&layout, &scene, PAGE);
-    const Caption *one = find_caption(&layout, "one with a long name");
+    const Caption *one = captions_find(&layout, "one with a long name");
     CHECK(one && distance_to(caption_box(one), layout_point(&layout, vec2(1.2, 2))) <
                      distance_to(caption_box(one), layout_point(&layout, vec2(1.2, 2.7))));
     layout_clear(&layout);
@@ -72,7 +58,7 @@ TEST(no_label_lies_where_a_button_lies) {
     scene_add_label(&scene, ROLE_TEXT, 17, vec2(3, 2.1), "free");
     Layout layout = {0};
     layout_make(&layout, &scene, PAGE);
-    Box first = caption_box(find_caption(&layout, "sign"));
+    Box first = caption_box(captions_find(&layout, "sign"));
     layout_clear(&layout);
     scene.taken = box_expand(first, 20);
     layout_make(&layout, &scene, PAGE);
@@ -80,11 +66,11 @@ TEST(no_label_lies_where_a_button_lies) {
     add_sign(&over, vec2(3, 2.4), "over", NULL);
     Layout moving = {0};
     layout_make_over(&moving, &layout, &over);
-    const Caption *labels[] = {find_caption(&layout, "sign"), find_caption(&layout, "free"),
-                               find_caption(&moving, "over")};
+    const Caption *labels[] = {captions_find(&layout, "sign"), captions_find(&layout, "free"),
+                               captions_find(&moving, "over")};
     for (size_t i = 0; i < 3; i++) {
         CHECK(labels[i] != NULL);
-        CHECK(labels[i] && !boxes_overlap(caption_box(labels[i]), scene.taken));
+        CHECK(labels[i] && !captions_overlap(caption_box(labels[i]), scene.taken));
     }
     layout_clear(&moving);
     layout_clear(&layout);

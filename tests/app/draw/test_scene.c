@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "base/text.h"
+#include "captions.h"
 #include "draw/caption.h"
 #include "paint/cairo_file.h"
 #include "draw/layout.h"
@@ -37,24 +38,13 @@ static Scene plain_scene(void) {
     return scene;
 }
 
-static bool boxes_overlap(Box a, Box b) {
-    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
-}
-
-static const Caption *find_caption(const Layout *layout, const char *text) {
-    for (size_t i = 0; i < layout->caption_count; i++)
-        if (strcmp(layout->captions[i].text, text) == 0)
-            return &layout->captions[i];
-    return NULL;
-}
-
 static void check_words(const Layout *layout) {
     for (size_t i = 0; i < layout->caption_count; i++) {
         Box box = caption_box(&layout->captions[i]);
         CHECK(box.low.x >= 0 && box.low.y >= 0 && box.high.x <= layout->page.x && box.high.y <= layout->page.y);
         CHECK(layout->captions[i].size >= LAYOUT_SMALLEST_TEXT);
         for (size_t j = i + 1; j < layout->caption_count; j++)
-            CHECK(!boxes_overlap(box, caption_box(&layout->captions[j])));
+            CHECK(!captions_overlap(box, caption_box(&layout->captions[j])));
     }
 }
 
@@ -130,8 +120,8 @@ TEST(long_words_are_shortened_and_a_long_detail_goes_below_the_answer) {
     Layout layout;
     layout_make(&layout, &scene, PAGE);
     check_words(&layout);
-    CHECK(!find_caption(&layout, note));
-    const Caption *title = find_caption(&layout, scene.title), *detail = find_caption(&layout, scene.detail);
+    CHECK(!captions_find(&layout, note));
+    const Caption *title = captions_find(&layout, scene.title), *detail = captions_find(&layout, scene.detail);
     CHECK(title && detail && detail->centre.y > title->centre.y + title->extent.y / 2);
     layout_clear(&layout);
     scene_clear(&scene);
@@ -145,13 +135,13 @@ TEST(a_long_remark_ends_with_a_clause) {
         "nobody has measured, and that could stand elsewhere), of A. Nobody";
     Layout layout;
     layout_make(&layout, &scene, PAGE);
-    CHECK(find_caption(&layout, "assumed plan: two streets \u2026"));
+    CHECK(captions_find(&layout, "assumed plan: two streets \u2026"));
     layout_clear(&layout);
     scene.note =
         "assumed plan: a barrier-free house with a name that is far too long for one line of any picture at whatever "
         "size it is drawn with letters that can be read from the last row, since nobody could read it";
     layout_make(&layout, &scene, PAGE);
-    CHECK(find_caption(&layout, "assumed plan \u2026"));
+    CHECK(captions_find(&layout, "assumed plan \u2026"));
     layout_clear(&layout);
     scene_clear(&scene);
 }
@@ -191,7 +181,7 @@ TEST(labels_keep_off_lines_and_off_each_other) {
     check_words(&layout);
     double y = layout_point(&layout, line[0]).y;
     for (int i = 0; i < 3; i++) {
-        const Caption *caption = find_caption(&layout, scene_text(&scene, "label %d", i));
+        const Caption *caption = captions_find(&layout, scene_text(&scene, "label %d", i));
         CHECK(caption != NULL);
         CHECK(caption && fabs(caption->centre.y - y) > caption->extent.y / 2 + 2);
     }
@@ -257,9 +247,9 @@ TEST(a_fixed_label_at_the_upper_edge_leaves_the_house_s_name_readable) {
     tag->fixed = true;
     Layout layout = {0};
     layout_make(&layout, &scene, PAGE);
-    Box box = caption_box(find_caption(&layout, "EXIT e1: 25"));
-    CHECK(!boxes_overlap(box, caption_box(find_caption(&layout, "a house"))));
-    CHECK(!boxes_overlap(box, caption_box(find_caption(&layout, "assumed plan: not measured"))));
+    Box box = caption_box(captions_find(&layout, "EXIT e1: 25"));
+    CHECK(!captions_overlap(box, caption_box(captions_find(&layout, "a house"))));
+    CHECK(!captions_overlap(box, caption_box(captions_find(&layout, "assumed plan: not measured"))));
     layout_clear(&layout);
     scene_clear(&scene);
 }
@@ -271,7 +261,7 @@ TEST(a_name_stays_inside_what_it_names_and_turns_when_it_must) {
     scene_bind_label(&scene, scene_add_label(&scene, ROLE_TEXT, 17, vec2(4.15, 2), "wardrobe"), tall, 4);
     Layout layout;
     layout_make(&layout, &scene, PAGE);
-    const Caption *bed = find_caption(&layout, "bed"), *wardrobe = find_caption(&layout, "wardrobe");
+    const Caption *bed = captions_find(&layout, "bed"), *wardrobe = captions_find(&layout, "wardrobe");
     CHECK(bed && !bed->turned);
     CHECK(wardrobe && wardrobe->turned);
     Box box = wardrobe ? caption_box(wardrobe) : (Box){0};
@@ -587,7 +577,7 @@ TEST(a_close_label_is_left_out_where_it_finds_no_room) {
     stool->close = true;
     Layout layout;
     layout_make(&layout, &scene, PAGE);
-    CHECK(find_caption(&layout, "bed") && !find_caption(&layout, "stool"));
+    CHECK(captions_find(&layout, "bed") && !captions_find(&layout, "stool"));
     layout_clear(&layout);
     scene_clear(&scene);
 }
