@@ -103,7 +103,7 @@ static bool write_pictures(const House houses[2], const Observation observations
             return false;
     }
     return !frames_wanted(options) ||
-           frames_write(&houses[1], &observations[1], before, &(Answered){.letters = letters[1]}, options);
+           frames_write(&houses[1], &observations[1], before, &(FramesFacts){.letters = letters[1]}, options);
 }
 
 /* Runs the same drivers through both houses. Returns false if interrupted. */

@@ -86,15 +86,15 @@ static bool write_pictures(Film *film, const HousePlots *plots, const StudioTime
     return good;
 }
 
-bool frames_write(const House *house, const Observation *observation, Before before, const Answered *answered,
+bool frames_write(const House *house, const Observation *observation, Before before, const FramesFacts *facts,
                   const Options *options) {
     FilmOptions wish = {.camera = options->camera,
                         .changed = options->setting_count > 0,
                         .panels = (int)options->plots.count,
                         .shown = options->show,
                         .before = before,
-                        .letters = answered->letters,
-                        .drivers = answered->drivers};
+                        .letters = facts->letters,
+                        .drivers = facts->drivers};
     StudioTimes times = times_of(options, observation->time);
     if (options->from > observation->time)
         fprintf(stderr, "clearance: --from %g is after the end of the run at %.1f s: the end is shown\n", options->from,

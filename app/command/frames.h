@@ -14,15 +14,15 @@ bool frames_wanted(const Options *options);
 int frames_check(const Options *options);
 
 /* Facts beside the answer in each picture. */
-typedef struct Answered {
+typedef struct FramesFacts {
     const Grade *letters; /* (person_count), or NULL */
     const Scene *drivers; /* or NULL */
-} Answered;
+} FramesFacts;
 
 /* Writes --out's frames/frame-00001.png and so on, the film, and with --view raised the last picture as raised.png,
- * with progress; `answered` is shown in each picture. Ctrl-C keeps complete files. False: an error was
+ * with progress; `facts` are shown in each picture. Ctrl-C keeps complete files. False: an error was
  * printed. */
-bool frames_write(const House *house, const Observation *observation, Before before, const Answered *answered,
+bool frames_write(const House *house, const Observation *observation, Before before, const FramesFacts *facts,
                   const Options *options);
 
 /* Draws the end of the run in the raised view, without plots, in the theme paper; memory_free(picture->pixels). False:

@@ -93,8 +93,8 @@ static bool write_frames(const House *house, const Observation *observation, Rep
                          const Options *options) {
     Scene drivers = {0};
     add_fleets(&drivers, house, observation, fleets);
-    const Answered answered = {fleets.grades ? fleets.grades : fleets.letters, &drivers};
-    bool written = frames_write(house, observation, (Before){.house = NULL}, &answered, options);
+    const FramesFacts facts = {fleets.grades ? fleets.grades : fleets.letters, &drivers};
+    bool written = frames_write(house, observation, (Before){.house = NULL}, &facts, options);
     scene_clear(&drivers);
     return written;
 }

@@ -112,17 +112,24 @@ static void say_point(Text *text, const Study *study, size_t point) {
 
 /* Adds the best and the worst grade of all points, each with the first point that has it. */
 static void say_extremes(Text *text, const Study *study) {
-    size_t best = SIZE_MAX, worst = SIZE_MAX;
+    size_t best = 0, worst = 0;
+    const Trial *of_best = NULL, *of_worst = NULL;
     for (size_t point = 0; point < points_of(study); point++) {
         const Trial *trial = graded_point(study, point);
         if (!trial)
             continue;
         int letter = letter_of(study, trial);
-        worst = worst == SIZE_MAX || letter > letter_of(study, graded_point(study, worst)) ? point : worst;
-        best = best == SIZE_MAX || letter < letter_of(study, graded_point(study, best)) ? point : best;
+        if (!of_worst || letter > letter_of(study, of_worst)) {
+            of_worst = trial;
+            worst = point;
+        }
+        if (!of_best || letter < letter_of(study, of_best)) {
+            of_best = trial;
+            best = point;
+        }
     }
-    if (letter_of(study, graded_point(study, best)) == letter_of(study, graded_point(study, worst))) {
-        say_grade(text, study, graded_point(study, worst), true);
+    if (letter_of(study, of_best) == letter_of(study, of_worst)) {
+        say_grade(text, study, of_worst, true);
         text_add(text, " wherever all are out");
         return;
     }
@@ -169,7 +176,7 @@ static void add_grade(ResultTable *table, const Study *study, const Trial *worst
 
 ResultTable study_grades_table(const Study *study) {
     ResultTable table = {.numbers = RESULT_SHORTEST};
-    for (size_t point = 0; study_grades_exist(study) && point < points_of(study); point++) {
+    for (size_t point = 0; point < points_of(study); point++) {
         const size_t steps[STUDY_AXES_MOST] = {point % study_steps(study, 0), point / study_steps(study, 0)};
         const Trial *worst = graded_point(study, point);
         if (!worst)

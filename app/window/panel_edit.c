@@ -15,7 +15,6 @@
 
 enum { CARD_COLUMNS = 2 };
 enum { SCALE_MOST = 64 /* bytes of a typed length */ };
-enum { TEXT_MOST = 4096 + 1 /* bytes: the longest text that the editor accepts, and the zero */ };
 
 /* Catalogue -------------------------------------------------------------------------------------------------------- */
 
@@ -100,16 +99,34 @@ void panel_edit_heading(Window *window, const char *text) {
 
 /* Shows a text field; true if the text was changed, which may change the list of texts. */
 static bool show_text(Window *window, Editor *editor, const EditText *text) {
-    char typed[TEXT_MOST];
+    RefusedText *refused = &window->refused_text;
+    bool kept = strcmp(refused->name, text->name) == 0;
+    char typed[EDITOR_TEXT_MOST];
     Fault fault = {0};
-    snprintf(typed, sizeof typed, "%s", text->value);
+    snprintf(typed, sizeof typed, "%s", kept ? refused->typed : text->value);
     const char *help = text_in_arena(&window->arena, "%s: %s Return applies it", text->label, text->help);
     const char *name = text_in_arena(&window->arena, "%s", text->name);
-    if (!ui_field(window->ui, name, text->label, help, typed, sizeof typed) || strcmp(typed, text->value) == 0)
+    const char *label = kept ? text_in_arena(&window->arena, "%s \u00b7 not applied", text->label) : text->label;
+    if (!ui_field(window->ui, name, label, help, typed, sizeof typed))
         return false;
-    editor_set_text(editor, name, typed, &fault);
+    *refused->name = 0;
+    if (strcmp(typed, text->value) == 0)
+        return false;
+    if (!editor_set_text(editor, name, typed, &fault)) {
+        snprintf(refused->name, sizeof refused->name, "%s", name);
+        snprintf(refused->typed, sizeof refused->typed, "%s", typed);
+    }
     notice_fault(window, &fault, NAN);
     return true;
+}
+
+/* Forgets what was refused once another thing is selected. */
+static void forget_refused(Window *window, const EditText *texts, size_t count) {
+    bool listed = false;
+    for (size_t i = 0; i < count; i++)
+        listed |= strcmp(texts[i].name, window->refused_text.name) == 0;
+    if (!listed)
+        *window->refused_text.name = 0;
 }
 
 /* Shows the texts of the house itself, or all others. */
@@ -118,6 +135,7 @@ static void show_texts(Window *window, Editor *editor, bool of_house) {
     size_t count;
     const EditText *texts = editor_texts(editor, &count);
     const char *group = "";
+    forget_refused(window, texts, count);
     for (size_t i = 0; i < count; i++) {
         if ((strncmp(texts[i].name, house, sizeof house - 1) == 0) != of_house)
             continue;

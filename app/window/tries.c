@@ -34,10 +34,11 @@ static const Try tries[TRIES] = {
 };
 
 /* The parts of the third that follow the earthquake. */
-static const Try fix = {TRY_SHAKE, "3  Fix one piece to the wall",
-                        "Fix one piece to the wall: Fix the piece that blocks the way most often, then shake again"};
-static const Try again = {TRY_SHAKE, "3  Shake again (Shift+T)",
-                          "Shake again (Shift+T): Make another earthquake; the fixed piece stays where it is"};
+static const Try try_fix = {
+    TRY_SHAKE, "3  Fix one piece to the wall",
+    "Fix one piece to the wall: Fix the piece that blocks the way most often, then shake again"};
+static const Try try_again = {TRY_SHAKE, "3  Shake again (Shift+T)",
+                              "Shake again (Shift+T): Make another earthquake; the fixed piece stays where it is"};
 
 /* True where the strip belongs: in a house from a file, where there is something to try, in a window that a person
  * sees. */
@@ -88,8 +89,8 @@ static const Try *try_now(const Window *window, const Tab *tab, int index) {
     if (tries[index].bit != TRY_SHAKE || window->settings.state.tried & TRY_SHAKE)
         return &tries[index];
     if (tab->fixed_in)
-        return &again;
-    return editor_last_shake(tab_editor(tab), &shake) ? &fix : &tries[index];
+        return &try_again;
+    return editor_last_shake(tab_editor(tab), &shake) ? &try_fix : &tries[index];
 }
 
 /* Returns the width that the button of a thing to try needs. */
@@ -191,7 +192,9 @@ static void fix_piece(Window *window, Tab *tab) {
     if (row)
         editor_fix_to_wall(tab_editor(tab), row->item, &fault);
     else
-        notice_post(window, "100 earthquakes are being worked out: wait until the panel names the piece to fix");
+        notice_post(window, known
+                                ? "No piece is worth fixing to the wall: in no earthquake does one stop anybody"
+                                : "100 earthquakes are being worked out: wait until the panel names the piece to fix");
     notice_fault(window, &fault, NAN);
 }
 
@@ -201,7 +204,7 @@ static void begin(Window *window, Tab *tab, const Try *try) {
         tab->player.playing = true;
     } else if (try->bit == TRY_NARROW) {
         select_door(window, tab);
-    } else if (try == &fix) {
+    } else if (try == &try_fix) {
         fix_piece(window, tab);
     } else {
         act_do(window, ACTION_SHAKE, 0, 0);
@@ -214,8 +217,7 @@ static void begin(Window *window, Tab *tab, const Try *try) {
 static bool has_shaken(Tab *tab) {
     EditorShake shake;
     bool shaken = editor_last_shake(tab_editor(tab), &shake), known;
-    if (shaken)
-        tab->shaken_in = shake.seed;
+    tab->shaken_in = shaken ? shake.seed : 0;
     if (!has_fixed(tab))
         tab->fixed_in = 0;
     else if (!tab->fixed_in)

@@ -110,6 +110,12 @@ typedef struct SelectedName {
     Vec2 pointed;            /* the middle of the thing */
 } SelectedName;
 
+/* What was typed in a text field of the panel and could not be applied: it stays there to be corrected. */
+typedef struct RefusedText {
+    char name[WINDOW_TITLE]; /* of the field, as in EditText; "": none */
+    char typed[EDITOR_TEXT_MOST];
+} RefusedText;
+
 /* A fold of the panel as it was left. */
 typedef struct Fold {
     char name[FOLD_NAME]; /* task and title, "watch/People" */
@@ -171,6 +177,7 @@ typedef struct Window {
     Frame frame;
     Box tries; /* the strip of first things to try; without a width: there is none */
     Narrowing narrowing;
+    RefusedText refused_text;
     UiInput input;
     Vec2 mouse; /* pixels */
 

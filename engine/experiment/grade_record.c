@@ -49,10 +49,10 @@ void grade_record_free(GradeRecord *record) {
     memory_free(record);
 }
 
-/* True if the number has no effect on the room that a way has: when people start, and how their motion is computed. */
+/* True if the number has no effect on the room that a way has: how the motion is computed. When people start has one,
+ * as exits close. */
 static bool is_of_motion(const char *name) {
-    const char *end = strrchr(name, '.');
-    return (end && strcmp(end, ".delay") == 0) || strcmp(name, "run.dt") == 0 || strcmp(name, "run.until") == 0;
+    return strcmp(name, "run.dt") == 0 || strcmp(name, "run.until") == 0;
 }
 
 static uint64_t digest_of(const House *house, const char *const *names, size_t name_count, const Trial *trial) {

@@ -130,26 +130,27 @@ static double own_bending(const Track *track, size_t i) {
     return 2 * (slope - slope_before) / (first + second);
 }
 
-/* Returns the part of the step from a point to the next one at which the passage's width jumps, or FORESIGHT_EDGE. */
-static double find_edge(const House *house, const TrackPoint *point, double middle) {
-    const TrackPoint *next = point + 1;
-    double low = 0, high = 1, turn = vec2_wrap_angle(next->heading - point->heading);
-    if (fabs(point->width - next->width) < FORESIGHT_JUMP)
-        return FORESIGHT_EDGE;
-    for (int i = 0; i < FORESIGHT_HALVINGS; i++) {
-        double part = (low + high) / 2;
-        Vec2 along = vec2_heading(point->heading + part * turn);
-        Vec2 at = vec2_along(point->at, part, vec2_sub(next->at, point->at));
-        double width = passage_width(passage_at(&house->outline, vec2_along(at, middle, along), along));
-        *((width < (point->width + next->width) / 2) == (point->width < next->width) ? &low : &high) = part;
-    }
-    return (low + high) / 2;
+/* The step from a point to the next one. */
+typedef struct Step {
+    const House *house;
+    const TrackPoint *point;
+    double middle; /* m, of the body, ahead of the axle */
+} Step;
+
+static double width_in_step(const void *context, double part) {
+    const Step *step = context;
+    const TrackPoint *point = step->point, *next = point + 1;
+    Vec2 along = vec2_heading(point->heading + part * vec2_wrap_angle(next->heading - point->heading));
+    Vec2 at = vec2_along(point->at, part, vec2_sub(next->at, point->at));
+    return passage_width(passage_at(&step->house->outline, vec2_along(at, step->middle, along), along));
 }
 
 /* Limits the speed at every point by the passage that the driver sees, and lowers its width to the least of that. */
 static void look_ahead_and_behind(Track *track, const House *house, const Inhabitant *person, double middle) {
     enum { NUMBERS = 5 };
+    const Profile *profile = person->profile;
     size_t count = track->count;
+    double turning = pace_turning(profile);
     double *left = memory_zeroed(NUMBERS * count, sizeof *left), *right = left + count, *heading = right + count,
            *step = heading + count, *edge = step + count;
     for (size_t i = 0; i < count; i++) {
@@ -158,15 +159,17 @@ static void look_ahead_and_behind(Track *track, const House *house, const Inhabi
         right[i] = point->room_right;
         heading[i] = point->heading;
         step[i] = i + 1 < count ? point[1].s - point->s : 0;
-        edge[i] = step[i] > 0 ? find_edge(house, point, middle) : FORESIGHT_EDGE;
+        if (step[i] > 0)
+            edge[i] = foresight_edge(point->width, point[1].width, width_in_step, &(Step){house, point, middle});
     }
     Foresight foresight = {left, right, heading, step, edge, count};
     for (size_t i = 0; i < count; i++) {
         TrackPoint *point = &track->points[i];
+        double in_bend = pace_in_bend(turning, point->curvature);
         point->width = foresight_width(&foresight, i);
-        point->speed = foresight_speed(&foresight, i, person->profile, person->speed,
-                                       pace_starting(person->profile, point->clearance),
-                                       pace_braking(person->profile, point->clearance));
+        point->speed = foresight_speed(&foresight, i, profile, person->speed,
+                                       fmin(pace_starting(profile, point->clearance), in_bend),
+                                       fmin(pace_braking(profile, point->clearance), in_bend));
     }
     memory_free(left);
 }
@@ -244,8 +247,8 @@ void track_build_driver(Track *track, const House *house, const Inhabitant *pers
     take_poses(track, profile, route);
     double middle = profile->length / 2 - profile->axle;
     measure(track, house, middle);
-    look_ahead_and_behind(track, house, person, middle);
     bend(track);
+    look_ahead_and_behind(track, house, person, middle);
     Agility agility = pace_agility(profile);
     for (size_t i = 0; i < track->count; i++)
         track->points[i].speed = driver_speed(profile, &agility, track, i);

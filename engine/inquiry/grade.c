@@ -90,8 +90,8 @@ static bool has_room(Grading *grading, GradeTry *known, double growth, int rever
     return tried.found;
 }
 
-/* Finds the letter, and what stands in the way of the next one. It may be any that is not worse than `enough` if it is
- * not worse than that. */
+/* Finds the letter, and what stands in the way of the next one. Stops at `enough`: a letter that is not worse may be
+ * found to be any up to that one. */
 static void find_letter(Grading *grading, int enough) {
     Grade *grade = grading->grade;
     const House *house = grading->house;

@@ -319,8 +319,8 @@ static bool realise(Decide *decide, const SearchTrack *track) {
     return realise_way(decide, &way);
 }
 
-/* Tries the best way without each of its short pieces, one after another, until all of them are needed. Returns false
- * if interrupted. */
+/* Tries the best way without each of its short pieces, one after another, until every one that is left is needed.
+ * Returns false if interrupted. */
 static bool drop_short(Decide *decide) {
     bool whole = true;
     for (size_t k = 0; k + 1 < decide->best.piece_count && whole;) {

@@ -40,7 +40,7 @@ static DoorWay door_way(const Plan *plan, const Door *door) {
     return way;
 }
 
-/* Returns the distance of a body at a place from a place; at most 0 inside. */
+/* Returns the distance of a standing body from a point, m; at most 0 inside. */
 static double body_distance(const Profile *profile, const DoorwayPlace *stands, Vec2 place) {
     if (profile->driving == DRIVING_MIURA)
         return vec2_distance(place, stands->at) - profile->width / 2;
@@ -50,7 +50,7 @@ static double body_distance(const Profile *profile, const DoorwayPlace *stands, 
     return ahead > 0 && beside > 0 ? vec2_length(vec2(ahead, beside)) : fmax(ahead, beside);
 }
 
-/* Returns the distance of a body at a place from the leaf of a shut door. */
+/* Returns the distance of a standing body from the leaf of a shut door, m. */
 static double leaf_distance(const DoorWay *way, const Profile *profile, const DoorwayPlace *stands) {
     double least = HUGE_VAL;
     for (int k = 0; k < DOOR_SAMPLES; k++)

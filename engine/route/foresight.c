@@ -7,10 +7,10 @@
 #include "base/vec2.h"
 #include "route/pace.h"
 
-/* The rays across the body's middle jump at the jambs of a door: the passage is a step function of the way. Were a
- * place of the path to stand for nothing but itself, the narrow part would be as long as the places happen to lie, to
- * the width of a step at either end, which is a second where a door is passed at 0.1 m/s. So the jumps have their exact
- * places (`edge`), and the speed is the same whatever the places of the path:
+/* The rays across the body's middle jump at the jambs of a door: the passage is a step function of the way. If it were
+ * taken only at the places of the path, the narrow part would be as long as those happen to lie, to a step at either
+ * end, which takes half a second where a door is passed at 0.1 m/s. So the jumps have their exact places (`edge`), and
+ * the speed is the same whatever the places of the path:
  *
  *     v(s)^2 = min over the passages, at distance d from s, of v(W)^2 + 2 a max(0, d - FORESIGHT_REACH)
  *
@@ -18,6 +18,23 @@
  * limit what comes farther ahead. */
 
 static const double PARALLEL = 0.349; /* rad, 20 degrees */
+/* m: widths that differ by more than this from one place to the next change somewhere between them at once. */
+static const double JUMP = 0.05;
+/* 1: where widths do not jump, each place stands for half of the steps beside it. */
+static const double EDGE = 0.5;
+
+enum { HALVINGS = 6 /* which find a jump to 1/64 of a step */ };
+
+double foresight_edge(double here, double next, ForesightWidth width, const void *context) {
+    if (fabs(here - next) < JUMP)
+        return EDGE;
+    double low = 0, high = 1;
+    for (int i = 0; i < HALVINGS; i++) {
+        double part = (low + high) / 2;
+        *((width(context, part) < (here + next) / 2) == (here < next) ? &low : &high) = part;
+    }
+    return (low + high) / 2;
+}
 
 /* The least of what is seen so far from one place. */
 typedef struct Least {

@@ -8,15 +8,6 @@
 /* m, assumed: a door's leaf or a corner slows a driver this far before and after it. */
 #define FORESIGHT_REACH 0.2
 
-/* m: widths that differ by more than this from one place to the next change somewhere between them at once. */
-#define FORESIGHT_JUMP 0.05
-
-/* 1: where widths do not jump, each place stands for half of the steps beside it. */
-#define FORESIGHT_EDGE 0.5
-
-/* Bisections that find a jump to 1/64 of a step. */
-enum { FORESIGHT_HALVINGS = 6 };
-
 /* Numbers of the places along a path, `count` of them; borrowed. */
 typedef struct Foresight {
     const double *left, *right; /* m, room on either side of the body's middle */
@@ -25,6 +16,12 @@ typedef struct Foresight {
     const double *edge;         /* 1, the part of that step at which the room becomes that of the next place */
     size_t count;
 } Foresight;
+
+/* Returns the width of the passage, m, after a part of the step from one place to the next, 0 to 1. */
+typedef double (*ForesightWidth)(const void *context, double part);
+
+/* Returns the part of a step at which the passage becomes that of the next place, from the widths at both ends, m. */
+double foresight_edge(double here, double next, ForesightWidth width, const void *context);
 
 /* Returns the width of the passage at a place, m: the least within FORESIGHT_REACH, and where the body's axis stays
  * parallel to 20 degrees the least room on the left and the least on the right together: across a thin wall no ray of a

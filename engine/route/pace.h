@@ -25,7 +25,7 @@ Agility pace_agility(const Profile *profile);
 /* Returns the agility's acceleration alone, rad/s2. */
 double pace_turning(const Profile *profile);
 
-/* Returns the speed, m/s, of a driver who takes a passage at `passage` m/s at most (foresight.h) and is as agile as
+/* Returns the speed, m/s, of a driver who takes a passage at most at `passage` m/s (foresight.h) and is as agile as
  * `agility` says, where the body has `clearance` m, the path's curvature is `curvature` rad/m and changes by `bending`
  * rad/m2; `direction` is -1 backwards.
  *

@@ -133,13 +133,14 @@ static size_t greater(size_t a, size_t b) {
     return a > b ? a : b;
 }
 
-/* Returns the last station on one side (-1: before) that sees the passage at a station, or is seen from there. */
+/* Returns the last station on one side (-1: before) that sees the passage at a station, or is seen from there: the one
+ * that is next beyond the reach is seen, too, and begins at most two steps before it. */
 static size_t in_sight(const Way *way, size_t station, int side) {
     double passed = 0;
     size_t s = station;
-    for (int beyond = 0; beyond < 2 && (side > 0 ? s + 1 < way->count : s > 0); beyond += passed > FORESIGHT_REACH) {
+    for (int step = 0; passed <= FORESIGHT_REACH && (side > 0 ? s + 1 < way->count : s > 0); step++) {
         size_t next = side > 0 ? s + 1 : s - 1;
-        passed += vec2_distance(way->stations[s].at, way->stations[next].at);
+        passed += step < 2 ? 0 : vec2_distance(way->stations[s].at, way->stations[next].at);
         s = next;
     }
     return s;
@@ -157,12 +158,18 @@ static bool is_narrow(const Speeds *speeds, size_t begin, size_t end) {
 static void find_range(const Course *course, const Speeds *from, const Speeds *to, size_t begin, size_t end,
                        size_t *low, size_t *high) {
     const Way *way = course->way;
+    size_t first = in_sight(way, begin, -1), last = in_sight(way, end, 1);
     *low = before(begin, 2 * SPAN);
     *high = after(way, end, 2 * SPAN);
-    if (is_narrow(from, begin, end) || is_narrow(to, begin, end)) {
-        *low = lesser(*low, in_sight(way, begin, -1));
-        *high = greater(*high, in_sight(way, end, 1));
+    if (is_narrow(from, first, last) || is_narrow(to, begin, end)) {
+        *low = lesser(*low, first);
+        *high = greater(*high, last);
     }
+}
+
+/* Returns the room beside the middle of the body up to which a passage can limit the speed, m. */
+static double most_room(const Profile *profile) {
+    return profile->width / 2 + 2 * pace_enough(profile);
 }
 
 /* Returns the room beside the middle of the body at a station, m; infinite where the clearance tells that it does not
@@ -172,26 +179,32 @@ static Passage find_room(const Course *course, const Station *station, double cl
     if (clearance >= pace_enough(profile))
         return (Passage){HUGE_VAL, HUGE_VAL};
     Vec2 middle = vec2_along(station->at, course->body->ahead, station->axis);
-    return passage_within(course->space, middle, station->axis, profile->width / 2 + 2 * pace_enough(profile));
+    return passage_within(course->space, middle, station->axis, most_room(profile));
 }
 
-/* Returns the part of the step from a station to the next one at which the passage jumps from the one's width to the
- * other's, as far as such widths limit the speed; FORESIGHT_EDGE if it does not jump. */
+/* The step from a station to the next one of its piece. */
+typedef struct Step {
+    const Course *course;
+    size_t station;
+} Step;
+
+static double width_in_step(const void *context, double part) {
+    const Step *step = context;
+    const Course *course = step->course;
+    Station between = way_between(course->way, step->station, part);
+    Vec2 middle = vec2_along(between.at, course->body->ahead, between.axis);
+    return passage_width(passage_within(course->space, middle, between.axis, most_room(course->profile)));
+}
+
+/* Returns the width of the passage at a station, m, as far as it limits the speed. */
+static double limiting_width(const Course *course, const Speeds *speeds, size_t s) {
+    double most = most_room(course->profile);
+    return real_min(speeds->room_left[s], most) + real_min(speeds->room_right[s], most);
+}
+
 static double find_edge(const Course *course, const Speeds *speeds, size_t s) {
-    const Profile *profile = course->profile;
-    double half = profile->width / 2 + 2 * pace_enough(profile), low = 0, high = 1;
-    double here = real_min(speeds->room_left[s], half) + real_min(speeds->room_right[s], half);
-    double next = real_min(speeds->room_left[s + 1], half) + real_min(speeds->room_right[s + 1], half);
-    if (fabs(here - next) < FORESIGHT_JUMP)
-        return FORESIGHT_EDGE;
-    for (int i = 0; i < FORESIGHT_HALVINGS; i++) {
-        double part = (low + high) / 2;
-        Station between = way_between(course->way, s, part);
-        Vec2 middle = vec2_along(between.at, course->body->ahead, between.axis);
-        double width = passage_width(passage_within(course->space, middle, between.axis, half));
-        *((width < (here + next) / 2) == (here < next) ? &low : &high) = part;
-    }
-    return (low + high) / 2;
+    return foresight_edge(limiting_width(course, speeds, s), limiting_width(course, speeds, s + 1), width_in_step,
+                          &(Step){course, s});
 }
 
 /* Fills in what limits the speed at a station and on its way from and to it; the curvatures about it are known. */
@@ -228,13 +241,18 @@ static void find_limit(const Course *course, Speeds *speeds, size_t s) {
     speeds->limit[s] = pace_at(profile, &course->agility, passage, clearance, sharpest, bending, piece->direction);
 }
 
+/* Returns the time of the step from a station to the next one, s; from rest to rest it is sped up and slowed down. */
+static double time_of_step(const Course *course, const Speeds *speeds, size_t s, double step) {
+    double sum = speeds->speed[s] + speeds->speed[s + 1];
+    if (is_turned(course, speeds, s))
+        return fabs(speeds_turn(speeds, s, s + 1)) / course->profile->turn_rate;
+    return sum > 0 ? 2 * step / sum : sqrt(2 * step * (1 / speeds->starting[s] + 1 / speeds->braking[s]));
+}
+
 /* Fills in the time and the cost of the step from station s to the next one. */
 static void count_step(const Course *course, Speeds *speeds, size_t s) {
     const WayPiece *piece = &course->way->pieces[course->way->stations[s].piece];
-    double step = step_length(course->way, s),
-           time = 2 * step / real_max(speeds->speed[s] + speeds->speed[s + 1], 1e-6);
-    if (is_turned(course, speeds, s))
-        time = fabs(speeds_turn(speeds, s, s + 1)) / course->profile->turn_rate;
+    double step = step_length(course->way, s), time = time_of_step(course, speeds, s, step);
     double clearance = real_min(speeds->clearance[s], speeds->clearance[s + 1]);
     double rough = 0, price = 0, weight = course->centring ? CENTRED_ROUGHNESS : ROUGHNESS;
     if (s > piece->first)
@@ -363,7 +381,7 @@ bool speeds_look(const Course *course, const Speeds *from, Speeds *to, size_t be
     for (size_t s = before(begin, 1); s <= end; s++) {
         to->clearance[s] = to->own[s];
         to->length[s] = 0;
-        to->edge[s] = FORESIGHT_EDGE;
+        to->edge[s] = 0;
         if (s == way->pieces[way->stations[s].piece].last)
             continue;
         to->length[s] = step_length(way, s);

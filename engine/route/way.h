@@ -112,8 +112,8 @@ bool way_is_smooth(const Way *way, size_t low, size_t high);
  * over some stations are those over as much of the way. */
 bool way_is_even(const Way *way, size_t low, size_t high);
 
-/* True if this holds, but for steps that were already as short or as long when the stations were those of `before`
- * (count). */
+/* True if way_is_even holds, but for steps that were already as short or as long when the stations were those of
+ * `before` (count). */
 bool way_stays_even(const Way *way, const Station *before, size_t low, size_t high);
 
 /* True if the way passes its pins, and crosses its exit. */

@@ -99,9 +99,11 @@ static int64_t count_tables(Store *store, Fault *fault) {
 
 /* Gives a file of an earlier version the column that it lacks. */
 static bool add_notes(Store *store) {
+    char statement[100];
     bool lacks =
         ask(store, "PRAGMA application_id") == APPLICATION && ask(store, "PRAGMA user_version") == FORMAT_WITHOUT_NOTES;
-    return !lacks || run_statement(store, "ALTER TABLE trial ADD COLUMN note TEXT; PRAGMA user_version = 2");
+    snprintf(statement, sizeof statement, "ALTER TABLE trial ADD COLUMN note TEXT; PRAGMA user_version = %d", FORMAT);
+    return !lacks || run_statement(store, statement);
 }
 
 /* Creates the tables in a file without tables. */

@@ -109,6 +109,8 @@ typedef struct CatalogueRow {
     Vec2 size;          /* m, of furniture on the floor; 0: none */
 } CatalogueRow;
 
+enum { EDITOR_TEXT_MOST = 4096 + 1 /* bytes of a text: the longest line that can be typed, and the zero */ };
+
 /* A text of the selected item: a name, an id, a note. */
 typedef struct EditText {
     const char *name;  /* "furniture.f3.name", "house.name" */

@@ -2,15 +2,13 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/quantity.h"
 #include "laboratory/edit/gesture.h"
 #include "laboratory/edit/select.h"
 
-enum {
-    TEXT_MOST = 4096,  /* bytes of a text that a field of the panel holds, with the zero */
-    POINTS_MOST = 1024 /* corners in such a text */
-};
+enum { POINTS_MOST = 1024 /* corners in a text */ };
 
 static const char *const kind_names[DRAFT_LISTS] = {"wall", "door",   "furniture", "room",
                                                     "exit", "person", "crowd",     "route"};
@@ -23,27 +21,33 @@ static void add(Editor *edit, size_t *count, EditText text) {
 /* Corners and times ------------------------------------------------------------------------------------------------ */
 
 /* Writes the member of an element as it is typed. False: it is too long for a field. */
-typedef bool (*Write)(const json_t *element, char text[TEXT_MOST]);
+typedef bool (*Write)(const json_t *element, char text[EDITOR_TEXT_MOST]);
 
 /* Sets the member by what was typed; false: the reason is a fault. */
 typedef bool (*Read)(Draft *draft, const char *id, const char *typed, Fault *fault);
 
-static bool write_points(const json_t *points, char text[TEXT_MOST]) {
+static bool write_points(const json_t *points, char text[EDITOR_TEXT_MOST]) {
     size_t i, length = 0;
     json_t *point;
     *text = 0;
     json_array_foreach(points, i, point) {
         double x = json_number_value(json_array_get(point, 0)), y = json_number_value(json_array_get(point, 1));
-        length += (size_t)snprintf(text + length, TEXT_MOST - length, "%s%.9g %.9g", i ? "; " : "", x, y);
-        if (length >= TEXT_MOST)
+        length += (size_t)snprintf(text + length, EDITOR_TEXT_MOST - length, "%s%.9g %.9g", i ? "; " : "", x, y);
+        if (length >= EDITOR_TEXT_MOST)
             return false;
     }
     return true;
 }
 
+/* The points of a wall, a room or an exit. */
+typedef struct PointKind {
+    const char *each, *all, *example; /* "corner", "corners", "0 0; 4 0; 4 3" */
+    size_t least, most;
+} PointKind;
+
 /* Reads "x y; x y" in m. Returns the number of points; 0: the reason is a fault. */
-static size_t read_points(const char *typed, Vec2 points[POINTS_MOST], Fault *fault) {
-    char words[TEXT_MOST], reason[QUANTITY_REASON] = "two numbers belong to a corner", *rest = words, *corner;
+static size_t read_points(const char *typed, const PointKind *kind, Vec2 points[POINTS_MOST], Fault *fault) {
+    char words[EDITOR_TEXT_MOST], reason[QUANTITY_REASON] = "it needs two numbers", *rest = words, *corner;
     size_t count = 0;
     snprintf(words, sizeof words, "%s", typed);
     while ((corner = strsep(&rest, ";"))) {
@@ -53,38 +57,45 @@ static size_t read_points(const char *typed, Vec2 points[POINTS_MOST], Fault *fa
         bool pair = x && y && !strtok_r(NULL, " ", &numbers);
         if (count == POINTS_MOST || !pair || !quantity_read(x, "m", &points[count].x, reason) ||
             !quantity_read(y, "m", &points[count].y, reason)) {
-            fault_add(fault, "corner %zu: %s; type x and y in m, and a semicolon between corners: 0 0; 4 0; 4 3",
-                      count + 1, reason);
+            fault_add(fault, "%s %zu: %s; type x and y in m, and a semicolon between %s: %s", kind->each, count + 1,
+                      reason, kind->all, kind->example);
             return 0;
         }
         count++;
     }
-    return count;
+    if (count >= kind->least && count <= kind->most)
+        return count;
+    fault_add(fault, "%zu %s: there must be %s%zu; type x and y in m of each: %s", count,
+              count == 1 ? kind->each : kind->all, kind->least == kind->most ? "" : "at least ", kind->least,
+              kind->example);
+    return 0;
 }
 
-static bool set_corners(Draft *draft, const char *id, const char *member, const char *typed, Fault *fault) {
+static bool set_corners(Draft *draft, const char *id, const char *member, size_t least, const char *typed,
+                        Fault *fault) {
+    const PointKind kind = {"corner", "corners", "0 0; 4 0; 4 3", least, POINTS_MOST};
     Vec2 points[POINTS_MOST];
-    size_t count = read_points(typed, points, fault);
+    size_t count = read_points(typed, &kind, points, fault);
     return count && draft_set_points(draft, id, member, points, count);
 }
 
-static bool write_wall(const json_t *wall, char text[TEXT_MOST]) {
+static bool write_wall(const json_t *wall, char text[EDITOR_TEXT_MOST]) {
     return write_points(json_object_get(wall, "points"), text);
 }
 
 static bool read_wall(Draft *draft, const char *id, const char *typed, Fault *fault) {
-    return set_corners(draft, id, "points", typed, fault);
+    return set_corners(draft, id, "points", 2, typed, fault);
 }
 
-static bool write_room(const json_t *room, char text[TEXT_MOST]) {
+static bool write_room(const json_t *room, char text[EDITOR_TEXT_MOST]) {
     return write_points(json_object_get(room, "outline"), text);
 }
 
 static bool read_room(Draft *draft, const char *id, const char *typed, Fault *fault) {
-    return set_corners(draft, id, "outline", typed, fault);
+    return set_corners(draft, id, "outline", 3, typed, fault);
 }
 
-static bool write_exit(const json_t *exit, char text[TEXT_MOST]) {
+static bool write_exit(const json_t *exit, char text[EDITOR_TEXT_MOST]) {
     json_t *ends = json_pack("[OO]", json_object_get(exit, "from"), json_object_get(exit, "to"));
     bool fits = write_points(ends, text);
     json_decref(ends);
@@ -92,25 +103,24 @@ static bool write_exit(const json_t *exit, char text[TEXT_MOST]) {
 }
 
 static bool read_exit(Draft *draft, const char *id, const char *typed, Fault *fault) {
+    static const PointKind kind = {"end", "ends", "0 1; 0 2", 2, 2};
     Vec2 ends[POINTS_MOST];
-    size_t count = read_points(typed, ends, fault);
-    if (count && count != 2)
-        fault_add(fault, "an exit has two ends; type x and y in m of both: 0 1; 0 2");
-    return count == 2 && draft_set_point(draft, id, "from", ends[0]) && draft_set_point(draft, id, "to", ends[1]);
+    return read_points(typed, &kind, ends, fault) && draft_set_point(draft, id, "from", ends[0]) &&
+           draft_set_point(draft, id, "to", ends[1]);
 }
 
-static bool write_closing(const json_t *exit, char text[TEXT_MOST]) {
+static bool write_closing(const json_t *exit, char text[EDITOR_TEXT_MOST]) {
     const json_t *closes = json_object_get(exit, "closes");
-    snprintf(text, TEXT_MOST, "never");
+    snprintf(text, EDITOR_TEXT_MOST, "never");
     if (json_is_number(closes))
-        snprintf(text, TEXT_MOST, "%.9g s", json_number_value(closes));
+        snprintf(text, EDITOR_TEXT_MOST, "%.9g s", json_number_value(closes));
     return true;
 }
 
 static bool read_closing(Draft *draft, const char *id, const char *typed, Fault *fault) {
     char reason[QUANTITY_REASON];
     double closes;
-    if (!*typed || strcmp(typed, "never") == 0)
+    if (!*typed || strcasecmp(typed, "never") == 0)
         return draft_set(draft, id, "closes", NULL);
     if (!quantity_read(typed, "s", &closes, reason)) {
         fault_add(fault, "%.60s: %s; type a time in s, or never", typed, reason);
@@ -147,7 +157,7 @@ static const Shape *find_shape(DraftList list, const char *member) {
 }
 
 static void add_shapes(Editor *edit, size_t *count, DraftList list, const char *id, const json_t *element) {
-    char text[TEXT_MOST];
+    char text[EDITOR_TEXT_MOST];
     for (size_t i = 0; i < SHAPES; i++)
         if (shapes[i].list == list && shapes[i].write(element, text))
             add(edit, count,

@@ -85,6 +85,13 @@ def check_grades(folder):
     expect(0, "study", flat, *DOOR, "--out", os.path.join(folder, "one"), "--jobs", "1")
     for name, content in files.items():
         check(content == pathlib.Path(out, name).read_bytes() == pathlib.Path(folder, "one", name).read_bytes(), f"bytes of {name}")
+    closing = draft(folder, "closing", exits=FLAT["exits"] + [{"id": "near", "from": [0.4, 0], "to": [0.4, 1.2], "closes": 15}],
+                    doors=[{**FLAT["doors"][0], "width": 0.7}])
+    late = json.loads(expect(0, "study", closing, "--vary", "person.p1.delay=0:30:4", "--json").stdout)["grades"]
+    alone = [json.loads(run("run", closing, "--set", f"person.p1.delay={delay}", "--json").stdout)["grades"][0]["grade"]
+             for delay in (0, 10, 20, 30)]
+    check([row["grade"] for row in late] == alone and len(set(alone)) == 2,
+          f"whoever starts once the near exit is closed has another grade: {late}, alone {alone}")
     several = expect(0, "study", flat, "--runs", "3").stdout
     check("\ngrade A, easy\n" in several, "runs of one house have one grade", several)
     drivers = json.loads(expect(0, "study", flat, "--vary", "door.d1.width=0.7:0.8:2", "--drivers", "3", "--json").stdout)

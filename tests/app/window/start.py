@@ -76,4 +76,16 @@ check(after["sheet"] == "none" and after["edits"] == 1, "22: Return goes back to
 # an empty plan lacks walls: Return takes their tool, as the button of the answer does
 state = stage.act("lacking", "until answered", "key Ctrl+N", "wait 5", "until answered", "key Return", "wait 5", "state STATE")[0]
 check(state["tool"] == "wall", "20: Return takes the tool for what a house lacks", state["tool"])
+
+# a requested file that is not there or not right: its faults are shown with the default house, until another one opens
+bad = stage.folder / "bad.json"
+bad.write_text('{"format": "clearance-house", "version": 1,\n "walls": 7}')
+for path, says in ((bad, f"{bad}:2:"), (stage.folder / "none.json", "No such file")):
+    first, later = stage.act(f"asked-{path.stem}", "until answered", "wait 5", "texts FOLDER/texts", "state STATE",
+                             f"open {stage.house('corner-0.90-0.90')}", "until answered", "wait 5", "state STATE",
+                             arguments=[str(path)])
+    texts = [t["string"] for t in stage.states(stage.folder / f"asked-{path.stem}" / "texts")[0]]
+    check(says in first["message"] and any(says in text for text in texts), "the requested file's fault is shown",
+          (first["message"], texts[:3]))
+    check(says not in later["message"], "it is gone once another house is opened", later["message"])
 stage.end()

@@ -30,16 +30,19 @@ def field(label):
 
 
 def change(label, value, step):
-    """Types a value in a field, and checks that this is one step."""
+    """Types a value in a field, and checks that this is one step; `step` None: it is refused."""
     box, before = field(label)
     edits = window.state()["edits"]
     check(box, f"there is a field for {label}", before)
     if not box:
         return
     window.click(box[0] + 8, (box[1] + box[3]) / 2)
-    window.keys("ctrl+a")
-    window.type(value)
+    window.keys("ctrl+a", "BackSpace")
+    if value:
+        window.type(value)
     window.keys("Return")
+    if not step:
+        return
     done = window.until(lambda s: s["edits"] == edits + 1 and s["complete"] and not s["answer"]["stale"])
     check(done["undo_name"] == step and done["edits"] == edits + 1, f"{label}: typed as one step", (done["undo_name"], done["edits"]))
 
@@ -56,6 +59,22 @@ check(field("ends, m")[1] == "4.8 1; 4.8 2" and field("closes at")[1] == "never"
 window.shot("exit")
 change("ends, m", "4.9 0.9; 490cm 2.1", "Change the ends of exit e1")
 change("closes at", "2 min", "Change the closing time of exit e1")
+change("closes at", "", "Change the closing time of exit e1")
+check(field("closes at")[1] == "never", "an empty time is none", field("closes at"))
+change("closes at", "120", "Change the closing time of exit e1")
+
+# a refused text stays to be corrected, and the message says what would be right here
+edits = window.state()["edits"]
+change("ends, m", "4.9 0.9; 4.9 2.1; 5 3", None)
+said = window.until(lambda s: "3 ends" in s["message"])["message"]
+check("0 1; 0 2" in said, "the fault gives an example of two ends", said)
+window.until(lambda s: field("ends, m \u00b7 not applied")[0])
+check(field("ends, m \u00b7 not applied")[1] == "4.9 0.9; 4.9 2.1; 5 3" and window.state()["edits"] == edits,
+      "the refused ends stay in their field", field("ends, m \u00b7 not applied"))
+window.shot("refused")
+window.put(1, 0)
+window.put(4.9, 1.3)
+check(field("ends, m")[1] == "4.9 0.9; 4.9 2.1", "and are gone once another thing was selected", field("ends, m"))
 
 window.put(1, 0)
 check(field("corners, m")[1] == "0 0; 4 0; 4 3; 0 3; 0 0", "a wall tells its corners", field("corners, m"))
@@ -68,7 +87,7 @@ saved = json.loads(house.read_text())
 check(saved["exits"][0] == {"id": "e1", "from": [4.9, 0.9], "to": [4.9, 2.1], "closes": 120}, "saved: the exit", saved["exits"])
 check(saved["walls"][0]["points"][1:3] == [[4.5, 0], [4.5, 3]], "saved: the wall", saved["walls"])
 
-window.keys("ctrl+z", "ctrl+z", "ctrl+z", "ctrl+s")
+window.keys(*5 * ["ctrl+z"], "ctrl+s")
 window.until(lambda s: not s["unsaved"])
 back = json.loads(house.read_text())
 check({part: back[part] for part in ("walls", "exits")} == {part: HOUSE[part] for part in ("walls", "exits")}, "undone: as before",

@@ -41,7 +41,7 @@ static void make_path(Path *path, const Profile *profile, double first, double s
         path->s[count] = s;
         path->step[count] = step;
         path->left[count] = path->right[count] = width_at(profile, s) / 2;
-        path->edge[count] = FORESIGHT_EDGE;
+        path->edge[count] = 0.5;
         if (s < BEGINS && s + step >= BEGINS)
             path->edge[count] = (BEGINS - s) / step;
         if (s <= ENDS && s + step > ENDS)
@@ -82,7 +82,7 @@ TEST(the_room_on_both_sides_counts_together_while_the_body_does_not_turn) {
     for (size_t p = 0; p < path.foresight.count; p++) {
         path.left[p] = fabs(path.s[p] - 2) < THIN_WALL ? 0.4 : WIDE / 2;
         path.right[p] = fabs(path.s[p] - 2.1) < THIN_WALL ? 0.3 : WIDE / 2;
-        path.edge[p] = FORESIGHT_EDGE;
+        path.edge[p] = 0.5;
     }
     size_t middle = 41; /* at 2.05 m */
     CHECK_NEAR(foresight_width(&path.foresight, middle), 0.7, 1e-12);
