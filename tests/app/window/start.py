@@ -85,7 +85,7 @@ for path, says in ((bad, f"{bad}:2:"), (stage.folder / "none.json", "No such fil
                              f"open {stage.house('corner-0.90-0.90')}", "until answered", "wait 5", "state STATE",
                              arguments=[str(path)])
     texts = [t["string"] for t in stage.states(stage.folder / f"asked-{path.stem}" / "texts")[0]]
-    check(says in first["message"] and any(says in text for text in texts), "the requested file's fault is shown",
-          (first["message"], texts[:3]))
-    check(says not in later["message"], "it is gone once another house is opened", later["message"])
+    check(says in first["said"] and any(says in text for text in texts), "the requested file's fault is shown",
+          (first["said"], texts[:3]))
+    check(says not in (later["said"] or ""), "it is gone once another house is opened", later["said"])
 stage.end()
