@@ -362,9 +362,14 @@ static void choose_rows(const Study *study, bool *chosen) {
 }
 
 static void add_points(Text *text, const Study *study) {
-    bool *chosen = memory_zeroed(study_steps(study, 0), sizeof *chosen);
+    size_t steps = study_steps(study, 0), shown = 0;
+    bool *chosen = memory_zeroed(steps, sizeof *chosen);
     choose_rows(study, chosen);
     result_text_take(text, "", result_study_points(study, chosen));
+    for (size_t i0 = 0; i0 < steps; i0++)
+        shown += chosen[i0];
+    if (shown < steps)
+        text_format(text, "%zu of %zu steps are shown; --out writes the table of all\n", shown, steps);
     memory_free(chosen);
 }
 

@@ -119,6 +119,7 @@ typedef struct PanelParameter {
     double low, high;       /* range of the slider: the useful part of the row's range; typed values may exceed it */
     bool logarithmic;       /* the slider is logarithmic */
     bool first;             /* one of the main parameters: shown by default */
+    bool idle;              /* without effect as the others are: not shown */
 } PanelParameter;
 
 typedef struct Preset {

@@ -46,7 +46,8 @@ void result_grade_add(const char **title, const char **detail, const House *hous
     if (!known)
         return;
     const Grade *worst = grades ? &grades[grade_worst(house, grades)] : NULL;
-    *title = text_in_arena(arena, "%s, %s %s", *title, noun(known), worst ? grade_letter(worst->letter) : "\u2026");
     if (worst)
-        *detail = text_in_arena(arena, **detail ? "%s; %s" : "%s%s", grade_words(worst->letter), *detail);
+        *title = text_in_arena(arena, "%s, %s %s", *title, noun(known), grade_letter(worst->letter));
+    *detail = text_in_arena(arena, **detail ? "%s; %s" : "%s%s",
+                            worst ? grade_words(worst->letter) : "working out the grade", *detail);
 }

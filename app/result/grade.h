@@ -13,5 +13,5 @@ const char *result_grade_phrase(const House *house, const Grade *grades, Arena *
 
 /* Adds the worst grade to the title and the detail of an answer: "Out in 23.0 s, grade D" and "touching likely;
  * narrowest 0.007 m at door d3". They stay as they are if no grade is known. Without `grades` (NULL), which are being
- * worked out, the title keeps the place of the letter, "Out in 23.0 s, grade \u2026", if anybody drives. */
+ * worked out, only the detail says so, if anybody drives. */
 void result_grade_add(const char **title, const char **detail, const House *house, const Grade *grades, Arena *arena);

@@ -139,6 +139,23 @@ static Headline all_out(const House *house, const Observation *observation, cons
 
 /* Not all out ----------------------------------------------------------------------------------------------------- */
 
+/* Returns the exit that was the last one to close up to the time; NULL: none did. */
+static const Exit *last_closed(const Plan *plan, double time) {
+    const Exit *last = NULL;
+    for (size_t e = 0; e < plan->exit_count; e++)
+        if (plan->exits[e].closes <= time && (!last || plan->exits[e].closes > last->closes))
+            last = &plan->exits[e];
+    return last;
+}
+
+static const char *why_no_exit(const House *house, const PersonObservation *person, const char *id, Arena *arena) {
+    const Exit *closed = last_closed(&house->plan, person->time);
+    if (!closed)
+        return text_in_arena(arena, "%s has no exit to go to", id);
+    const char *exit = house->plan.exit_count > 1 ? text_in_arena(arena, "exit %s", closed->id) : "the exit";
+    return text_in_arena(arena, "%s is too late: %s closed at %.1f s", id, exit, closed->closes);
+}
+
 /* Returns "p1 is blocked at door d2 after 18.4 s". */
 static const char *why(const House *house, const PersonObservation *person, size_t i, Arena *arena) {
     const char *id = house->people[i].id, *what = person->blockage.what;
@@ -155,7 +172,7 @@ static const char *why(const House *house, const PersonObservation *person, size
         return *what ? text_in_arena(arena, "%s is blocked at %s after %.1f s", id, what, person->time)
                      : text_in_arena(arena, "%s is blocked after %.1f s", id, person->time);
     case REASON_NO_EXIT:
-        return text_in_arena(arena, "%s has no exit to go to", id);
+        return why_no_exit(house, person, id, arena);
     case REASON_TIME_LIMIT:
     case REASON_NONE:
         break;

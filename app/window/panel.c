@@ -341,7 +341,7 @@ static void show_parameters(Window *window, Tab *tab, bool first) {
     bool selected = tab->laboratory->selected(tab->session).kind, open = true, any = false;
     for (size_t i = 0; i < count; i++) {
         bool of_item = strncmp(parameters[i].name, "profile.", 8) != 0 && !tab->laboratory->numbers_first;
-        if (parameters[i].first != first || (first && !selected && of_item))
+        if (parameters[i].idle || parameters[i].first != first || (first && !selected && of_item))
             continue;
         if (strcmp(group, parameters[i].group) != 0) {
             bool heads = first && selected && !any;

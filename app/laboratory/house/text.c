@@ -27,7 +27,7 @@
 #define ALIKE 0.05 /* s: times closer than this count as equal */
 #define AHEAD 2.0  /* s, time before a person reaches a dangerous point at which "go to" begins */
 
-enum { EXITS_MOST = 8 /* that are counted in a crowd */ };
+enum { EXITS_MOST = 16 /* that are counted one by one in a crowd */ };
 
 static bool is_crowd(const HouseSession *session) {
     return session->runs[RUN_SHOWN]->house.person_count > PEOPLE_SCENE_INDIVIDUALS;
@@ -96,9 +96,7 @@ static double flow_of_door(const HouseSession *session, const Door *door, double
 
 /* Adds what no slider below says. */
 static void add_door(HouseSession *session, const Plan *plan, const Door *door) {
-    static const char *const kinds[] = {"opening", "hinged", "sliding"};
     Scene *scene = &session->texts.moment;
-    add_pair(session, "kind", kinds[door->kind]);
     Vec2 from, to;
     plan_geometry_door_ends(plan, door, &from, &to);
     const char *wall = names_wall_at(plan, door->wall_index, vec2_scale(vec2_add(from, to), 0.5), &scene->arena);
@@ -259,6 +257,8 @@ static void add_now(HouseSession *session, double time) {
         add_pair(session, scene_text(scene, "exit %s", plan->exits[e].id),
                  session->whole ? scene_text(scene, "%s of %zu", headline_count(now[e], all[e], &scene->arena), all[e])
                                 : headline_count(now[e], people, &scene->arena));
+    if (plan->exit_count > EXITS_MOST)
+        house_rows_add(session, ROW_PLAIN, scene_text(scene, "and %zu more exits", plan->exit_count - EXITS_MOST));
 }
 
 /* Rows of the scene's list: dangerous points and people ----------------------------------------------------------- */

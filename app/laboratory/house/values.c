@@ -17,12 +17,23 @@ typedef struct Offer {
 
 static const Offer door_offers[] = {{"width", "width", 0.5, 1.5},
                                     {"at", "place along the wall", 0, 0},
+                                    {"kind", "kind", 0, 0},
+                                    {"hinge", "hinge at the wall's", 0, 0},
+                                    {"swing", "opens to the wall's", 0, 0},
                                     {"state", "state", 0, 0},
-                                    {"opening_time", "opening time", 0, 10}};
-static const Offer furniture_offers[] = {
-    {"centre.x", "place, x", 0, 0}, {"centre.y", "place, y", 0, 0}, {"angle", "angle", -180, 180},
-    {"size.x", "width", 0, 0},      {"size.y", "depth", 0, 0},      {"probability", "falls with probability", 0, 1},
-    {"topples", "falls to", 0, 0},  {"toppled", "fallen", 0, 0}};
+                                    {"opening_time", "opening time", 0, 10},
+                                    {"leaf", "thickness of the leaf", 0, 0.1},
+                                    {"rest", "leaf stays in the way by", 0, 0.3},
+                                    {"closer", "closes by itself", 0, 0}};
+static const Offer furniture_offers[] = {{"centre.x", "place, x", 0, 0},
+                                         {"centre.y", "place, y", 0, 0},
+                                         {"angle", "angle", -180, 180},
+                                         {"size.x", "width", 0, 0},
+                                         {"size.y", "depth", 0, 0},
+                                         {"height", "height", 0, 0},
+                                         {"probability", "falls with probability", 0, 1},
+                                         {"topples", "falls to", 0, 0},
+                                         {"toppled", "fallen", 0, 0}};
 static const Offer wall_offers[] = {{"thickness", "thickness", 0, 0.5}, {"height", "height", 0, 0}};
 static const Offer exit_offers[] = {{"opens", "opens at", 0, 60}};
 static const Offer person_offers[] = {{"delay", "delay", 0, 30},
@@ -123,14 +134,29 @@ static PanelParameter *add_value(HouseValues *values, const House *house, const 
     return parameter;
 }
 
+/* True if a value of a door has no effect on one of its kind. */
+static bool is_idle(const Door *door, const char *name) {
+    bool leafless = door->kind == DOOR_OPENING, slides = door->kind == DOOR_SLIDING;
+    if (strcmp(name, "swing") == 0 || strcmp(name, "leaf") == 0)
+        return leafless || slides;
+    if (strcmp(name, "hinge") == 0)
+        return leafless || (slides && door->rest == 0);
+    if (strcmp(name, "rest") == 0)
+        return !slides;
+    return strcmp(name, "opening_time") == 0 && door->state != DOOR_CLOSED;
+}
+
 /* Adds the values of one item of the plan: KIND.ID.NAME. */
 static void add_offers(HouseValues *values, const House *house, const char *kind, const char *id, const char *group,
                        ValueOwner owner, const Offer *offers, size_t count) {
     for (size_t i = 0; i < count; i++) {
         const char *name = text_in_arena(&values->arena, "%s.%s.%s", kind, id, offers[i].name);
         PanelParameter *parameter = add_value(values, house, name, &offers[i], owner);
-        if (parameter)
-            parameter->group = group;
+        if (!parameter)
+            continue;
+        parameter->group = group;
+        parameter->idle =
+            owner.item.kind == HOUSE_DOOR && is_idle(&house->plan.doors[owner.item.index], offers[i].name);
     }
 }
 

@@ -57,6 +57,8 @@ def check_answers(folder):
     expect(1, "study", flat, "--vary", "door.d1.width=0.3:0.5:3")
     late = expect(1, "study", flat, *DOOR, "--until", "1")
     check("not out throughout" in late.stdout, "--until of a study", late.stdout)
+    many = expect(1, "study", flat, "--vary", "door.d1.width=0.6:1.1:26", "--until", "1").stdout
+    check(many.endswith("\n12 of 26 steps are shown; --out writes the table of all\n"), "a table says how much it shows", many)
 
 
 def check_grades(folder):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Tests by a real pointer and real keys that the corners of walls and rooms, the ends of exits, the time at which an exit
-closes and the height of a wall are typed on the panel, each as one undo step."""
+closes and the height of a wall are typed on the panel, and the kind of a door is chosen there, each as one undo step."""
 
 import json
 
@@ -81,13 +81,31 @@ check(field("corners, m")[1] == "0 0; 4 0; 4 3; 0 3; 0 0", "a wall tells its cor
 window.shot("wall")
 change("corners, m", "0 0; 4.5 0; 4.5 3; 0 3; 0 0", "Change the corners of wall")
 
+# a door's kind, its hinge and the side to which it opens; values without an effect on the kind are not shown
+def panel_word(word):
+    panel = window.state()["frame"]["panel"]
+    return next((t["box"] for t in window.texts() if t["string"] == word and t["box"][0] >= panel[0] - 1), None)
+
+
+window.put(4.5, 1.15)
+check(window.state()["selected"] == "door d1" and not panel_word("hinge at the wall's"), "an opening has no hinge",
+      window.state()["selected"])
+for word, step in (("hinged", "kind"), ("end", "hinge"), ("right", "opens to")):
+    box, edits = panel_word(word), window.state()["edits"]
+    check(box, f"a door can be {word}")
+    window.click((box[0] + box[2]) / 2, (box[1] + box[3]) / 2)
+    window.until(lambda s: s["edits"] == edits + 1 and s["complete"] and not s["answer"]["stale"])
+window.shot("door")
+
 window.keys("ctrl+s")
 window.until(lambda s: not s["unsaved"])
 saved = json.loads(house.read_text())
 check(saved["exits"][0] == {"id": "e1", "from": [4.9, 0.9], "to": [4.9, 2.1], "closes": 120}, "saved: the exit", saved["exits"])
+door = {member: saved["doors"][0].get(member) for member in ("kind", "hinge", "swing")}
+check(door == {"kind": "hinged", "hinge": "end", "swing": "right"}, "saved: the door", door)
 check(saved["walls"][0]["points"][1:3] == [[4.5, 0], [4.5, 3]], "saved: the wall", saved["walls"])
 
-window.keys(*5 * ["ctrl+z"], "ctrl+s")
+window.keys(*8 * ["ctrl+z"], "ctrl+s")
 window.until(lambda s: not s["unsaved"])
 back = json.loads(house.read_text())
 check({part: back[part] for part in ("walls", "exits")} == {part: HOUSE[part] for part in ("walls", "exits")}, "undone: as before",
