@@ -1,9 +1,11 @@
 #include "route/decide.h"
 
+#include "base/digest.h"
 #include "base/memory.h"
 #include "base/real.h"
 #include "route/doorway.h"
 #include "route/hasten.h"
+#include "route/quicken.h"
 #include "route/recall.h"
 #include "route/relax.h"
 #include "route/way.h"
@@ -17,7 +19,9 @@
  * no small change makes it quicker (hasten.c). A proposal that does not come free is dropped, which proves nothing: if
  * it had no change of direction, later proposals must have one, since the search would find the same way again, except
  * for bodies of nearly the true size. A way with changes of direction is tried with arcs in place of its turns on the
- * spot, without its short pieces, and compared with what is found with fewer changes. What the chair waits for shut
+ * spot, without its short pieces, and compared with what is found with fewer changes. The best way that changes its
+ * direction or turns on the spot is made quicker once more, with its stations closer and wider in turn, since there the
+ * descent ends where their places let it. No way is tried twice that did not come free. What the chair waits for shut
  * doors that it swings against counts among the ways that are free, though the descent does not know it. A no is given
  * only after a search with more states where the others had to give up. The budget is counted in expansions, proposals
  * and sweeps, never in time, so that the answer is always the same. */
@@ -25,14 +29,15 @@
 #define SPACING 0.05         /* m, of the stations */
 #define ALIKE 3e-3           /* 1: ways whose times differ by less than this share are one */
 #define WORTH_HASTENING 1.15 /* 1: ways that take longer than the quickest by this factor are left */
-#define SWEPT 0.8            /* 1, share of the margin that the sweep between the poses asks for */
 #define MARGIN 0.005         /* m, kept from everything, unless the start has less */
 #define BARELY 1e-3          /* m, kept where there is no room for the margin */
 #define HAIR 5e-4            /* m */
 #define SHORT 0.6            /* m: pieces of a way up to this length may be needless */
 #define HARDLY 0.006         /* m, more relief than this is another body */
+#define LACKING 0.02         /* m, of the margin: less comfort does not free a way that lacks more than this */
+#define TOO_LONG 1.5         /* 1: ways that are proposed with so many times the best one's time are left */
 
-enum { SWEEPS = 20, PASSES = 2, SURE = 2, ASK_WHETHER_IT_FITS = 2 };
+enum { SURE = 2, ASK_WHETHER_IT_FITS = 2 };
 
 static const SearchGrain coarse = {.cell = 0.10, .turn = M_PI / 18, .step = 0.15, .weight = 1.5, .most_nodes = 8000};
 static const SearchGrain middle = {.cell = 0.05, .turn = M_PI / 36, .step = 0.10, .weight = 1.5, .most_nodes = 24000};
@@ -95,12 +100,24 @@ enum { SKIDDING_RUNGS = sizeof skidding_grains / sizeof *skidding_grains };
  * cusps of a way with changes of direction hardly move there, so that it is tried with cusps nearer to walls, too. */
 static const double comforts[] = {20, 2};
 
-/* 1, shares of the margin that the descent keeps at the stations: the next one where the sweep finds too little room
- * between them. */
-static const double keeps[] = {SWEPT, 0.9, 1};
+/* 1, of the step between the stations of the best way, that between those of its copies that are made quicker. */
+static const double spacings[] = {0.7, 1, 0.7, 1};
 
 /* 1, of the turn on the spot at a change of direction, up to the heading that is tried in its place. */
 static const double shares[] = {0.5, 0.75};
+
+/* The answer of a rung's search with any number of changes of direction. */
+typedef struct Asked {
+    bool asked;
+    SearchAnswer answer;
+    int reversals; /* of the way that was found */
+} Asked;
+
+/* A way that could not be made free. */
+typedef struct Stuck {
+    uint64_t digest; /* of the way as it was proposed, and of the comfort */
+    double lacking;  /* m, of the margin */
+} Stuck;
 
 typedef struct Decide {
     const RouteQuery *query;
@@ -120,6 +137,10 @@ typedef struct Decide {
     bool proposed;         /* True if a search has found a way of a smaller body */
     bool dropped_onwards;  /* True if one without a change of direction has not come free */
     double spent[RUNGS];   /* m2 rad, of states that a rung has tried until it gave up; 0: it did not */
+    Asked asked[RUNGS];
+    Stuck *stuck; /* (stuck_count) owned */
+    size_t stuck_count, stuck_capacity;
+    double lacking; /* m, of the margin, at the latest way that should be made free; 0: it is free */
 } Decide;
 
 static Rectangle relieved(const Rectangle *body, double by) {
@@ -143,46 +164,6 @@ static SearchAnswer propose(const Decide *decide, const Rung *rung, int least_re
     grain.least_reversals = least_reversals;
     return search_legs(decide->query, decide->goals, decide->goal_count, &body, radius_within(decide->body), &grain,
                        most_reversals, track, NULL);
-}
-
-/* Makes a way that keeps a margin quicker, as far as the sweep finds room between its stations: where it does not, the
- * descent begins again and keeps more of the margin. */
-static bool descend(const Decide *decide, Way *quick, const Way *from, double margin, double *time) {
-    const RouteQuery *query = decide->query;
-    bool whole = true, good = false;
-    for (size_t k = 0; k < sizeof keeps / sizeof *keeps && whole && !good; k++) {
-        way_free(quick);
-        *quick = way_copy(from);
-        whole = hasten_way(quick, query->space, decide->body, query->profile, margin * keeps[k], SWEEPS, query->stop);
-        good = whole && way_swept(quick, query->space, decide->body, margin * SWEPT * SWEPT);
-    }
-    *time = good ? hasten_time(quick, query->space, decide->body, query->profile) : HUGE_VAL;
-    return whole;
-}
-
-/* Makes a way that keeps a margin quicker. Changes of direction move only as far as the steps beside them stay even: a
- * way that has some is spaced again and made quicker once more, where the first pass was worth it. The way and its
- * time, s, stay as they are where the descent leads too near to something. Returns false if interrupted. */
-static bool hasten(const Decide *decide, Way *way, double margin, double *time) {
-    bool whole = true, gains = true;
-    Way quick = {0};
-    for (int pass = 0; pass < PASSES && gains && whole; pass++) {
-        double now;
-        Way from = way_copy(way);
-        if (pass > 0)
-            way_resample(&from, from.pieces[0].step);
-        whole = descend(decide, &quick, &from, margin, &now);
-        way_free(&from);
-        bool good = now < HUGE_VAL && (pass == 0 || now < *time);
-        gains = good && quick.piece_count > 1 && now < *time * (1 - ALIKE);
-        if (good) {
-            way_free(way);
-            *way = way_copy(&quick);
-            *time = now;
-        }
-    }
-    way_free(&quick);
-    return whole;
 }
 
 static bool turns_on_spot(const Way *way) {
@@ -224,7 +205,7 @@ static bool improve(Decide *decide, Way *way, double margin) {
         decide->confirmed = 0;
     }
     if (!decide->any && margin == decide->kept && time < WORTH_HASTENING * decide->time)
-        whole = hasten(decide, way, margin, &time);
+        whole = quicken_way(query, decide->body, margin, way, &time);
     if (!decide->any)
         time += delay_by_doors(decide, way);
     if (whole && margin == decide->kept) {
@@ -240,17 +221,35 @@ static bool improve(Decide *decide, Way *way, double margin) {
     return whole;
 }
 
+/* Returns the way among those that could not be made free; NULL: it was not tried, or could. */
+static const Stuck *find_stuck(const Decide *decide, uint64_t digest) {
+    for (size_t i = 0; i < decide->stuck_count; i++)
+        if (decide->stuck[i].digest == digest)
+            return &decide->stuck[i];
+    return NULL;
+}
+
 /* Makes a way free with a weight of comfort, and improves a copy of the free way. If it cannot be made free, it becomes
  * a way without pieces. Returns false if interrupted. */
 static bool make_free(Decide *decide, Way *way, double comfort) {
     const RouteQuery *query = decide->query;
     RelaxOptions options = {decide->margin, BARELY, comfort, query->whether, query->stop};
-    double kept = relax_way(way, query->space, decide->body, &options);
+    uint64_t digest = digest_mix(way_digest(way), comfort);
+    const Stuck *stuck = find_stuck(decide, digest);
+    double kept = stuck ? 0 : relax_way(way, query->space, decide->body, &options, &decide->lacking);
     if (stop_requested(query->stop))
         return false;
     if (kept > 0) {
         Way copy = way_copy(way);
+        decide->lacking = 0;
         return improve(decide, &copy, kept);
+    }
+    if (stuck) {
+        decide->lacking = stuck->lacking;
+    } else {
+        decide->stuck =
+            memory_reserve(decide->stuck, &decide->stuck_capacity, decide->stuck_count + 1, sizeof *decide->stuck);
+        decide->stuck[decide->stuck_count++] = (Stuck){digest, decide->lacking};
     }
     way_free(way);
     return true;
@@ -284,10 +283,12 @@ static bool straighten_cusps(Decide *decide, const Way *free_way, double comfort
  * free way by narrow bends and makes the result free. Returns false if interrupted. */
 static bool free_and_bend(Decide *decide, const Way *proposed) {
     bool whole = true;
+    double lacking = 0; /* m, of the way as it was proposed */
     size_t count = proposed->piece_count > 1 ? sizeof comforts / sizeof *comforts : 1;
-    for (size_t c = 0; c < count && whole && !settled(decide); c++) {
+    for (size_t c = 0; c < count && whole && lacking <= LACKING && !settled(decide); c++) {
         Way way = way_copy(proposed);
         whole = make_free(decide, &way, comforts[c]);
+        lacking = decide->lacking;
         if (whole && way.piece_count > 0 && !settled(decide) && way_join(&way))
             whole = make_free(decide, &way, comforts[c]);
         if (whole && way.piece_count > 0)
@@ -313,9 +314,18 @@ static bool realise_way(Decide *decide, Way *way) {
     return whole;
 }
 
+/* True if a proposed way takes so long that it is not worth making it free: a smaller body's time on it tells. */
+static bool is_too_long(const Decide *decide, const Way *way) {
+    Rectangle smaller = relieved(decide->body, MOST_RELIEF);
+    return decide->time < HUGE_VAL &&
+           hasten_time(way, decide->query->space, &smaller, decide->query->profile) > TOO_LONG * decide->time;
+}
+
 static bool realise(Decide *decide, const SearchTrack *track) {
     const Exit *exit = &decide->query->plan->exits[track->exit];
     Way way = way_of_track(track, exit, decide->goals, decide->goal_count - 1, SPACING);
+    if (way.piece_count > 0 && is_too_long(decide, &way))
+        way_free(&way);
     return realise_way(decide, &way);
 }
 
@@ -342,7 +352,10 @@ static bool try_fewer(Decide *decide, SearchTrack *proposal) {
     bool whole = true;
     for (int r = 0; r < RUNGS && whole; r++) {
         int reversals = way_reversals(&decide->best);
-        if (rungs[r].stage != STAGE_BACK || reversals == 0)
+        const Asked *asked = &decide->asked[r];
+        bool vain = asked->asked &&
+                    (asked->answer == SEARCH_NONE || (asked->answer == SEARCH_FOUND && asked->reversals < reversals));
+        if (rungs[r].stage != STAGE_BACK || reversals == 0 || vain)
             continue;
         SearchAnswer answer = propose(decide, &rungs[r], 0, reversals - 1, proposal);
         whole = answer != SEARCH_INTERRUPTED && (answer != SEARCH_FOUND || realise(decide, proposal));
@@ -382,19 +395,26 @@ static bool try_turning(Decide *decide, SearchTrack *proposal) {
            (most == 1 || way_reversals(&decide->best) > 0 || try_changes(decide, most, proposal));
 }
 
-/* Leads the best way along the middle where that costs no time, unless the sweep finds that this comes too near to
- * something. Returns false if interrupted. */
-static bool centre(Decide *decide) {
+/* Makes the best way quicker once more where much hangs on the places of its stations: where it changes its direction
+ * or turns on the spot. Returns false if interrupted. */
+static bool polish(Decide *decide) {
     const RouteQuery *query = decide->query;
-    double margin = decide->kept * SWEPT;
-    Way way = way_copy(&decide->best);
-    bool whole = hasten_centre(&way, query->space, decide->body, query->profile, margin, SWEEPS, query->stop);
-    if (whole && way_swept(&way, query->space, decide->body, margin * SWEPT)) {
-        Way aside = decide->best;
-        decide->best = way;
-        way = aside;
+    bool whole = true, gains = decide->best.piece_count > 1 || turns_on_spot(&decide->best);
+    for (size_t k = 0; k < sizeof spacings / sizeof *spacings && whole && gains; k++) {
+        double time, before = decide->time;
+        Way way;
+        whole = quicken_copy(query, decide->body, decide->kept, &decide->best, spacings[k], &way, &time);
+        if (whole && time < HUGE_VAL)
+            time += delay_by_doors(decide, &way);
+        gains = whole && time < before * (1 - ALIKE);
+        if (whole && time < before) {
+            way_free(&decide->best);
+            decide->best = way;
+            decide->time = time;
+        } else {
+            way_free(&way);
+        }
     }
-    way_free(&way);
     return whole;
 }
 
@@ -475,8 +495,9 @@ static DecideAnswer decide_fresh(const RouteQuery *query, const Rectangle *body,
             bool onwards = rungs[r].stage == STAGE_ONWARDS;
             /* A body of nearly the true size is led along other ways without a change of direction, too. */
             bool again = onwards || rungs[r].grain == &coarse_long;
-            SearchAnswer answer = propose(&decide, &rungs[r], !again && decide.dropped_onwards,
-                                          onwards ? 0 : query->most_reversals, &proposal);
+            int least = !again && decide.dropped_onwards;
+            SearchAnswer answer = propose(&decide, &rungs[r], least, onwards ? 0 : query->most_reversals, &proposal);
+            decide.asked[r] = (Asked){least == 0, answer, proposal.reversals};
             if (answer == SEARCH_GAVE_UP)
                 decide.spent[r] = extent_of(rungs[r].grain);
             decide.proposed |= answer == SEARCH_FOUND;
@@ -504,13 +525,15 @@ static DecideAnswer decide_fresh(const RouteQuery *query, const Rectangle *body,
     }
     bool better = decide.confirmed > 0 && !decide.any;
     whole = whole && (!better || (drop_short(&decide) && try_fewer(&decide, &proposal) &&
-                                  try_turning(&decide, &proposal) && drop_short(&decide) && centre(&decide)));
+                                  try_turning(&decide, &proposal) && drop_short(&decide) && polish(&decide) &&
+                                  quicken_centre(query, body, decide.kept, &decide.best)));
     if (whole && decide.confirmed > 0) {
         give_track(&decide, track);
         result = DECIDE_FOUND;
     }
     search_track_clear(&proposal);
     way_free(&decide.best);
+    memory_free(decide.stuck);
     return whole ? result : DECIDE_INTERRUPTED;
 }
 

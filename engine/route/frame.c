@@ -17,18 +17,19 @@
  * moments of the plan about the middle of the walls' box: of the walls (by length), of the exits and of the furniture;
  * at last it is not mirrored. The origin is the lower left corner of the walls' box.
  *
- * Numbers are rounded, above the rounding errors of a congruence and below everything that matters, so that copies are
- * equal to the last bit: of solids to 0.1 um, of all other places to 0.1 nm, since it matters on which side of an
- * exit's line a place is, and angles to 1e-9 degrees. The solids are united in the copy, because GEOS rounds to a grid
- * as well.
+ * Numbers are rounded, above the rounding errors of a congruence and of a file that has nanometres, and below
+ * everything that matters, so that copies are equal to the last bit: places to 0.1 um and angles to 1e-6 degrees. Where
+ * a start is so near to an exit's line that it could change sides, all but the solids are rounded to 0.1 nm. The solids
+ * are united in the copy, because GEOS rounds to a grid as well.
  *
  * The direction in which walls and exits are drawn does not matter, and how they are split hardly does. A plan that is
  * symmetric about the line ahead has a mirror image with the same answer, but not with the mirrored path: people who
  * meet in a corridor must prefer the same side of their own, or neither can pass. */
 
 #define SOLID_PARTS 1e7 /* 1/m */
-#define PLACE_PARTS 1e10
-#define ANGLE_PARTS 1e9 /* 1/degree */
+#define EXACT_PARTS 1e10
+#define ANGLE_PARTS 1e6 /* 1/degree */
+#define NEXT_TO 1e-6    /* m, to an exit's line */
 #define SAME 1e-6       /* m, by which lengths and moments must differ to decide */
 
 /* The points of a plan in a frame whose x axis is along the longest wall. */
@@ -172,6 +173,16 @@ static Vec2 way_out(const Plan *plan, size_t exit, Vec2 otherwise) {
     return count ? vec2_scale(sum, 1.0 / (double)count) : otherwise;
 }
 
+/* True if a start is so near to the straight line of an exit that it could change sides when it is rounded. */
+static bool is_next_to_exit(const Plan *plan, Vec2 at) {
+    bool next = false;
+    for (size_t e = 0; e < plan->exit_count; e++) {
+        Vec2 along = vec2_unit(vec2_sub(plan->exits[e].to, plan->exits[e].from));
+        next |= fabs(vec2_cross(along, vec2_sub(at, plan->exits[e].from))) < NEXT_TO;
+    }
+    return next;
+}
+
 int frame_sense(const Plan *plan, Vec2 at, double heading, const Vec2 *via, size_t via_count, size_t exit) {
     Vec2 along = longest_direction(plan);
     unsigned left = narrowed((1U << FRAME_SENSES) - 1, vec2_unturn(vec2_heading(heading), along), 0);
@@ -183,7 +194,7 @@ int frame_sense(const Plan *plan, Vec2 at, double heading, const Vec2 *via, size
     int sense = 0;
     while (!(left >> sense & 1))
         sense++;
-    return sense;
+    return is_next_to_exit(plan, at) ? sense | FRAME_EXACT : sense;
 }
 
 /* Lays the frame's axes and origin. */
@@ -212,7 +223,7 @@ static Vec2 place_in_parts(const RouteFrame *frame, Vec2 at, double parts) {
 }
 
 Vec2 frame_place(const RouteFrame *frame, Vec2 at) {
-    return place_in_parts(frame, at, PLACE_PARTS);
+    return place_in_parts(frame, at, frame->parts);
 }
 
 Vec2 frame_place_in_plan(const RouteFrame *frame, Vec2 at) {
@@ -294,14 +305,14 @@ static void copy_plan(RouteFrame *frame, const Plan *plan) {
         own->people[p].heading = own_angle(frame, own->people[p].heading, 180);
     }
     for (size_t c = 0; c < own->crowd_count; c++)
-        place_points(frame, &own->crowds[c].area, PLACE_PARTS);
+        place_points(frame, &own->crowds[c].area, frame->parts);
     for (size_t r = 0; r < own->route_count; r++)
-        place_points(frame, &own->routes[r].via, PLACE_PARTS);
+        place_points(frame, &own->routes[r].via, frame->parts);
 }
 
 bool frame_build(RouteFrame *frame, const Plan *plan, int sense) {
-    *frame = (RouteFrame){.axis = {1, 0}};
-    lay(frame, plan, sense);
+    *frame = (RouteFrame){.axis = {1, 0}, .parts = sense & FRAME_EXACT ? EXACT_PARTS : SOLID_PARTS};
+    lay(frame, plan, sense & ~FRAME_EXACT);
     copy_plan(frame, plan);
     Fault fault = {0};
     bool good = outline_build(&frame->outline, &frame->plan, &fault);

@@ -14,17 +14,19 @@ typedef struct RouteFrame {
     Vec2 axis;     /* unit vector of the frame's x axis, in the plan */
     double angle;  /* degree, of that vector */
     bool mirrored; /* True if the frame's y axis points to the right of its x axis */
+    double parts;  /* 1/m, to which places are rounded */
     Plan plan;     /* the copy, without rooms, overrides and background */
     Outline outline;
     FreeSpace space;
 } RouteFrame;
 
-/* Returns the sense, 0 to FRAME_SENSES - 1, in which the frame of a plan lies for a query: which way along the longest
- * wall its x axis points, and whether it is mirrored. The person starts at `at` with a heading (rad), passes the points
+/* Returns the sense in which the frame of a plan lies for a query, 0 to FRAME_SENSES - 1: which way along the longest
+ * wall its x axis points, and whether it is mirrored; with FRAME_EXACT if the start is next to an exit's line, on one
+ * side of which it must stay. The person starts at `at` with a heading (rad), passes the points
  * `via` (via_count) and takes `exit` (SIZE_MAX: any). */
 int frame_sense(const Plan *plan, Vec2 at, double heading, const Vec2 *via, size_t via_count, size_t exit);
 
-enum { FRAME_SENSES = 8 };
+enum { FRAME_SENSES = 8, FRAME_EXACT = 8 };
 
 /* Builds the frame of a plan in a sense, in memory that is not in use; frame_free releases it. Returns false, with
  * nothing to release, if GEOS cannot unite the solids of the copy. */

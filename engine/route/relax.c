@@ -528,10 +528,12 @@ static void relax_release(Relax *relax) {
     memory_free(relax->unknowns);
 }
 
-double relax_way(Way *way, const FreeSpace *space, const Rectangle *body, const RelaxOptions *options) {
+double relax_way(Way *way, const FreeSpace *space, const Rectangle *body, const RelaxOptions *options,
+                 double *lacking) {
     double enough = options->margin * ALMOST, clearance = 0;
     Way good = {0}; /* the latest drivable one, with even steps if there is such a one */
     bool done = false, good_is_even = false;
+    *lacking = 0;
     for (int s = 0; s < STAGES && !done; s++) {
         const Stage *stage = &stages[s];
         Relax relax = {.way = way,
@@ -564,5 +566,6 @@ double relax_way(Way *way, const FreeSpace *space, const Rectangle *body, const 
         *way = good;
         return options->margin;
     }
+    *lacking = real_max(options->margin - clearance, 0);
     return clearance > options->barely && is_drivable(way, space, body, options->barely) ? options->barely : 0;
 }

@@ -17,5 +17,6 @@ typedef struct RelaxOptions {
 #define RELAX_COMFORT 0.14 /* m */
 
 /* Moves the stations, which may begin within obstacles, until the body is free. Returns the clearance that is kept all
- * along, m: the margin, or else at least `barely`; 0: the way is not free, or it was interrupted. */
-double relax_way(Way *way, const FreeSpace *space, const Rectangle *body, const RelaxOptions *options);
+ * along, m: the margin, or else at least `barely`; 0: the way is not free, or it was interrupted. `lacking`, m, is how
+ * much of the margin the stations lack at last. */
+double relax_way(Way *way, const FreeSpace *space, const Rectangle *body, const RelaxOptions *options, double *lacking);

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/digest.h"
 #include "base/memory.h"
 #include "base/real.h"
 #include "plan/plan_geometry.h"
@@ -110,6 +111,19 @@ Way way_copy(const Way *way) {
     copy.joints = copied(way->joints, way->piece_count, sizeof *way->joints);
     copy.pins = copied(way->pins, way->pin_count, sizeof *way->pins);
     return copy;
+}
+
+uint64_t way_digest(const Way *way) {
+    uint64_t digest = DIGEST_START;
+    for (size_t s = 0; s < way->count; s++)
+        digest = digest_pair(digest_pair(digest, way->stations[s].at), way->stations[s].axis);
+    for (size_t k = 0; k < way->piece_count; k++) {
+        const Joint *joint = &way->joints[k];
+        digest = digest_mix(digest, (double)way->pieces[k].first);
+        digest = digest_mix(digest, way->pieces[k].direction);
+        digest = digest_mix(digest_pair(digest, vec2(joint->in, joint->out)), joint->turns);
+    }
+    return digest;
 }
 
 bool way_join(Way *way) {

@@ -8,6 +8,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "route/search.h"
 #include "space/freespace.h"
@@ -54,6 +55,9 @@ typedef struct Way {
  * passes `pin_count` goals in order. way_free releases it; piece_count 0: the track does not move. */
 Way way_of_track(const SearchTrack *track, const Exit *exit, const Goal *pins, size_t pin_count, double spacing);
 Way way_copy(const Way *way);
+
+/* Returns a digest of the stations, pieces and joints. */
+uint64_t way_digest(const Way *way);
 
 /* Makes one piece of each two that meet at a turn on the spot without a change of direction: there it has a kink.
  * Returns false if there is none. */

@@ -116,6 +116,47 @@ TEST(tight_houses_are_within_reach_of_their_start_and_moved_as_a_whole) {
     profile_free(&profile);
 }
 
+static Vec2 rounded(Vec2 at, double parts) {
+    return vec2(round(at.x * parts) / parts, round(at.y * parts) / parts);
+}
+
+static void round_scene(TightScene *scene, double parts) {
+    for (size_t i = 0; i < scene->count; i++) {
+        scene->solids[i].a = rounded(scene->solids[i].a, parts);
+        scene->solids[i].b = rounded(scene->solids[i].b, parts);
+    }
+    for (int i = 0; i < 2; i++)
+        scene->exit[i] = rounded(scene->exit[i], parts);
+    scene->at = rounded(scene->at, parts);
+    scene->heading = radians(round(degrees(scene->heading) * parts) / parts);
+}
+
+/* Houses drawn to the millimetre, and copies of them that were turned and written to a file, to the nanometre. */
+TEST(a_house_that_was_turned_and_written_to_a_file_has_the_same_routes) {
+    Profile profile = manual_chair();
+    static TightHouse tight, other;
+    for (uint64_t seed = 0; seed < 20; seed++) {
+        TightScene scene = tight_draw((TightKind)(seed % TIGHT_KINDS), 900 + seed);
+        round_scene(&scene, 1e3);
+        TightScene moved = scene;
+        tight_move(&moved, seed & 1, 0.1 + (double)seed, vec2(12, -9));
+        round_scene(&moved, 1e9);
+        tight_build(&tight, &scene, &profile);
+        tight_build(&other, &moved, &profile);
+        Route route = route_drive(&tight.query), turned = route_drive(&other.query);
+        CHECK(route.answer == turned.answer);
+        CHECK(route.reversals == turned.reversals);
+        if (route.answer == ROUTE_FOUND && turned.answer == ROUTE_FOUND)
+            CHECK_NEAR(planned_time(&other.house, &profile, &turned), planned_time(&tight.house, &profile, &route),
+                       1e-3);
+        route_free(&route);
+        route_free(&turned);
+        tight_free(&tight);
+        tight_free(&other);
+    }
+    profile_free(&profile);
+}
+
 TEST(free_space_only_grows_when_a_tight_house_gets_wider) {
     Profile profile = manual_chair();
     static TightHouse tight, other;
