@@ -139,9 +139,12 @@ static Headline all_out(const House *house, const Observation *observation, cons
 
 /* Not all out ----------------------------------------------------------------------------------------------------- */
 
-/* Returns the exit that was the last one to close up to the time; NULL: none did. */
-static const Exit *last_closed(const Plan *plan, double time) {
+/* Returns the exit that a person was bound for, if it has closed, or else the last one to close up to the time; NULL:
+ * none did. */
+static const Exit *closed_exit(const Plan *plan, size_t bound_for, double time) {
     const Exit *last = NULL;
+    if (bound_for < plan->exit_count && plan->exits[bound_for].closes <= time)
+        return &plan->exits[bound_for];
     for (size_t e = 0; e < plan->exit_count; e++)
         if (plan->exits[e].closes <= time && (!last || plan->exits[e].closes > last->closes))
             last = &plan->exits[e];
@@ -149,11 +152,11 @@ static const Exit *last_closed(const Plan *plan, double time) {
 }
 
 static const char *why_no_exit(const House *house, const PersonObservation *person, const char *id, Arena *arena) {
-    const Exit *closed = last_closed(&house->plan, person->time);
+    const Exit *closed = closed_exit(&house->plan, person->exit, person->time);
     if (!closed)
         return text_in_arena(arena, "%s has no exit to go to", id);
     const char *exit = house->plan.exit_count > 1 ? text_in_arena(arena, "exit %s", closed->id) : "the exit";
-    return text_in_arena(arena, "%s is too late: %s closed at %.1f s", id, exit, closed->closes);
+    return text_in_arena(arena, "%s is not out: %s closed at %.1f s", id, exit, closed->closes);
 }
 
 /* Returns "p1 is blocked at door d2 after 18.4 s". */

@@ -115,18 +115,21 @@ static bool show_text(Window *window, Editor *editor, const EditText *text) {
     if (!editor_set_text(editor, name, typed, &fault)) {
         snprintf(refused->name, sizeof refused->name, "%s", name);
         snprintf(refused->typed, sizeof refused->typed, "%s", typed);
+        refused->tab = window_tab(window);
+        refused->edits = editor_edit_count(editor);
     }
     notice_fault(window, &fault, NAN);
     return true;
 }
 
-/* Forgets what was refused once another thing is selected. */
-static void forget_refused(Window *window, const EditText *texts, size_t count) {
+/* Forgets what was refused once another thing is selected or changed. */
+static void forget_refused(Window *window, Editor *editor, const EditText *texts, size_t count) {
+    RefusedText *refused = &window->refused_text;
     bool listed = false;
     for (size_t i = 0; i < count; i++)
-        listed |= strcmp(texts[i].name, window->refused_text.name) == 0;
-    if (!listed)
-        *window->refused_text.name = 0;
+        listed |= strcmp(texts[i].name, refused->name) == 0;
+    if (!listed || refused->tab != window_tab(window) || refused->edits != editor_edit_count(editor))
+        *refused->name = 0;
 }
 
 /* Shows the texts of the house itself, or all others. */
@@ -135,7 +138,7 @@ static void show_texts(Window *window, Editor *editor, bool of_house) {
     size_t count;
     const EditText *texts = editor_texts(editor, &count);
     const char *group = "";
-    forget_refused(window, texts, count);
+    forget_refused(window, editor, texts, count);
     for (size_t i = 0; i < count; i++) {
         if ((strncmp(texts[i].name, house, sizeof house - 1) == 0) != of_house)
             continue;

@@ -545,10 +545,11 @@ static void loop(Window *window, Scripted *scripted) {
 static void open_first(Window *window) {
     files_start(window);
     const char *file = window->options->file;
-    size_t dismissed = window->fault_dismissed;
     if (!file || !lesson_open_any(window, file)) {
+        size_t dismissed = window->fault_dismissed;
         opening_file(window, laboratory_file(0, &window->arena));
-        window->fault_dismissed = dismissed; /* the requested file's faults are shown with the default one */
+        if (file)
+            window->fault_dismissed = dismissed; /* the requested file's faults are shown with the default one */
     }
     if (shipped_places()->missing)
         notice_post(window, "%s", shipped_places()->missing);

@@ -113,6 +113,8 @@ typedef struct SelectedName {
 /* What was typed in a text field of the panel and could not be applied: it stays there to be corrected. */
 typedef struct RefusedText {
     char name[WINDOW_TITLE]; /* of the field, as in EditText; "": none */
+    const Tab *tab;          /* of that house, */
+    size_t edits;            /* which had so many edits */
     char typed[EDITOR_TEXT_MOST];
 } RefusedText;
 

@@ -1,6 +1,6 @@
 /* The record of the grade of each run of a house in which all people are out, if they are few (grade_answer): one
- * observable, the worst grade of those who drive, and a note, its place. The seed, who drives and how the motion is
- * computed do not change the house, so that such runs have one grade, which is worked out once for them. */
+ * observable, the worst grade of those who drive, and a note, its place. Who drives and how the motion is computed do
+ * not change the house, nor does the seed without a crowd, so that such runs have one grade, worked out once. */
 #pragma once
 
 #include "house/house.h"

@@ -20,11 +20,11 @@
  * it had no change of direction, later proposals must have one, since the search would find the same way again, except
  * for bodies of nearly the true size. A way with changes of direction is tried with arcs in place of its turns on the
  * spot, without its short pieces, and compared with what is found with fewer changes. The best way that changes its
- * direction or turns on the spot is made quicker once more, with its stations closer and wider in turn, since there the
- * descent ends where their places let it. No way is tried twice that did not come free. What the chair waits for shut
- * doors that it swings against counts among the ways that are free, though the descent does not know it. A no is given
- * only after a search with more states where the others had to give up. The budget is counted in expansions, proposals
- * and sweeps, never in time, so that the answer is always the same. */
+ * direction or turns on the spot is made quicker once more, with its stations closer, since there the descent ends
+ * where their places let it. No way is tried twice that did not come free. What the chair waits for shut doors that it
+ * swings against counts among the ways that are free, though the descent does not know it. A no is given only after a
+ * search with more states where the others had to give up. The budget is counted in expansions, proposals and sweeps,
+ * never in time, so that the answer is always the same. */
 
 #define SPACING 0.05         /* m, of the stations */
 #define ALIKE 3e-3           /* 1: ways whose times differ by less than this share are one */
@@ -100,7 +100,7 @@ enum { SKIDDING_RUNGS = sizeof skidding_grains / sizeof *skidding_grains };
  * cusps of a way with changes of direction hardly move there, so that it is tried with cusps nearer to walls, too. */
 static const double comforts[] = {20, 2};
 
-/* 1, of the step between the stations of the best way, that between those of its copies that are made quicker. */
+/* 1, of the step between the stations of the way that is the best so far: that of its copies that are made quicker. */
 static const double spacings[] = {0.7, 1, 0.7, 1};
 
 /* 1, of the turn on the spot at a change of direction, up to the heading that is tried in its place. */
@@ -314,10 +314,11 @@ static bool realise_way(Decide *decide, Way *way) {
     return whole;
 }
 
-/* True if a proposed way takes so long that it is not worth making it free: a smaller body's time on it tells. */
+/* True if a proposed way takes so long, for a smaller body and with the kinks of the search's grid, that it is not
+ * likely to become the best one. */
 static bool is_too_long(const Decide *decide, const Way *way) {
     Rectangle smaller = relieved(decide->body, MOST_RELIEF);
-    return decide->time < HUGE_VAL &&
+    return decide->kept >= decide->margin && decide->time < HUGE_VAL &&
            hasten_time(way, decide->query->space, &smaller, decide->query->profile) > TOO_LONG * decide->time;
 }
 

@@ -133,13 +133,13 @@ static Vec2 seen(Vec2 vector, int sense) {
 
 /* Drops the senses, one bit each, in which a vector's x (axis 0) or y (axis 1) is not the largest. Returns the rest. */
 static unsigned narrowed(unsigned senses, Vec2 vector, int axis) {
-    double values[FRAME_SENSES], largest = -HUGE_VAL;
-    for (int s = 0; s < FRAME_SENSES; s++) {
+    double values[FRAME_LAYS], largest = -HUGE_VAL;
+    for (int s = 0; s < FRAME_LAYS; s++) {
         values[s] = axis ? seen(vector, s).y : seen(vector, s).x;
         if (senses >> s & 1)
             largest = fmax(largest, values[s]);
     }
-    for (int s = 0; s < FRAME_SENSES; s++)
+    for (int s = 0; s < FRAME_LAYS; s++)
         if (values[s] < largest - SAME)
             senses &= ~(1U << s);
     return senses;
@@ -185,7 +185,7 @@ static bool is_next_to_exit(const Plan *plan, Vec2 at) {
 
 int frame_sense(const Plan *plan, Vec2 at, double heading, const Vec2 *via, size_t via_count, size_t exit) {
     Vec2 along = longest_direction(plan);
-    unsigned left = narrowed((1U << FRAME_SENSES) - 1, vec2_unturn(vec2_heading(heading), along), 0);
+    unsigned left = narrowed((1U << FRAME_LAYS) - 1, vec2_unturn(vec2_heading(heading), along), 0);
     left = narrowed(left, vec2_unturn(vec2_sub(way_out(plan, exit, at), at), along), 1);
     for (size_t i = 0; i < via_count; i++)
         left = narrowed(left, vec2_unturn(vec2_sub(via[i], at), along), 1);

@@ -22,11 +22,11 @@ typedef struct RouteFrame {
 
 /* Returns the sense in which the frame of a plan lies for a query, 0 to FRAME_SENSES - 1: which way along the longest
  * wall its x axis points, and whether it is mirrored; with FRAME_EXACT if the start is next to an exit's line, on one
- * side of which it must stay. The person starts at `at` with a heading (rad), passes the points
- * `via` (via_count) and takes `exit` (SIZE_MAX: any). */
+ * side of which it must stay. The person starts at `at` with a heading (rad), passes the points `via` (via_count) and
+ * takes `exit` (SIZE_MAX: any). */
 int frame_sense(const Plan *plan, Vec2 at, double heading, const Vec2 *via, size_t via_count, size_t exit);
 
-enum { FRAME_SENSES = 8, FRAME_EXACT = 8 };
+enum { FRAME_LAYS = 8, FRAME_EXACT = FRAME_LAYS, FRAME_SENSES = 2 * FRAME_LAYS };
 
 /* Builds the frame of a plan in a sense, in memory that is not in use; frame_free releases it. Returns false, with
  * nothing to release, if GEOS cannot unite the solids of the copy. */

@@ -57,6 +57,8 @@ static size_t read_points(const char *typed, const PointKind *kind, Vec2 points[
         bool pair = x && y && !strtok_r(NULL, " ", &numbers);
         if (count == POINTS_MOST || !pair || !quantity_read(x, "m", &points[count].x, reason) ||
             !quantity_read(y, "m", &points[count].y, reason)) {
+            if (count == POINTS_MOST)
+                snprintf(reason, sizeof reason, "there may be at most %d", POINTS_MOST);
             fault_add(fault, "%s %zu: %s; type x and y in m, and a semicolon between %s: %s", kind->each, count + 1,
                       reason, kind->all, kind->example);
             return 0;

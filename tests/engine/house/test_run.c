@@ -64,6 +64,18 @@ TEST(whoever_comes_after_the_exit_has_closed_is_told_so) {
     house_free(&house);
 }
 
+TEST(who_starts_on_the_line_of_another_exit_gets_out) {
+    House house;
+    json_t *plan = case_corridor(2), *exits = json_object_get(plan, "exits");
+    case_add_person(plan, "manual-chair", 1, 0, 0);
+    json_array_append_new(exits, json_pack("{s:s, s:[f, f], s:[f, f]}", "id", "e2", "from", 1.0, 0.5, "to", 1.0, 0.9));
+    case_made(&house, plan, -1, NULL);
+    Observation observation = case_run(&house, 1);
+    CHECK(observation.completed);
+    observation_free(&observation);
+    house_free(&house);
+}
+
 TEST(a_time_limit_ends_the_run) {
     House house;
     Observation observation = run_corridor(2, (const char *[]){"run.until=3", NULL}, &house);

@@ -131,7 +131,8 @@ static void round_scene(TightScene *scene, double parts) {
     scene->heading = radians(round(degrees(scene->heading) * parts) / parts);
 }
 
-/* Houses drawn to the millimetre, and copies of them that were turned and written to a file, to the nanometre. */
+/* Houses drawn to the millimetre, and copies of them that were turned and written to a file, to the nanometre: the same
+ * answers, changes of direction and times. */
 TEST(a_house_that_was_turned_and_written_to_a_file_has_the_same_routes) {
     Profile profile = manual_chair();
     static TightHouse tight, other;
