@@ -110,7 +110,7 @@ typedef struct SelectedName {
     Vec2 pointed;            /* the middle of the thing */
 } SelectedName;
 
-/* What was typed in a text field of the panel and could not be applied: it stays there to be corrected. */
+/* A text that was typed in a field of the panel and could not be applied: it stays there to be corrected. */
 typedef struct RefusedText {
     char name[WINDOW_TITLE]; /* of the field, as in EditText; "": none */
     const Tab *tab;          /* of that house, */

@@ -348,7 +348,8 @@ static bool drop_short(Decide *decide) {
     return whole;
 }
 
-/* Looks for ways with fewer changes of direction than the best one has. Returns false if interrupted. */
+/* Looks for ways with fewer changes of direction than the best one has, except by rungs that have proposed such a way
+ * already, or found none with more. Returns false if interrupted. */
 static bool try_fewer(Decide *decide, SearchTrack *proposal) {
     bool whole = true;
     for (int r = 0; r < RUNGS && whole; r++) {
