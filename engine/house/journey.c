@@ -110,26 +110,48 @@ static double since_of(const Planning *planning, const Whereabouts *place) {
     return last_closing(planning->house, fmax(place->start, planning->time));
 }
 
+static const Plan *plan_of(const House *house, const ClosedLayout *held) {
+    return held ? &held->plan : &house->plan;
+}
+
+static const FreeSpace *space_of(const House *house, const ClosedLayout *held) {
+    return held ? &held->space : &house->space;
+}
+
+/* Computes the fields, in place of former ones, in the house or in the layout that holds people. */
+static void lead_walkers(Itinerary *itinerary, const House *house) {
+    for (size_t leg = 0; leg < itinerary->leg_count; leg++) {
+        Goal goal = itinerary->fields[leg].goal;
+        floor_field_clear(&itinerary->fields[leg]);
+        floor_field_init(&itinerary->fields[leg], plan_of(house, itinerary->held), space_of(house, itinerary->held),
+                         itinerary->profile->width / 2, itinerary->profile->free_speed, &goal);
+    }
+}
+
 static void make_fields(void *context, size_t index) {
     Planning *planning = context;
     const House *house = planning->house;
     Itinerary *itinerary = planning->journeys->itineraries[planning->first_itinerary + index];
+    bool held = false;
     if (stop_requested(planning->stop))
         return; /* they are not part of the question */
-    for (size_t leg = 0; leg < itinerary->leg_count; leg++) {
-        Goal goal = itinerary->fields[leg].goal;
-        floor_field_init(&itinerary->fields[leg], &house->plan, &house->space, itinerary->profile->width / 2,
-                         itinerary->profile->free_speed, &goal);
-    }
+    lead_walkers(itinerary, house);
+    for (size_t leg = 0; leg < itinerary->leg_count; leg++)
+        held |= closed_on_field(&house->plan, itinerary->since, &itinerary->fields[leg]);
+    if (!held)
+        return;
+    itinerary->held = closed_layout(planning->journeys->closed, house, itinerary->since);
+    lead_walkers(itinerary, house);
 }
 
-static RouteQuery ask(const Planning *planning, const Whereabouts *place) {
+/* Returns the question for a person's way; `held`: the layout with closed lines as walls, or NULL for the house. */
+static RouteQuery ask(const Planning *planning, const Whereabouts *place, const ClosedLayout *held) {
     const House *house = planning->house;
     const Inhabitant *person = &house->people[place->person];
     const PlanRoute *route = person->route;
     double since = since_of(planning, place);
-    return (RouteQuery){.plan = &house->plan,
-                        .space = &house->space,
+    return (RouteQuery){.plan = plan_of(house, held),
+                        .space = space_of(house, held),
                         .profile = person->profile,
                         .at = place->at,
                         .heading = place->heading,
@@ -143,15 +165,19 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place) {
                         .brief = planning->journeys->brief || planning->keep,
                         .any = planning->all_or_none,
                         .whether = planning->whether,
-                        .fields = planning->journeys->fields,
+                        .fields = held ? held->fields : planning->journeys->fields,
                         .recall = planning->journeys->recall,
                         .stop = planning->stop};
 }
 
-static void plan_walk(const Planning *planning, const Whereabouts *place, Journey *journey) {
+static Itinerary *itinerary_of(const Planning *planning, const Whereabouts *place) {
     const Inhabitant *person = &planning->house->people[place->person];
-    const Itinerary *itinerary = find_itinerary(planning->journeys, person->profile, person->route,
-                                                since_of(planning, place), place->via, planning->again);
+    return find_itinerary(planning->journeys, person->profile, person->route, since_of(planning, place), place->via,
+                          planning->again);
+}
+
+static void plan_walk(const Planning *planning, const Whereabouts *place, Journey *journey) {
+    const Itinerary *itinerary = itinerary_of(planning, place);
     journey->legs = itinerary->legs;
     journey->leg_count = itinerary->leg_count;
     journey->route.exit = itinerary->fields[itinerary->leg_count - 1].goal.exit;
@@ -186,12 +212,39 @@ static void follow(const Planning *planning, const Whereabouts *place, Journey *
         track_build_driver(&journey->track, house, person, route);
 }
 
+static Route ride(const Planning *planning, const Whereabouts *place, const ClosedLayout *held) {
+    RouteQuery query = ask(planning, place, held);
+    Rectangle body = search_body(query.profile);
+    if (held && search_clearance(query.space, &body, query.at, query.heading, 0, NULL) < -query.pressed)
+        query.pressed = query.profile->length; /* the exit has closed under the body, which goes back from its line */
+    return query.profile->driving == DRIVING_MIURA ? strength_round(&query) : strength_drive(&query);
+}
+
+/* Takes back a route that even so crosses a closed line, under which the body stands. */
+static void refuse_closed(Route *route, const Plan *plan, double since) {
+    size_t exit = closed_on_route(plan, since, route);
+    if (exit == SIZE_MAX)
+        return;
+    const Exit *closed = &plan->exits[exit];
+    Blockage blockage = {.at = vec2_scale(vec2_add(closed->from, closed->to), 0.5)};
+    snprintf(blockage.what, sizeof blockage.what, "closed exit %s", closed->id);
+    size_t aim = route->exit;
+    route_free(route);
+    *route = (Route){.answer = ROUTE_CANNOT_PASS, .fits = true, .exit = aim, .blockage = blockage};
+}
+
 static void plan_ride(const Planning *planning, const Whereabouts *place, Journey *journey) {
     const House *house = planning->house;
     const Inhabitant *person = &house->people[place->person];
-    RouteQuery query = ask(planning, place);
+    double since = since_of(planning, place);
     bool miura = person->profile->driving == DRIVING_MIURA;
-    journey->route = miura ? strength_round(&query) : strength_drive(&query);
+    journey->route = ride(planning, place, NULL);
+    if (closed_on_route(&house->plan, since, &journey->route) != SIZE_MAX) {
+        const ClosedLayout *held = closed_layout(planning->journeys->closed, house, since);
+        route_free(&journey->route);
+        journey->route = ride(planning, place, held);
+        refuse_closed(&journey->route, &house->plan, since);
+    }
     if (journey->route.answer != ROUTE_FOUND)
         return;
     if (miura)
@@ -272,7 +325,8 @@ static void explain_walkers(const Planning *planning, size_t count) {
         const Profile *profile = house->people[place->person].profile;
         if (explained[k] || !is_without_path(journey))
             continue;
-        RouteQuery query = ask(planning, place);
+        const ClosedLayout *held = itinerary_of(planning, place)->held;
+        RouteQuery query = ask(planning, place, held);
         Route route = route_round(&query);
         if (route.answer == ROUTE_INTERRUPTED) {
             leave_unexplained(planning, explained, count);
@@ -285,7 +339,7 @@ static void explain_walkers(const Planning *planning, size_t count) {
         }
         Goal here = {.at = place->at, .radius = profile->width};
         FloorField part;
-        floor_field_init(&part, &house->plan, &house->space, profile->width / 2, profile->free_speed, &here);
+        floor_field_init(&part, query.plan, query.space, profile->width / 2, profile->free_speed, &here);
         for (size_t other = k; other < count; other++) {
             Journey *like = &planning->journeys->of[planning->places[other].person];
             if (other != k && (like->legs != journey->legs || like->route.answer != journey->route.answer ||
@@ -308,10 +362,9 @@ static void plan_all(Planning *planning, size_t count, int jobs) {
     for (size_t k = 0; k < count; k++) {
         const Whereabouts *place = &planning->places[k];
         const Inhabitant *person = &house->people[place->person];
-        double since = since_of(planning, place);
-        if (person->profile->driving == DRIVING_WALKER &&
-            !find_itinerary(journeys, person->profile, person->route, since, place->via, planning->again))
-            add_itinerary(journeys, house, person->profile, person->route, since, place->via, planning->again);
+        if (person->profile->driving == DRIVING_WALKER && !itinerary_of(planning, place))
+            add_itinerary(journeys, house, person->profile, person->route, since_of(planning, place), place->via,
+                          planning->again);
     }
     parallel_for(jobs, journeys->itinerary_count - planning->first_itinerary, make_fields, planning);
     parallel_for(jobs, count, plan_journey, planning);
@@ -324,7 +377,8 @@ static Journeys plan_nothing(const House *house, bool brief, Fields *fields) {
                       .count = house->person_count,
                       .brief = brief,
                       .fields = fields ? fields : fields_create(),
-                      .borrowed = fields};
+                      .borrowed = fields,
+                      .closed = closed_layouts_create()};
 }
 
 /* Plans for all people of `part`, from their start; `planning` holds the options. */
@@ -395,10 +449,12 @@ Journeys journey_follow(const Journeys *known, const House *house, const bool *p
     return plan_from_start(&(Planning){.house = house, .stop = stop, .known = known}, part, true, jobs);
 }
 
-const FloorField *const *journey_leg_to(const Journeys *journeys, const Profile *profile, size_t exit) {
+const FloorField *const *journey_leg_to(const Journeys *journeys, const House *house, const Profile *profile,
+                                        size_t exit, double time) {
+    double since = last_closing(house, time);
     for (size_t k = 0; k < journeys->itinerary_count; k++) {
         const Itinerary *known = journeys->itineraries[k];
-        if (known->chosen && known->profile == profile && known->fields[0].goal.exit == exit)
+        if (known->chosen && known->profile == profile && known->since == since && known->fields[0].goal.exit == exit)
             return known->legs;
     }
     return NULL;
@@ -409,9 +465,9 @@ void journey_lead_to(Journeys *journeys, const House *house, const Profile *prof
     Planning planning = {
         .house = house, .stop = stop, .journeys = journeys, .first_itinerary = journeys->itinerary_count};
     for (size_t k = 0; k < count; k++) {
-        if (journey_leg_to(journeys, profile, exits[k]))
+        if (journey_leg_to(journeys, house, profile, exits[k], time))
             continue;
-        Itinerary *itinerary = new_itinerary(journeys, profile, time, 1);
+        Itinerary *itinerary = new_itinerary(journeys, profile, last_closing(house, time), 1);
         itinerary->fields[0].goal = field_exit_goal(&house->plan, exits[k], time, false);
         itinerary->chosen = itinerary->has_exit = true;
     }
@@ -447,5 +503,6 @@ void journey_free_all(Journeys *journeys) {
     memory_free(journeys->itineraries);
     if (journeys->fields && !journeys->borrowed)
         fields_destroy(journeys->fields);
+    closed_layouts_destroy(journeys->closed);
     *journeys = (Journeys){0};
 }

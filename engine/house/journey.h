@@ -7,6 +7,7 @@
 
 #include "base/stop.h"
 #include "route/fields.h"
+#include "house/closed.h"
 #include "house/house.h"
 #include "route/recall.h"
 #include "route/floor_field.h"
@@ -28,11 +29,12 @@ typedef struct Itinerary {
     const Profile *profile;
     const PlanRoute *route; /* NULL: no route, the quickest exit */
     double since;           /* s: exits closed by then do not count */
-    bool again;         /* True if planned while people were moving: exits that are not open yet are the last choice */
-    bool has_exit;      /* False if all exits are closed */
-    bool chosen;        /* True if it leads to one exit, which a person has chosen on the way */
-    FloorField *fields; /* (leg_count) */
-    const FloorField **legs; /* (leg_count) into fields */
+    bool again;    /* True if planned while people were moving: exits that are not open yet are the last choice */
+    bool has_exit; /* False if all exits are closed */
+    bool chosen;   /* True if it leads to one exit, which a person has chosen on the way */
+    const ClosedLayout *held; /* in which the fields are, since a closed line is in the way; NULL: in the house */
+    FloorField *fields;       /* (leg_count) */
+    const FloorField **legs;  /* (leg_count) into fields */
     size_t leg_count;
 } Itinerary;
 
@@ -41,10 +43,11 @@ typedef struct Journeys {
     size_t count;
     Itinerary **itineraries; /* (itinerary_count) */
     size_t itinerary_count, itinerary_capacity;
-    Fields *fields; /* shared by the searches of chairs */
-    bool borrowed;  /* the fields belong to another */
-    bool brief;     /* as in a RouteQuery, for all plans */
-    Recall *recall; /* as in a RouteQuery; not owned */
+    Fields *fields;        /* shared by the searches of chairs */
+    bool borrowed;         /* the fields belong to another */
+    ClosedLayouts *closed; /* for ways that the lines of closed exits hold */
+    bool brief;            /* as in a RouteQuery, for all plans */
+    Recall *recall;        /* as in a RouteQuery; not owned */
 } Journeys;
 
 /* The state of a person whose path is planned again. */
@@ -102,6 +105,7 @@ void journey_plan_again(Journeys *journeys, const House *house, const Whereabout
 void journey_lead_to(Journeys *journeys, const House *house, const Profile *profile, const size_t *exits, size_t count,
                      double time, int jobs, const Stop *stop);
 
-/* Returns the one leg, an array of one field, from any place to an exit for people of the profile, if journey_lead_to
- * has computed it, otherwise NULL. Owned by the journeys. */
-const FloorField *const *journey_leg_to(const Journeys *journeys, const Profile *profile, size_t exit);
+/* Returns the one leg, an array of one field, from any place to an exit for people of the profile at that time, if
+ * journey_lead_to has computed it, otherwise NULL. Owned by the journeys. */
+const FloorField *const *journey_leg_to(const Journeys *journeys, const House *house, const Profile *profile,
+                                        size_t exit, double time);

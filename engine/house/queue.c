@@ -100,7 +100,7 @@ static size_t list_exits(Queue *queues, const World *world, Journeys *journeys, 
         journey_lead_to(journeys, world->house, profile, open, count, time, jobs, stop);
     for (size_t k = 0; k < count && count > 1 && !stop_requested(stop); k++) {
         const Exit *exit = &plan->exits[open[k]];
-        const FloorField *field = *journey_leg_to(journeys, profile, open[k]);
+        const FloorField *field = *journey_leg_to(journeys, world->house, profile, open[k], time);
         queues[k] = (Queue){.exit = open[k],
                             .field = field,
                             .before = place_before(field, exit),
@@ -164,8 +164,9 @@ static size_t choose(const Queue *queues, size_t count, const World *world, size
 static bool turn_to(World *world, Journeys *journeys, size_t i, size_t exit, int jobs, const Stop *stop) {
     const Profile *profile = world->house->people[i].profile;
     Journey *journey = &journeys->of[i];
-    journey_lead_to(journeys, world->house, profile, &exit, 1, clock_time(&world->clock), jobs, stop);
-    const FloorField *const *leg = journey_leg_to(journeys, profile, exit);
+    double time = clock_time(&world->clock);
+    journey_lead_to(journeys, world->house, profile, &exit, 1, time, jobs, stop);
+    const FloorField *const *leg = journey_leg_to(journeys, world->house, profile, exit, time);
     if (stop_requested(stop) || !(floor_field_time(*leg, world->centre[i]) < HUGE_VAL))
         return false;
     journey->legs = leg;

@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "base/stop.h"
+#include "house/closed.h"
 #include "house/observation.h"
 #include "house/phase.h"
 
@@ -15,7 +16,18 @@ double replan_next(const World *world, double time) {
     return next;
 }
 
-/* True if the person's exit, or each possible exit, is closed. */
+/* True if the rest of a person's way crosses a line that is closed now. */
+static bool is_held_ahead(const World *world, size_t i) {
+    const Plan *plan = &world->house->plan;
+    const Journey *journey = &world->journeys[i];
+    double time = clock_time(&world->clock);
+    bool held = closed_on_track(plan, time, &journey->track, world->drive[i].index);
+    for (size_t leg = (size_t)world->walk[i].leg; leg < journey->leg_count && !held; leg++)
+        held = journey->legs[leg]->space == &world->house->space && closed_on_field(plan, time, journey->legs[leg]);
+    return held;
+}
+
+/* True if the person's exit, or each possible exit, is closed, or the way there is. */
 static bool has_lost_exit(const World *world, size_t i) {
     const Plan *plan = &world->house->plan;
     double time = clock_time(&world->clock);
@@ -24,7 +36,7 @@ static bool has_lost_exit(const World *world, size_t i) {
     if (world->phase[i] != PHASE_WAITING && world->phase[i] != PHASE_MOVING && !blocked)
         return false;
     if (route->exit != SIZE_MAX)
-        return plan->exits[route->exit].closes <= time;
+        return plan->exits[route->exit].closes <= time || is_held_ahead(world, i);
     for (size_t e = 0; e < plan->exit_count; e++)
         if (plan->exits[e].closes <= time)
             return true;

@@ -18,6 +18,7 @@ typedef struct Wall {
     Points points;    /* m, the centre line, at least two points; a closed wall repeats its first point */
     double thickness; /* m */
     double height;    /* m */
+    bool closed_exit; /* True if it stands for the line of an exit that has closed (closed.h); never in a file */
 } Wall;
 
 typedef enum DoorKind { DOOR_OPENING, DOOR_HINGED, DOOR_SLIDING } DoorKind;

@@ -299,10 +299,25 @@ static bool owned_alike(const Face *a, const Face *b) {
     return a->owner == b->owner && a->index == b->index;
 }
 
+/* Returns the face at the place if it is the line of a closed exit, otherwise NULL. */
+static const Face *closed_line_at(const Blockage *blockage, const RouteQuery *query) {
+    int face = outline_nearest(query->space->outline, blockage->at);
+    const Face *nearest = face >= 0 ? &query->space->outline->faces[face] : NULL;
+    bool closed = nearest && nearest->owner == OWNER_WALL && query->plan->walls[nearest->index].closed_exit;
+    return closed ? nearest : NULL;
+}
+
 /* Names what narrows the place, and what it leaves the room to. Of the faces on its sides, a piece of furniture comes
  * before a wall, and before a door in whose opening the place lies unless its jambs are the narrow place. */
 static void name_sides(Blockage *blockage, const RouteQuery *query, const int *sides, int count) {
     const Face *faces = query->space->outline->faces, *piece = NULL, *other = NULL;
+    const Face *closed = closed_line_at(blockage, query);
+    if (closed) { /* no width helps there */
+        outline_name(query->plan, closed->owner, closed->index, blockage->what, sizeof blockage->what);
+        blockage->has = blockage->needs = 0;
+        blockage->estimated = blockage->posed = false;
+        return;
+    }
     outline_place_name(query->space->outline, query->plan, blockage->at, blockage->what, sizeof blockage->what);
     for (int i = 0; i < count && !piece; i++)
         if (sides[i] >= 0 && faces[sides[i]].owner == OWNER_FURNITURE)

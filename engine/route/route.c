@@ -40,7 +40,7 @@ static const double end_lengths[] = {4, 3, 2, 1};
 
 #define EASED_STEP 0.002      /* m */
 #define CLEARING_STEP 0.01    /* m */
-enum { MOST_CLEARINGS = 30 }; /* steps straight back or ahead from an obstacle */
+enum { MOST_CLEARINGS = 30 }; /* steps straight back or ahead from an obstacle, or as many as the overlap takes */
 enum { MOST_EASINGS = 12 };   /* steps to push the start pose clear of each obstacle in turn */
 
 typedef struct Legs {
@@ -383,7 +383,8 @@ static void search_round(Route *route, const RouteQuery *query, const Legs *legs
  * Returns -1 or 1 and sets the place, or returns 0. */
 static int go_clear(const RouteQuery *query, const Rectangle *body, Vec2 *at) {
     double before[2] = {-query->pressed, -query->pressed};
-    for (int n = 1; n <= MOST_CLEARINGS; n++)
+    int most = (int)fmax(MOST_CLEARINGS, (query->pressed + ROUTE_EASED) / CLEARING_STEP + 1);
+    for (int n = 1; n <= most; n++)
         for (int direction = -1; direction <= 1; direction += 2) {
             double *clearance = &before[direction > 0];
             Vec2 there = vec2_along(query->at, direction * n * CLEARING_STEP, vec2_heading(query->heading));

@@ -273,7 +273,7 @@ double outline_ray_past(const Outline *outline, const bool *door_open, Vec2 from
 void outline_name(const Plan *plan, int owner, int index, char *name, size_t size) {
     switch ((Owner)owner) {
     case OWNER_WALL:
-        snprintf(name, size, "wall %s", plan->walls[index].id);
+        snprintf(name, size, "%s %s", plan->walls[index].closed_exit ? "closed exit" : "wall", plan->walls[index].id);
         break;
     case OWNER_DOOR:
         snprintf(name, size, "%sdoor %s", plan->doors[index].state == DOOR_LOCKED ? "locked " : "",
@@ -312,6 +312,13 @@ static bool visit_nearest(void *context, int item) {
     return true;
 }
 
+int outline_nearest(const Outline *outline, Vec2 at) {
+    NearestContext nearest = {outline, at, -1, HUGE_VAL};
+    for (double reach = 0.5; nearest.face < 0 && reach < 100; reach *= 4)
+        broadphase_visit(outline->broadphase, box_around(at, reach), visit_nearest, &nearest);
+    return nearest.face;
+}
+
 int outline_door_at(const Plan *plan, Vec2 at) {
     const double beside_door = 0.35; /* m: distance of a body's middle from a door's line while it passes */
     for (size_t d = 0; d < plan->door_count; d++) {
@@ -329,11 +336,9 @@ void outline_place_name(const Outline *outline, const Plan *plan, Vec2 at, char 
         outline_name(plan, OWNER_DOOR, door, name, size);
         return;
     }
-    NearestContext nearest = {outline, at, -1, HUGE_VAL};
-    for (double reach = 0.5; nearest.face < 0 && reach < 100; reach *= 4)
-        broadphase_visit(outline->broadphase, box_around(at, reach), visit_nearest, &nearest);
-    if (nearest.face < 0)
+    int face = outline_nearest(outline, at);
+    if (face < 0)
         snprintf(name, size, OUTLINE_FREE_SPACE);
     else
-        outline_name(plan, outline->faces[nearest.face].owner, outline->faces[nearest.face].index, name, size);
+        outline_name(plan, outline->faces[face].owner, outline->faces[face].index, name, size);
 }

@@ -8,7 +8,9 @@
 
 static Vec2 outer[] = {{0, 0}, {4, 0}, {4, 3}, {0, 3}, {0, 0}}, inner[] = {{2, 0}, {2, 2}},
             slanted[] = {{6, 0}, {8, 2}};
-static Wall walls[] = {{"w1", {outer, 5}, 0.12, 2.4}, {"w2", {inner, 2}, 0.1, 2.4}, {"w3", {slanted, 2}, 0.1, 2.4}};
+static Wall walls[] = {{.id = "w1", .points = {outer, 5}, .thickness = 0.12, .height = 2.4},
+                       {.id = "w2", .points = {inner, 2}, .thickness = 0.1, .height = 2.4},
+                       {.id = "w3", .points = {slanted, 2}, .thickness = 0.1, .height = 2.4}};
 static Door doors[] = {{.id = "d1", .wall = "w1", .segment = 2, .at = 2, .width = 0.8}};
 static Furniture pieces[] = {{.id = "f1", .name = "table", .centre = {3, 1.5}, .size = {1, 0.6}, .topples = TOPPLE_NO}};
 static const Plan plan = {
