@@ -51,13 +51,14 @@ typedef struct Drive {
     double offset;     /* m, to the left of the track */
     double aside;      /* m, wanted offset, to let a person pass */
     double swerve;     /* m/s, rate of that offset */
-    double aim;        /* m, a: how far left of the plan the driver aims with the front edge (drive.c) */
+    double aim;        /* m, a: how far left of the plan the driver aims with the front edge (aim.c) */
     double aim_slope;  /* 1, its change by way */
     int aimed;         /* direction of the piece of the path that a and y belong to; 0: none */
     double axle;       /* m, y: how far left of the plan the axle follows it */
     double felt;       /* 1/m, what the personal space adds to the bend of the aim, noticed so far */
     double gone;       /* m, way since the start, for the errors of steering */
     double error;      /* 1/m, the present one */
+    double turned;     /* rad, of the plan over the last way, for the slip */
     double free_way;   /* m, s of the first place ahead where something is in the way; infinite: none */
     double pause;      /* s, remaining time of a change of direction */
     double best_s;     /* m, farthest s so far */

@@ -44,6 +44,10 @@ enum { CHAIRS = 1, WALKERS = 2, ALL = CHAIRS | WALKERS, OPTIONAL = 4 };
     MAY(CHAIRS, "drive.creep", creep, "m/s", 0.01, 2, 0.1, "assumed", "least speed through a passage")                 \
     MAY(CHAIRS, "drive.caution", caution, "1", 0.1, 10, 3, "assumed", "z, errors kept from a wall")                    \
     MAY(CHAIRS, "drive.sight", sight, "m", 0.1, 20, 2, "assumed", "l_p, way ahead by which the line is held")          \
+    MAY(CHAIRS, "drive.drift", drift, "m/rad", 0, 0.2, 0, "assumed: not given, so none",                               \
+        "slip outwards in a turn, but for the nominal driver")                                                         \
+    MAY(CHAIRS, "drive.spot_error", spot_error, "degree", 0, 30, 0, "assumed: not given, so none",                     \
+        "error of a turn on the spot, but for the nominal driver")                                                     \
     MAY(CHAIRS, "drive.reaction", reaction, "s", 0, 2, 0.3, "assumed", "time to notice what is near")                  \
     ROW(WALKERS, "drive.time_gap", time_gap, "s", 0.05, 10, "a walker's time gap to the person ahead")                 \
     ROW(ALL, "space.reach", space_reach, "m", 0, 3, "personal space beyond the body")                                  \

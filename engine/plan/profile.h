@@ -59,11 +59,13 @@ typedef struct Profile {
     double reversing_speed;      /* m/s */
     double reversing_time;       /* s, to change direction */
     double skid_time;            /* s/m, to skid with the drive wheels sideways; 0: they do not skid */
-    double creep;    /* m/s, the slowest speed through a passage or towards an obstacle, however narrow it is */
-    double caution;  /* 1, z: how many standard deviations of the error a driver keeps from a wall */
-    double sight;    /* m, l_p, the length in which a driver steers back to the planned line */
-    double reaction; /* s, until what is near has an effect */
-    double time_gap; /* s, T of a walker's v = s / T, s the free path to the person ahead */
+    double creep;      /* m/s, the slowest speed through a passage or towards an obstacle, however narrow it is */
+    double caution;    /* 1, z: how many standard deviations of the error a driver keeps from a wall */
+    double sight;      /* m, l_p, the length in which a driver steers back to the planned line */
+    double drift;      /* m/rad, slip outwards of the front edge in a turn (aim.c) */
+    double spot_error; /* degree, deviation of the heading after a turn on the spot */
+    double reaction;   /* s, until what is near has an effect */
+    double time_gap;   /* s, T of a walker's v = s / T, s the free path to the person ahead */
 
     double space_reach;    /* m, of the personal space beyond the body */
     double space_centring; /* m, l_r, the length in which a driver steers away from what is near */

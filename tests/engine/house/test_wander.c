@@ -76,3 +76,82 @@ LONG_TEST(without_the_personal_space_a_chair_errs_further) {
     printf("without the personal space %.2f times as far\n", ratio);
     CHECK(ratio >= 3.0 && ratio <= 3.7);
 }
+
+/* Returns how far to the left the front edge goes, m, in the mean over the drivers, where the plan of the corner has
+ * turned most over the last metre, and that turn, rad. */
+static double front_in_bend(size_t drivers, const char *drift, double *turned) {
+    char setting[64];
+    snprintf(setting, sizeof setting, "profile.manual-chair.drive.drift=%s", drift);
+    const char *const settings[] = {setting, NULL};
+    House house;
+    case_house(&house, "corner-1.80-1.80", -1, settings);
+    Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
+    double sum = 0, angle = 0;
+    for (size_t driver = 1; driver <= drivers; driver++) {
+        house.driver = driver;
+        World world = world_create(&house, journeys.of, NULL);
+        double most = 0, front = 0;
+        while (phase_any_active(&world)) {
+            step_world(&world, NULL);
+            const Drive *drive = &world.drive[0];
+            if (fabs(drive->turned) <= fabs(most))
+                continue;
+            most = drive->turned;
+            front =
+                drive->offset + vec2_wrap_angle(world.heading[0] - journeys.of[0].track.points[drive->index].heading) *
+                                    (house.people[0].profile->length - house.people[0].profile->axle);
+        }
+        sum += front;
+        angle += most;
+        world_destroy(&world);
+    }
+    journey_free_all(&journeys);
+    house_free(&house);
+    *turned = angle / (double)drivers;
+    return sum / (double)drivers;
+}
+
+/* The same drivers, with and without the slip: the front edge goes outwards by the slip, which the axle follows late.
+ */
+TEST(a_turning_chair_slips_outwards) {
+    double turned, same;
+    double slipping = front_in_bend(40, "0.05", &turned), firm = front_in_bend(40, "0", &same);
+    double slip = (slipping - firm) / turned;
+    printf("slip %.4f m/rad in a turn of %.2f rad\n", slip, turned);
+    CHECK(turned > 0.5);
+    CHECK_NEAR(turned, same, 0.02);
+    CHECK_NEAR(slip, -0.05, 0.01);
+}
+
+/* Turns round on the spot, and compares the heading at the end of that with the nominal driver's. */
+TEST(turns_on_the_spot_end_with_an_error) {
+    const char *const settings[] = {"profile.manual-chair.drive.spot_error=4", NULL};
+    House house;
+    json_t *plan = case_corridor(2.0);
+    case_add_person(plan, "manual-chair", 5, 0, 180);
+    case_made(&house, plan, -1, settings);
+    Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
+    const Track *track = &journeys.of[0].track;
+    double sum = 0, squares = 0, nominal = 0;
+    size_t drivers = 400;
+    CHECK(track->count > 1 && track->points[1].direction == 0);
+    for (size_t driver = 0; driver <= drivers; driver++) {
+        house.driver = driver;
+        World world = world_create(&house, journeys.of, NULL);
+        while (phase_any_active(&world) && track->points[world.drive[0].index + 1].direction == 0)
+            step_world(&world, NULL);
+        double heading = world.heading[0];
+        if (driver == 0) /* who makes no error; the turn still goes on for a moment */
+            nominal = heading;
+        double error = vec2_wrap_angle(heading - nominal);
+        sum += error;
+        squares += error * error;
+        world_destroy(&world);
+    }
+    journey_free_all(&journeys);
+    house_free(&house);
+    double mean = sum / (double)drivers, deviation = sqrt(squares / (double)drivers - mean * mean);
+    printf("errors of the heading: mean %.2f degrees, deviation %.2f\n", degrees(mean), degrees(deviation));
+    CHECK_NEAR(mean, 0, radians(0.8));
+    CHECK_NEAR(deviation, radians(4), radians(0.4));
+}
