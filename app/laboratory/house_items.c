@@ -271,9 +271,16 @@ static bool is_far(const HouseScenery *scenery, size_t person, Vec2 at, double t
     return !trail->count || vec2_distance(trail_pose(trail, time).at, at) > profile->length + profile->width;
 }
 
+/* True if the person has left and is in the picture no longer, as a walker is. */
+static bool is_gone(const HouseScenery *scenery, size_t person, double time) {
+    const PersonObservation *observed = &scenery->observation->people[person];
+    return observed->completed && time >= observed->time && census_walks(scenery->house->people[person].profile);
+}
+
 static bool hits(const HouseScenery *scenery, Hit *hit, Vec2 at, double time) {
     Vec2 points[LABORATORY_OUTLINE_MOST];
-    if (hit->item.kind == HOUSE_PERSON && is_far(scenery, hit->item.index, at, time))
+    size_t index = hit->item.index;
+    if (hit->item.kind == HOUSE_PERSON && (is_gone(scenery, index, time) || is_far(scenery, index, at, time)))
         return false;
     size_t count = house_item_outline(scenery, hit->item, time, points);
     hit->area = area_of(points, count);

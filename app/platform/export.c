@@ -238,12 +238,18 @@ static void replace(Text *text, const char *words, size_t length) {
     text_format(text, "%.*s", (int)length, words);
 }
 
+/* Returns the length of a line without the blanks at its end. */
+static size_t length_of(const Text *line) {
+    size_t length = line->used;
+    while (length && line->text[length - 1] == ' ')
+        length--;
+    return length;
+}
+
 /* Takes the line as progress or as a message: text after a carriage return is progress, unless a message follows it. */
 static void read_line(Export *export, bool ended) {
     const char *words = export->line.text, *sentence = strstr(words, "clearance: ");
-    size_t length = export->line.used;
-    while (length && words[length - 1] == ' ')
-        length--;
+    size_t length = length_of(&export->line);
     if (length && export->overwrites && !sentence)
         replace(&export->doing, words, length);
     else if (length && ended && sentence && export->overwrites)
@@ -266,8 +272,9 @@ static void read_said(Export *export) {
                 text_add(&export->line, (char[]){said[i], 0});
         }
     /* the newest progress is at the end of the output, with nothing behind it yet */
-    if (export->overwrites && export->line.used && !strstr(export->line.text, "clearance: "))
-        replace(&export->doing, export->line.text, export->line.used);
+    size_t length = length_of(&export->line);
+    if (export->overwrites && length && !strstr(export->line.text, "clearance: "))
+        replace(&export->doing, export->line.text, length);
 }
 
 /* Reads the share that is done out of "picture 40 of 300" or "types: 40 of at most 768 runs"; NAN if it is not known.

@@ -36,6 +36,20 @@ static const char *caption_of(Document *document, const Reported *run) {
                                                           : " Diamonds: people who are not out at the end.");
 }
 
+/* Tells of exits that are not always open. */
+static void add_exit_times(Document *document, const Plan *plan) {
+    for (size_t e = 0; e < plan->exit_count; e++) {
+        const Exit *exit = &plan->exits[e];
+        bool opens = exit->opens > 0, closes = exit->closes < HUGE_VAL;
+        if (opens || closes)
+            document_add_paragraph(
+                document, document_text(document, "Exit %s%s%s%s.", exit->id,
+                                        opens ? document_text(document, " opens at %.4g s", exit->opens) : "",
+                                        opens && closes ? " and" : "",
+                                        closes ? document_text(document, " closes at %.4g s", exit->closes) : ""));
+    }
+}
+
 /* Removes the answer from the picture, as it stands above the picture in the document. */
 static void add_house(Document *document, const HouseReport *report, const char *headline) {
     const Reported *run = &report->run;
@@ -55,6 +69,7 @@ static void add_house(Document *document, const HouseReport *report, const char 
                                     result_drivers_headline(run->house, of->drivers, of->grades, &document->arena)));
     if (*detail && run->observation->completed) /* otherwise the headline already says so */
         document_add_paragraph(document, document_text(document, "%c%s.", toupper((unsigned char)*detail), detail + 1));
+    add_exit_times(document, &run->house->plan);
     if (run->observation->time > 0)
         document_add_paragraph(document,
                                "Times include movement only, not alarm, waking and the transfer into the chair.");

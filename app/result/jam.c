@@ -89,12 +89,21 @@ bool jam_is_same(const Plan *plan, const Hazard *a, const Hazard *b) {
     return p.exit == q.exit && p.door == q.door && p.room == q.room && same_thing;
 }
 
+/* Returns the door's name, with its distance where that is far: "5 m from shop 18 door". */
+static const char *name_from_door(const Plan *plan, const Door *door, Vec2 at, Arena *arena) {
+    Vec2 from, to;
+    plan_geometry_door_ends(plan, door, &from, &to);
+    double away = vec2_distance(at, vec2_nearest_on_segment(at, from, to));
+    const char *name = names_door(plan, (size_t)(door - plan->doors), arena);
+    return away > AT ? text_in_arena(arena, "%.0f m from %s", away, name) : name;
+}
+
 static const char *crowd_name(const House *house, const Hazard *hazard, Arena *arena) {
     const Plan *plan = &house->plan;
     JamPlace place = jam_place(plan, hazard);
     if (place.exit)
         return plan->exit_count > 1 ? text_in_arena(arena, "exit %s", place.exit->id) : "exit";
-    const char *thing = place.door ? names_door(plan, (size_t)(place.door - plan->doors), arena) : NULL;
+    const char *thing = place.door ? name_from_door(plan, place.door, hazard->at, arena) : NULL;
     thing = place.thing || place.nameless ? names_thing(house, hazard->what, hazard->at, arena) : thing;
     if (!place.room)
         return thing;

@@ -125,10 +125,25 @@ const char *names_door(const Plan *plan, size_t door, Arena *arena) {
 
 /* People ----------------------------------------------------------------------------------------------------------- */
 
+/* Returns how many people have the person's route, and counts those of them before. */
+static size_t count_on_route(const House *house, size_t person, size_t *before) {
+    size_t all = 0;
+    *before = 0;
+    for (size_t i = 0; i < house->person_count; i++) {
+        bool same = house->people[i].route == house->people[person].route;
+        all += same;
+        *before += same && i < person;
+    }
+    return all;
+}
+
 const char *names_person(const House *house, size_t person, Arena *arena) {
     const Inhabitant *who = &house->people[person];
-    if (who->route && strlen(who->route->id) <= 2)
-        return text_in_arena(arena, "%s", who->route->id);
+    if (who->route && strlen(who->route->id) <= 2) {
+        size_t before, all = count_on_route(house, person, &before);
+        return all > 1 ? text_in_arena(arena, "%s%zu", who->route->id, before + 1)
+                       : text_in_arena(arena, "%s", who->route->id);
+    }
     if (house->person_count > LETTERS)
         return text_in_arena(arena, "person %zu", person + 1);
     return text_in_arena(arena, "%c", (char)('A' + person));

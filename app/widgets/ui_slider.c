@@ -210,6 +210,11 @@ UiChange ui_slider(Ui *ui, UiSlider *slider) {
         draw_reason(ui, parts.track, reason);
     else
         draw_track(ui, slider, parts.track, hand);
-    ui_tip_offer(ui, parts.id, whole, slider->help, field.hovered || hand.hovered, focused);
+    bool hovered = field.hovered || hand.hovered;
+    if (hand.held) /* whoever has slid it knows what it is, and looks at the picture */
+        ui->tip_pressed = parts.id;
+    else if (ui->tip_pressed == parts.id && !hovered)
+        ui->tip_pressed = 0;
+    ui_tip_offer(ui, parts.id, whole, slider->help, hovered && ui->tip_pressed != parts.id, focused);
     return slid != UI_SAME ? slid : typed;
 }

@@ -273,6 +273,12 @@ static double load_of(const World *world, size_t i, Vec2 force, double moment) {
     return moment + world->house->people[i].profile->mass_centre * vec2_cross(world->axis[i], force);
 }
 
+/* True if a driver gets nowhere, or backs off, and so uses both arms however narrow the place is. */
+static bool frees_itself(const World *world, size_t i) {
+    const Drive *drive = &world->drive[i];
+    return drive->retreats || drive->stalled > RETRY_AFTER;
+}
+
 /* Returns a driver's effort towards a speed along the axis, m/s, that itself changes at `hurry`, m/s2, and a turn rate,
  * rad/s, that changes at `change`, rad/s2, and by `bend`, rad/m, with the speed, with `strength` N m. */
 static Effort exert(const World *world, size_t i, double speed, double hurry, double turn, double change, double bend,
@@ -285,7 +291,7 @@ static Effort exert(const World *world, size_t i, double speed, double hurry, do
         profile->mass * profile->mass_centre * world->turn[i] * world->turn[i]; /* N, outwards from the axle */
     double others = vec2_dot(felt, axis) + swing, load = load_of(world, i, felt, world->moment[i] + effort.moment);
     const TrackPoint *here = &world->journeys[i].track.points[world->drive[i].index];
-    bool tucked = here->clearance < profile->hands;
+    bool tucked = here->clearance < profile->hands && !frees_itself(world, i);
     double bent = real_max(fabs(here->curvature), fabs(bend));
     double faster = real_min(profile->acceleration, pace_in_bend(pace_turning(profile), bent));
     double most = (tucked ? PACE_TUCKED_PUSH : 1) * profile->push;

@@ -13,8 +13,9 @@
 /* The width of a passage is the shortest chord from obstacle to obstacle across both long sides of the body, at most 30
  * degrees from square, or the distance between the two faces at its ends where that is about the same, or where they
  * are parallel: a body on the slant between two walls is across them. A body that lacks a margin m on either side needs
- * 2 m more than that, and its own width at least; a disc needs its own. Without any passage, a wall blocks the path or
- * a door is locked: then the path through the fewest solids, which prefers locked doors to walls, names the place. */
+ * 2 m more than that, and its own width at least; a disc needs its own. Without any passage, something bars it
+ * whole: then the path through the fewest solids, which prefers furniture to locked doors and those to walls, names the
+ * place. */
 
 #define RAY_REACH 20.0      /* m: a passage wider than this has no width worth reporting */
 #define DEEPEST_OVERLAP 0.2 /* m, of a track */
@@ -22,9 +23,9 @@
 
 enum { NECK_FACES = 16 };
 
-/* Cost per metre through free space, through a locked door and through any other solid, 1: a locked door is better than
- * any detour in a house, and a wall is worse than any number of doors. */
-enum { STEP_FREE = 1, STEP_DOOR = 2000, STEP_SOLID = 40000 };
+/* Cost per cell of free space, of furniture, of a locked door and of any other solid, 1: a piece of furniture is better
+ * than a locked door, that is better than any detour in a house, and a wall is worse than any number of them. */
+enum { STEP_FREE = 1, STEP_PIECE = 200, STEP_DOOR = 2000, STEP_SOLID = 40000 };
 
 #define SAME_WIDTH 0.05 /* 1, of a chord: the distance between the faces at its ends differs by no more */
 #define PARALLEL 0.05   /* 1, the sine of the angle between two faces that are parallel, at most */
@@ -149,7 +150,7 @@ void blockage_of_start(Blockage *blockage, const RouteQuery *query, const Rectan
 typedef struct Breach {
     const RouteQuery *query;
     const FreeSpace *space;
-    unsigned char *locked; /* (ny x nx) 1: in a locked door's opening */
+    unsigned short *solid; /* (ny x nx) the step there where it is solid */
     float *cost;           /* (ny x nx) */
     int *parent;           /* (ny x nx) neighbour towards the start, or -1 */
     int *heap;
@@ -188,28 +189,46 @@ static bool breach_solid(const Breach *breach, int point) {
     return breach->space->distance[point] < (float)(0.6 * breach->space->cell);
 }
 
-static void mark_locked(Breach *breach) {
-    const Plan *plan = breach->query->plan;
+/* Marks the points between two places, up to `beside` m beside the line and `beyond` m beyond its ends. */
+static void mark_strip(Breach *breach, Vec2 from, Vec2 to, double beside, double beyond, int step) {
     const FreeSpace *space = breach->space;
+    double length = vec2_distance(from, to);
+    Vec2 along = vec2_unit(vec2_sub(to, from));
+    Box box = box_expand(box_include(box_include(box_empty(), from), to), fmax(beside, beyond));
+    for (int j = 0; j < space->ny; j++) {
+        double y = space->origin.y + j * space->cell;
+        for (int i = 0; i < space->nx && y >= box.low.y && y <= box.high.y; i++) {
+            int point = j * space->nx + i;
+            Vec2 at = vec2_sub(breach_place(breach, point), from);
+            double gone = vec2_dot(at, along);
+            if (gone > -beyond && gone < length + beyond && fabs(vec2_cross(along, at)) <= beside)
+                breach->solid[point] = (unsigned short)step;
+        }
+    }
+}
+
+static void mark_solids(Breach *breach) {
+    const Plan *plan = breach->query->plan;
+    double cell = breach->space->cell;
+    for (size_t p = 0; p < (size_t)breach->space->nx * (size_t)breach->space->ny; p++)
+        breach->solid[p] = STEP_SOLID;
+    for (size_t f = 0; f < plan->furniture_count; f++) {
+        Vec2 corners[4];
+        plan_geometry_corners(&plan->furniture[f], corners);
+        Vec2 from = vec2_scale(vec2_add(corners[0], corners[3]), 0.5);
+        Vec2 to = vec2_scale(vec2_add(corners[1], corners[2]), 0.5);
+        mark_strip(breach, from, to, vec2_distance(corners[0], corners[3]) / 2 + cell, cell, STEP_PIECE);
+    }
+    for (size_t w = 0; w < plan->wall_count; w++) /* what stands at a wall is not the wall */
+        for (size_t p = 0; p + 1 < plan->walls[w].points.count; p++)
+            mark_strip(breach, plan->walls[w].points.at[p], plan->walls[w].points.at[p + 1],
+                       plan->walls[w].thickness / 2, 0, STEP_SOLID);
     for (size_t d = 0; d < plan->door_count; d++) {
         if (plan->doors[d].state != DOOR_LOCKED)
             continue;
         Vec2 from, to;
         plan_geometry_door_ends(plan, &plan->doors[d], &from, &to);
-        double reach = plan->walls[plan->doors[d].wall_index].thickness / 2 + space->cell;
-        double width = vec2_distance(from, to);
-        Vec2 along = vec2_unit(vec2_sub(to, from));
-        Box box = box_expand(box_include(box_include(box_empty(), from), to), reach);
-        for (int j = 0; j < space->ny; j++) {
-            double y = space->origin.y + j * space->cell;
-            for (int i = 0; i < space->nx && y >= box.low.y && y <= box.high.y; i++) {
-                int point = j * space->nx + i;
-                Vec2 at = vec2_sub(breach_place(breach, point), from);
-                double gone = vec2_dot(at, along);
-                if (gone > 0 && gone < width && fabs(vec2_cross(along, at)) <= reach)
-                    breach->locked[point] = 1;
-            }
-        }
+        mark_strip(breach, from, to, plan->walls[plan->doors[d].wall_index].thickness / 2 + cell, 0, STEP_DOOR);
     }
 }
 
@@ -238,7 +257,7 @@ static int breach_search(Breach *breach, int *behind) {
             int to_x = i + steps[s][0], to_y = j + steps[s][1], to = to_y * space->nx + to_x;
             if (to_x < 0 || to_y < 0 || to_x >= space->nx || to_y >= space->ny)
                 continue;
-            float step = !breach_solid(breach, to) ? STEP_FREE : breach->locked[to] ? STEP_DOOR : STEP_SOLID;
+            float step = breach_solid(breach, to) ? breach->solid[to] : STEP_FREE;
             float cost = breach->cost[point] + step;
             size_t exit;
             if (cost < least &&
@@ -262,12 +281,12 @@ static bool find_breach(const RouteQuery *query, Vec2 *at) {
     const FreeSpace *space = query->space;
     size_t points = (size_t)space->nx * (size_t)space->ny;
     Breach breach = {.query = query, .space = space};
-    breach.locked = memory_zeroed(points, 1);
+    breach.solid = memory_zeroed(points, sizeof *breach.solid);
     breach.cost = memory_zeroed(points, sizeof *breach.cost);
     breach.parent = memory_zeroed(points, sizeof *breach.parent);
     for (size_t i = 0; i < points; i++)
         breach.cost[i] = HUGE_VALF;
-    mark_locked(&breach);
+    mark_solids(&breach);
     bool found = false;
     Vec2 sum = {0, 0};
     int in_it = 0;
@@ -288,11 +307,26 @@ static bool find_breach(const RouteQuery *query, Vec2 *at) {
     }
     if (found)
         *at = vec2_scale(sum, 1.0 / in_it);
-    memory_free(breach.locked);
+    memory_free(breach.solid);
     memory_free(breach.cost);
     memory_free(breach.parent);
     memory_free(breach.heap);
     return found;
+}
+
+/* Returns the piece of furniture in which a place lies, or less than `near` m from it, or -1. */
+static int piece_at(const Plan *plan, Vec2 at, double near) {
+    for (size_t f = 0; f < plan->furniture_count; f++) {
+        Vec2 corners[4];
+        plan_geometry_corners(&plan->furniture[f], corners);
+        bool inside = true;
+        for (int c = 0; c < 4 && inside; c++)
+            inside =
+                vec2_cross(vec2_unit(vec2_sub(corners[(c + 1) % 4], corners[c])), vec2_sub(at, corners[c])) > -near;
+        if (inside)
+            return (int)f;
+    }
+    return -1;
 }
 
 static bool owned_alike(const Face *a, const Face *b) {
@@ -368,6 +402,9 @@ bool blockage_of_disc(Blockage *blockage, const RouteQuery *query, double radius
     if (blockage->has > 0 && reach < FREESPACE_FARTHEST)
         count = freespace_faces(query->space, blockage->at, vec2(1, 0), 0, 0, reach, faces, NECK_FACES);
     name_sides(blockage, query, faces, count);
+    int piece = blockage->has > 0 ? -1 : piece_at(query->plan, blockage->at, query->space->cell);
+    if (piece >= 0)
+        outline_name(query->plan, OWNER_FURNITURE, piece, blockage->what, sizeof blockage->what);
     return true;
 }
 

@@ -132,7 +132,7 @@ static bool may_topple(Editor *edit, Fault *fault) {
         if (plan->furniture[index].topples != TOPPLE_NO)
             continue;
         edit_select_name(edit, edit->ids[i], name);
-        fault_add(fault, "%s does not topple: choose the face to which it topples", name);
+        fault_add(fault, "%s does not fall: choose to which side on the panel, at \"falls to\"", name);
     }
     if (!count && !fault->count)
         fault_add(fault, "only furniture can topple");

@@ -42,7 +42,8 @@ static void add_pair(HouseSession *session, const char *what, const char *value)
 static void add_moment(HouseSession *session, size_t person, double time) {
     Scene *scene = &session->texts.moment;
     const double *row = trail_row_at(&session->trails.trails[person], time);
-    if (!row)
+    const PersonObservation *observed = &session->observation->people[person];
+    if (!row || (observed->completed && time >= observed->time))
         return;
     double reach = session->runs[RUN_SHOWN]->house.people[person].profile->space_reach;
     bool free = row[TRACE_CLEARANCE] >= reach;

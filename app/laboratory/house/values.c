@@ -155,8 +155,12 @@ static void add_offers(HouseValues *values, const House *house, const char *kind
         if (!parameter)
             continue;
         parameter->group = group;
-        parameter->idle =
-            owner.item.kind == HOUSE_DOOR && is_idle(&house->plan.doors[owner.item.index], offers[i].name);
+        const char *row = offers[i].name;
+        if (owner.item.kind == HOUSE_DOOR)
+            parameter->idle = is_idle(&house->plan.doors[owner.item.index], row);
+        else if (owner.item.kind == HOUSE_FURNITURE) /* what does not fall has no probability */
+            parameter->idle =
+                strcmp(row, "probability") == 0 && house->plan.furniture[owner.item.index].topples == TOPPLE_NO;
     }
 }
 

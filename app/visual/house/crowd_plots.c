@@ -87,7 +87,8 @@ static void add_marks(Plot *plot, const double *times, size_t count, size_t peop
     } marks[GUIDES] = {{0.5, "half"}, {0.95, "95 %"}, {1, "all"}};
     for (int m = 0; m < GUIDES && people > CENSUS_ROWS; m++) {
         size_t needed = (size_t)ceil(marks[m].part * (double)people - 1e-9);
-        if (count >= needed)
+        bool is_all = marks[m].part < 1 && needed == people;
+        if (count >= needed && !is_all)
             plot->guides[plot->guide_count++] = (PlotGuide){
                 .upright = true,
                 .at = times[needed - 1],
@@ -97,15 +98,26 @@ static void add_marks(Plot *plot, const double *times, size_t count, size_t peop
     }
 }
 
+/* Marks when exits close, up to the end of the run. */
+static void add_closings(Plot *plot, const House *house, double end, Arena *arena) {
+    for (size_t e = 0; e < house->plan.exit_count; e++)
+        if (house->plan.exits[e].closes < end)
+            plot->guides[plot->guide_count++] =
+                (PlotGuide){.upright = true,
+                            .at = house->plan.exits[e].closes,
+                            .name = text_in_arena(arena, "%s closes", house->plan.exits[e].id),
+                            .role = ROLE_ERROR,
+                            .style = LINE_DASHED};
+}
+
 void crowd_plots_out(Plot *plot, const House *house, const Observation *observation, const Observation *before,
                      const char *name, Arena *arena) {
     size_t people = taking_part(observation), most = observation->person_count + (before ? before->person_count : 0);
     double *times = memory_zeroed(most + 1, sizeof *times);
-    (void)house;
     plot->x = (PlotAxis){.title = "time", .unit = "s"};
     plot->y = (PlotAxis){.title = "people out", .unit = "1"};
     plot->series = arena_allocate(arena, 2 * sizeof *plot->series);
-    plot->guides = arena_allocate(arena, GUIDES * sizeof *plot->guides);
+    plot->guides = arena_allocate(arena, (GUIDES + house->plan.exit_count) * sizeof *plot->guides);
     if (before) {
         PlotSeries *ghost = add_steps(plot, before, times, list_times(before, SIZE_MAX, times), arena);
         ghost->name = name;
@@ -116,6 +128,7 @@ void crowd_plots_out(Plot *plot, const House *house, const Observation *observat
     size_t count = list_times(observation, SIZE_MAX, times);
     add_steps(plot, observation, times, count, arena)->heading = "people out";
     add_marks(plot, times, count, people, arena);
+    add_closings(plot, house, end_of(observation, times, count), arena);
     plot->note = count ? text_in_arena(arena, "of %zu", people) : "nobody is out";
     memory_free(times);
 }

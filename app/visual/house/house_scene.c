@@ -47,7 +47,8 @@ static int compare_times(const void *a, const void *b) {
     return (left > right) - (left < right);
 }
 
-/* Returns when most of a crowd that leaves is out: its last one may be one walking frame. "" if somebody stays. */
+/* Returns when most of a crowd that leaves is out: its last one may be one walking frame. "" if somebody stays, or if
+ * most are all. */
 static const char *most_out(Scene *scene, const Observation *observation, const Census *census) {
     size_t count = 0;
     if (!census->people || census->stuck != SIZE_MAX || census->interrupted)
@@ -58,9 +59,9 @@ static const char *most_out(Scene *scene, const Observation *observation, const 
             times[count++] = observation->people[i].time;
     qsort(times, count, sizeof *times, compare_times);
     size_t most = (size_t)ceil(MOST * (double)count);
-    const char *text = most ? scene_text(scene, "%.0f %% out in %s \u00b7 ", 100 * MOST,
-                                         headline_duration(times[most - 1], &scene->arena))
-                            : "";
+    const char *text = most < count ? scene_text(scene, "%.0f %% out in %s \u00b7 ", 100 * MOST,
+                                                 headline_duration(times[most - 1], &scene->arena))
+                                    : "";
     memory_free(times);
     return text;
 }
@@ -74,12 +75,12 @@ static const char *last_out(Scene *scene, const House *house, const Observation 
 /* A crowd that leaves is told by when most are out and who is the last; contacts and means stand in the report. */
 static void format_crowd(Scene *scene, const House *house, const Observation *observation, const Census *census) {
     bool alone = house->plan.run.routes == ROUTES_ALONE && house->plan.route_count > 1;
-    const char *most = most_out(scene, observation, census);
-    if (!*most || alone)
+    if (!census->people || census->stuck != SIZE_MAX || census->interrupted || alone)
         return;
     scene->title =
         scene_text(scene, "All %zu out in %s", census->people, headline_duration(observation->time, &scene->arena));
-    scene->detail = scene_text(scene, "%s%s", most, last_out(scene, house, observation));
+    scene->detail =
+        scene_text(scene, "%s%s", most_out(scene, observation, census), last_out(scene, house, observation));
 }
 
 static void format_answer(Scene *scene, const House *house, const Observation *observation, const Census *census) {

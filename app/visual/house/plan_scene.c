@@ -280,8 +280,12 @@ static void bind_to_furniture(Scene *scene, Primitive *label, const Furniture *p
     scene_bind_label(scene, label, corners, 4);
 }
 
+/* Returns "EXIT", the id where there are several, and the times of an exit that is not always open. */
 static const char *exit_name(Scene *scene, const Plan *plan, const Exit *exit) {
-    return plan->exit_count > 1 ? scene_text(scene, "EXIT %s", exit->id) : "EXIT";
+    const char *name = plan->exit_count > 1 ? scene_text(scene, "EXIT %s", exit->id) : "EXIT";
+    if (exit->opens > 0)
+        name = scene_text(scene, "%s from %.4g s", name, exit->opens);
+    return exit->closes < HUGE_VAL ? scene_text(scene, "%s until %.4g s", name, exit->closes) : name;
 }
 
 static void add_toppled_tags(Scene *scene, const Plan *plan) {

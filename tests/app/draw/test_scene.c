@@ -417,7 +417,8 @@ static Scene crowd_scene(Census *census, bool interrupted) {
     static char names[MEMBERS][24];
     Profile profiles[] = {chair, adult};
     Crowd crowd = {.id = "adults", .profile = "adult", .count = MEMBERS};
-    Exit exits[] = {{.id = "e1", .from = {10, 1}, .to = {10, 2}}, {.id = "e2", .from = {0, 1}, .to = {0, 2}}};
+    Exit exits[] = {{.id = "e1", .from = {10, 1}, .to = {10, 2}, .closes = HUGE_VAL},
+                    {.id = "e2", .from = {0, 1}, .to = {0, 2}, .closes = HUGE_VAL}};
     Inhabitant people[MEMBERS + 1];
     PersonObservation observed[MEMBERS + 1];
     House house = {.plan = {.name = "a hall", .note = "", .crowds = &crowd, .crowd_count = 1, .exits = exits},

@@ -27,7 +27,7 @@ TEST(the_jams_of_a_crowd_are_named_by_their_places_and_ranked_by_all_their_lost_
     Tight tight[HAZARDS_MOST];
     Arena arena = {0};
     static const char *const names[] = {"shop 2 door", "shop 1 door", "shop 3 door", "exit e1",
-                                        "street 1, shop 25 door"};
+                                        "street 1, 5 m from shop 25 door"};
     CHECK(tight_all(&house, &observation, tight) == 5 && tight_count(&house, &observation) == 5);
     for (size_t i = 0; i < 5; i++)
         CHECK_TEXT(jam_name(&house, &observation.hazards[tight[i].hazard], &arena), names[i]);
