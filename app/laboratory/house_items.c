@@ -199,9 +199,25 @@ static size_t outline_wall(const Wall *wall, Vec2 *points) {
     return 2 * count;
 }
 
-size_t house_item_outline(const HouseScenery *scenery, Item item, double time, Vec2 *points) {
-    const Plan *plan = &scenery->house->plan;
+size_t house_item_outline_in(const Plan *plan, Item item, Vec2 *points) {
     Vec2 from, to;
+    switch (item.kind) {
+    case HOUSE_DOOR:
+        plan_geometry_door_ends(plan, &plan->doors[item.index], &from, &to);
+        return outline_strip(from, to, plan->walls[plan->doors[item.index].wall_index].thickness, points);
+    case HOUSE_FURNITURE:
+        plan_geometry_corners(&plan->furniture[item.index], points);
+        return 4;
+    case HOUSE_WALL:
+        return outline_wall(&plan->walls[item.index], points);
+    case HOUSE_EXIT:
+        return outline_strip(plan->exits[item.index].from, plan->exits[item.index].to, EXIT_DEPTH, points);
+    default:
+        return 0;
+    }
+}
+
+size_t house_item_outline(const HouseScenery *scenery, Item item, double time, Vec2 *points) {
     if (item.index >= house_item_count(scenery->house, scenery->observation, item.kind))
         return 0;
     switch ((HouseItem)item.kind) {
@@ -215,15 +231,10 @@ size_t house_item_outline(const HouseScenery *scenery, Item item, double time, V
             return 0;
         return outline_circle(scenery->observation->people[item.index].blockage.at, STOP_SHOWN, points);
     case HOUSE_DOOR:
-        plan_geometry_door_ends(plan, &plan->doors[item.index], &from, &to);
-        return outline_strip(from, to, plan->walls[plan->doors[item.index].wall_index].thickness, points);
     case HOUSE_FURNITURE:
-        plan_geometry_corners(&plan->furniture[item.index], points);
-        return 4;
     case HOUSE_WALL:
-        return outline_wall(&plan->walls[item.index], points);
     case HOUSE_EXIT:
-        return outline_strip(plan->exits[item.index].from, plan->exits[item.index].to, EXIT_DEPTH, points);
+        return house_item_outline_in(&scenery->house->plan, item, points);
     case HOUSE_NOTHING:
     case HOUSE_ITEMS:
         break;

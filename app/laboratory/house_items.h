@@ -46,6 +46,10 @@ typedef struct HouseScenery {
     const Trail *trails;
 } HouseScenery;
 
+/* Fills in the outline of a door, a piece of furniture, a wall or an exit of a plan, and returns the number of points,
+ * up to LABORATORY_OUTLINE_MOST; 0: of another kind. */
+size_t house_item_outline_in(const Plan *plan, Item item, Vec2 *points);
+
 /* As outline, pick and next of a Laboratory. */
 size_t house_item_outline(const HouseScenery *scenery, Item item, double time, Vec2 *points);
 Item house_item_at(const HouseScenery *scenery, Vec2 at, double time, Item below);

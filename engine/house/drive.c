@@ -273,10 +273,10 @@ static double load_of(const World *world, size_t i, Vec2 force, double moment) {
     return moment + world->house->people[i].profile->mass_centre * vec2_cross(world->axis[i], force);
 }
 
-/* True if a driver gets nowhere, or backs off, and so uses both arms however narrow the place is. */
+/* True if a driver gets nowhere, backs off or touches something, and so uses both arms however narrow the place is. */
 static bool frees_itself(const World *world, size_t i) {
     const Drive *drive = &world->drive[i];
-    return drive->retreats || drive->stalled > RETRY_AFTER;
+    return drive->retreats || drive->stalled > RETRY_AFTER || world->sense[i].body_force > 0;
 }
 
 /* Returns a driver's effort towards a speed along the axis, m/s, that itself changes at `hurry`, m/s2, and a turn rate,

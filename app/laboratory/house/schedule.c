@@ -97,6 +97,7 @@ void house_schedule_apply_edit(HouseSession *session) {
         house_schedule_store(session, true);
     if (!draft_is_open(session->draft))
         note_history(session);
+    session->changed |= LABORATORY_PARAMETERS;
     ask_missing(session);
     session->undone |=
         session->runs[RUN_SHOWN] && house_run_revision(session->runs[RUN_SHOWN]) == draft_revision(session->draft);

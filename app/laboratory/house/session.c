@@ -63,6 +63,8 @@ static unsigned update(void *context, double time) {
         if (changed & LABORATORY_TEXTS)
             house_text_make(session, time);
         if (changed & LABORATORY_PARAMETERS)
+            house_value_follow(&session->values, draft_plan(session->draft), session->selected);
+        if (changed & LABORATORY_PARAMETERS)
             house_value_sort(&session->values, &session->runs[RUN_SHOWN]->house, session->selected);
     }
     update_editor_scene(session);
@@ -408,12 +410,29 @@ static const char *item_key(void *context, Item item) {
     return texts->name;
 }
 
+/* Returns the outline of an item of the plan as it is edited, of which no run is displayed yet; 0: not of the plan. */
+static size_t outline_in_draft(const HouseSession *session, Item item, Vec2 *points) {
+    DraftList list = item.kind == HOUSE_DOOR        ? DRAFT_DOORS
+                     : item.kind == HOUSE_FURNITURE ? DRAFT_FURNITURE
+                     : item.kind == HOUSE_WALL      ? DRAFT_WALLS
+                     : item.kind == HOUSE_EXIT      ? DRAFT_EXITS
+                                                    : DRAFT_LISTS;
+    const char *id = house_item_id(&session->runs[RUN_SHOWN]->house, item);
+    size_t index;
+    bool known = list != DRAFT_LISTS && draft_find(session->draft, id, &index) == list;
+    return known ? house_item_outline_in(draft_plan(session->draft), (Item){item.kind, index}, points) : 0;
+}
+
 static size_t outline(void *context, Item item, double time, Vec2 *points) {
     HouseSession *session = context;
     if (!session->runs[RUN_SHOWN])
         return 0;
     HouseScenery scenery = scenery_of(session);
     size_t count = house_item_outline(&scenery, item, time, points);
+    size_t edited = count && house_run_revision(session->runs[RUN_SHOWN]) != draft_revision(session->draft)
+                        ? outline_in_draft(session, item, points)
+                        : 0;
+    count = edited ? edited : count;
     const FurnitureFall *fall = NULL;
     if (count && item.kind == HOUSE_FURNITURE)
         fall = house_fall_find(session, house_item_id(&session->runs[RUN_SHOWN]->house, item));

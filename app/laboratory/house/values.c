@@ -296,6 +296,20 @@ static int rank_of(const ValueOwner *owner, const PanelParameter *parameter, Ite
     return selected.kind && item_same(owner->item, selected) ? 0 : 1;
 }
 
+void house_value_follow(HouseValues *values, const Plan *plan, Item item) {
+    for (size_t i = 0; i < values->count && item.kind; i++) {
+        const void *object;
+        Fault fault = {0};
+        if (!item_same(values->owners[i].item, item))
+            continue;
+        const Parameter *row = plan_parameter(plan, values->rows[i].name, &object, "", &fault);
+        double value = row ? parameters_number_get(row, object) : NAN;
+        if (isfinite(value))
+            values->rows[i].value = value;
+        fault_clear(&fault);
+    }
+}
+
 void house_value_sort(HouseValues *values, const House *house, Item selected) {
     size_t listed = 0;
     for (size_t i = 0; i < values->count; i++)

@@ -24,6 +24,9 @@ typedef struct HouseValues {
 void house_value_list(HouseValues *values, const House *house);
 void house_value_clear(HouseValues *values);
 
+/* Takes the values of one item from a plan, which may be newer than the house of the list. */
+void house_value_follow(HouseValues *values, const Plan *plan, Item item);
+
 /* Sorts `listed` for the present selection. */
 void house_value_sort(HouseValues *values, const House *house, Item selected);
 

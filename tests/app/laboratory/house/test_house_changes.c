@@ -322,3 +322,29 @@ TEST(the_newest_change_wins) {
           running_house_digest_of("ube-techno-house", (const char *[]){"door.d5.width=0.97", NULL}, NULL, -1));
     laboratory->close(session);
 }
+
+/* The panel and the outline follow at once, before a run of the changed house is there. */
+TEST(a_moved_piece_has_its_place_at_once) {
+    void *session = running_house_open("ube-techno-house", NULL, 0, NULL);
+    running_house_finish(session, 0);
+    Item sofa = {0, 0};
+    for (Item item = laboratory->next(session, sofa, 1); !sofa.kind; item = laboratory->next(session, item, 1))
+        if (strcmp(laboratory->item_name(session, item), "sofa") == 0)
+            sofa = item;
+    laboratory->select(session, sofa);
+    laboratory->update(session, 0);
+    double before = running_house_parameter(session, "furniture.sofa.centre.x")->value;
+    Vec2 old[LABORATORY_OUTLINE_MOST], now[LABORATORY_OUTLINE_MOST];
+    CHECK(laboratory->outline(session, sofa, 0, old) == 4);
+    Fault fault = {0};
+    CHECK(editor_nudge(laboratory->editor(session), vec2(0.25, 0), &fault));
+    laboratory->update(session, 0);
+    CHECK(laboratory->runs(session).working);
+    CHECK_NEAR(running_house_parameter(session, "furniture.sofa.centre.x")->value, before + 0.25, 1e-9);
+    CHECK(laboratory->outline(session, sofa, 0, now) == 4);
+    CHECK_NEAR(now[0].x, old[0].x + 0.25, 1e-9);
+    fault_clear(&fault);
+    running_house_finish(session, 0);
+    CHECK_NEAR(running_house_parameter(session, "furniture.sofa.centre.x")->value, before + 0.25, 1e-9);
+    laboratory->close(session);
+}
