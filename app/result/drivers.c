@@ -420,7 +420,7 @@ ResultTable result_drivers_paired(const House houses[2], const Drivers drivers[2
 
 static void add_range(Text *text, const Fleet *fleet) {
     if (fleet->time.count && has_band(fleet))
-        text_format(text, "9 of 10 drivers %.1f to %.1f s; ", fleet->time.low, fleet->time.high);
+        text_format(text, "90 %% of drivers take %.1f to %.1f s; ", fleet->time.low, fleet->time.high);
     else if (fleet->time.count)
         text_format(text, "drivers %.1f to %.1f s; ", fleet->time.least, fleet->time.greatest);
 }

@@ -29,7 +29,7 @@ ResultTable result_drivers_paired(const House houses[2], const Drivers drivers[2
  * of the roomier house alone can raise that mean although nobody takes longer. */
 void result_drivers_paired_say(Text *text, const House houses[2], const Drivers drivers[2]);
 
-/* Returns the drivers of a person in one line, "9 of 10 drivers 11.9 to 15.2 s; 97 of 100 out; 12 % touch, most at
+/* Returns the drivers of a person in one line, "90 % of drivers take 11.9 to 15.2 s; 97 of 100 out; 12 % touch, most at
  * bedroom door", in the arena; NULL: the person is not of the population. */
 const char *result_drivers_brief(const House *house, const Drivers *drivers, size_t person, Arena *arena);
 
@@ -42,6 +42,7 @@ const char *result_drivers_headline(const House *house, const Drivers *drivers, 
  * `grades` is (person_count). */
 void result_drivers_say_grades(Text *text, const House *house, const Drivers *drivers, const Grade *grades);
 
-/* Adds a sentence for each person: "p-a  13.0 s; 9 of 10 drivers 11.9 to 15.2 s; 97 of 100 out; 12 % touch (7 to 20)".
+/* Adds a sentence for each person: "p-a  13.0 s; 90 % of drivers take 11.9 to 15.2 s; 97 of 100 out; 12 % touch (7 to
+ * 20)".
  */
 void result_drivers_say(Text *text, const House *house, const Observation *nominal, const Drivers *drivers);

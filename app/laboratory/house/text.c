@@ -213,6 +213,12 @@ static size_t crew_person(const HouseSession *session) {
     return last;
 }
 
+/* Returns ", the first 10 drivers" while more are running, or "". */
+static const char *first_drivers(HouseSession *session) {
+    bool more = session->runs[RUN_CREW] && !house_runs_is_over(session, RUN_CREW);
+    return more ? scene_text(&session->texts.moment, ", the first %zu drivers", session->crew->count) : "";
+}
+
 /* Adds a row for each person, and those of the picture's signs. */
 static void add_crew(HouseSession *session) {
     const Crew *crew = session->crew;
@@ -220,7 +226,9 @@ static void add_crew(HouseSession *session) {
     const House *house = &session->runs[RUN_SHOWN]->house;
     if (!crew)
         return;
-    house_rows_add(session, ROW_HEADING, scene_text(scene, "%zu drivers", crew->count));
+    house_rows_add(session, ROW_HEADING,
+                   *first_drivers(session) ? scene_text(scene, "the first %zu drivers", crew->count)
+                                           : scene_text(scene, "%zu drivers", crew->count));
     for (size_t i = 0; i < crew->person_count; i++)
         if (crew->said[i])
             house_rows_add(session, ROW_PLAIN,
@@ -390,8 +398,9 @@ static void make_answer(HouseSession *session) {
         texts->detail = *texts->detail ? scene_text(&texts->moment, "%s; %s", than, texts->detail) : than;
     size_t person = session->crew ? crew_person(session) : 0;
     if (session->crew && person < session->crew->person_count)
-        texts->detail = scene_text(&texts->moment, "%s: %s", names_person(&shown->house, person, &texts->moment.arena),
-                                   session->crew->said[person]);
+        texts->detail =
+            scene_text(&texts->moment, "%s%s: %s", names_person(&shown->house, person, &texts->moment.arena),
+                       first_drivers(session), session->crew->said[person]);
 }
 
 /* Makes the answer and the lists. Those of a run in progress are of the displayed time: more may be computed. */
