@@ -27,16 +27,25 @@ static const char *title_lately(const MachineKind *kind, const MachineNow *now, 
     return decided ? "No rhythm so far" : "Settling ...";
 }
 
-/* True if the running motion differs from the motion from rest. */
-static bool is_another(const MachineLately *lately, const MachineVerdict *verdict) {
-    if (lately->cycles < SETTLED || lately->period == SECTION_UNDECIDED)
-        return false;
+/* True if the running motion has other hits or another rhythm than the motion from rest has in the end. */
+static bool differs(const MachineLately *lately, const MachineVerdict *verdict) {
     if (verdict->facts.verdict == RESPONSE_CHAOTIC || verdict->facts.verdict == RESPONSE_QUASI_PERIODIC)
         return lately->period > 0;
     if (verdict->facts.verdict != RESPONSE_PERIODIC || (size_t)lately->period != verdict->facts.period)
         return verdict->facts.verdict == RESPONSE_PERIODIC;
     return fabs(lately->peaks.max - verdict->facts.peaks.max) >
            ALIKE * fmax(lately->peaks.max, verdict->facts.peaks.max);
+}
+
+/* True if the running motion differs from the motion from rest for good. */
+static bool is_another(const MachineLately *lately, const MachineVerdict *verdict) {
+    return lately->cycles >= SETTLED && lately->period != SECTION_UNDECIDED && differs(lately, verdict);
+}
+
+/* True if the picture still shows another motion than the answer tells of, which is that of the long run. */
+static bool is_settling(const MachineLately *lately, const MachineVerdict *verdict) {
+    return lately->cycles < SETTLED && response_is_told(verdict->facts.verdict) &&
+           (verdict->facts.verdict != RESPONSE_PERIODIC || differs(lately, verdict));
 }
 
 /* Returns how the motion that is running now goes on; "": not known yet. */
@@ -74,6 +83,8 @@ static void write_detail(MachineAnswer *answer, const MachineNow *now, const Mac
                verdict ? machine_words_rhythm(kind, &verdict->facts, arena) : rhythm_lately(kind, lately, arena));
     if (verdict && is_another(lately, verdict))
         add_clause(&text, between, another_words(kind, lately, arena));
+    else if (verdict && is_settling(lately, verdict))
+        add_clause(&text, between, "in the long run; it still settles");
     if (verdict && verdict->typed)
         add_clause(&text, between, machine_words_type(verdict->type));
     add_clause(&text, between, now->where);
