@@ -145,16 +145,31 @@ TEST(drivers_who_press_against_a_post_back_off_and_get_out) {
     drive_each("corner-1.00-1.00", NULL, 0, (const size_t[]){13, 57, 69, 85, 98}, 5, touches_and_gets_out);
 }
 
+/* s, of the same drivers without errors of steering. */
+static double unerring[4];
+static size_t unerring_count;
+
+static void note_time(size_t driver, const Observation *observation) {
+    (void)driver;
+    unerring[unerring_count++] = observation->people[0].time;
+}
+
 static void touches_twice_at_most(size_t driver, const Observation *observation) {
     const PersonObservation *person = &observation->people[0];
-    printf("driver %zu: %.1f s, %d touches\n", driver, person->time, person->contacts);
-    CHECK(person->completed && person->contacts > 0 && person->contacts <= 2 && person->time < 40);
+    double without = unerring[unerring_count++];
+    printf("driver %zu: %.1f s, %.1f s without errors, %d touches\n", driver, person->time, without, person->contacts);
+    CHECK(person->completed && person->contacts > 0 && person->contacts <= 2 && person->time < 2 * without);
 }
 
 /* Who has backed off aims at the plan: as far beside it as before, driver 91 touched the same post seven times and took
  * 83 s, and another five times, 80 s. Of 99 drivers these four touch most often or are known to have. */
 TEST(drivers_who_have_backed_off_do_not_run_into_the_same_post_again) {
-    drive_each("corner-1.00-1.00", NULL, 1, (const size_t[]){63, 64, 83, 91}, 4, touches_twice_at_most);
+    static const size_t touching[] = {63, 64, 83, 91};
+    const char *const firm[] = {"run.wander=\"off\"", NULL};
+    unerring_count = 0;
+    drive_each("corner-1.00-1.00", firm, 1, touching, 4, note_time);
+    unerring_count = 0;
+    drive_each("corner-1.00-1.00", NULL, 1, touching, 4, touches_twice_at_most);
 }
 
 static void both_get_out(size_t driver, const Observation *observation) {
