@@ -82,6 +82,7 @@ typedef struct Result {
     double part;       /* completed share of that work, 0 to 1; NAN: unknown */
     const char *cure;  /* words of a button that takes a tool: "Add an exit"; NULL: none */
     int tool;          /* that EditTool */
+    Vec2 cure_at;      /* m, where it is needed; NAN: anywhere */
     Item last;         /* the last person of a crowd who leaves, once all have; kind 0: none */
     double last_time;  /* s, shortly before that */
     bool broken;       /* nothing can be run, so no fix can be tried */

@@ -349,8 +349,11 @@ static bool selects_texts(const Tab *tab) {
     return false;
 }
 
-void act_cure(Window *window, Tab *tab, int tool) {
-    act_do(window, ACTION_TOOL_SELECT + (Action)tool, 0, 0);
+void act_cure(Window *window, Tab *tab, const Result *answer) {
+    Vec2 at = answer->cure_at;
+    act_do(window, ACTION_TOOL_SELECT + (Action)answer->tool, 0, 0);
+    if (isfinite(at.x))
+        plan_input_look_at(window, tab, at);
     editor_cure(tab_editor(tab));
 }
 
@@ -361,7 +364,7 @@ static bool take_missing(Window *window, Tab *tab) {
     bool takes = editor && answer.cure && !answer.stale && !tab->laboratory->selected(tab->session).kind &&
                  editor_tool(editor) == TOOL_SELECT && !lesson_is_shown(window);
     if (takes)
-        act_cure(window, tab, answer.tool);
+        act_cure(window, tab, &answer);
     return takes;
 }
 

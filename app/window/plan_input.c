@@ -80,6 +80,16 @@ static void send_pointer_now(Window *window, Tab *tab) {
     send_pointer(window, tab, &pointer);
 }
 
+void plan_input_look_at(Window *window, Tab *tab, Vec2 at) {
+    tab_look_at(tab, at);
+    if (box_holds(window->frame.view, vec2_scale(window->mouse, 1 / window->unit)))
+        return;
+    Pointer pointer = window->plan_input.pointer;
+    pointer.at = at;
+    pointer.nowhere = true;
+    send_pointer(window, tab, &pointer);
+}
+
 static void say_fixed(Window *window, const char *fixed) {
     notice_post(window, "%s are fixed while watching: Edit plan (W)", fixed);
 }

@@ -22,6 +22,10 @@ bool plan_input_type(Window *window, const char *text);
 /* Does an editing action; false: it is another action, or it concerns the view because nothing is selected. */
 bool plan_input_do(Window *window, Action action, int mods);
 
+/* Puts a place of the plan, m, in the middle of the view, and a tool's pointer there unless the mouse is on the view.
+ */
+void plan_input_look_at(Window *window, Tab *tab, Vec2 at);
+
 /* Handles what the mouse has done over the view since the last frame. */
 void plan_input_mouse(Window *window, const UiGrab *grab);
 

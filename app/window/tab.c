@@ -395,6 +395,12 @@ void tab_pan(Tab *tab, Vec2 metres) {
     tab_apply_camera(tab);
 }
 
+void tab_look_at(Tab *tab, Vec2 at) {
+    tab->fits = false;
+    tab->camera.pan = vec2_sub(at, middle_of(tab->laboratory->still(tab->session)->box));
+    tab_apply_camera(tab);
+}
+
 void tab_fit(Tab *tab) {
     tab->camera.pan = vec2(0, 0);
     tab->camera.azimuth = VIEW_AZIMUTH;

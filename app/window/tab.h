@@ -97,9 +97,10 @@ const char *tab_plots(const Tab *tab);
 /* Applies the camera to the view. */
 void tab_apply_camera(Tab *tab);
 
-/* Zoom about a place, m, that stays fixed; pan; fit the whole plan. */
+/* Zoom about a place, m, that stays fixed; pan; put a place in the middle; fit the whole plan. */
 void tab_zoom(Tab *tab, double times, Vec2 about);
 void tab_pan(Tab *tab, Vec2 metres);
+void tab_look_at(Tab *tab, Vec2 at);
 void tab_fit(Tab *tab);
 
 /* Select an item; zoom to the selection. */

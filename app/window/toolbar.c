@@ -67,7 +67,7 @@ static double show_cure(Window *window, Tab *tab, Box bar, const Result *answer)
     UiButton button = {.label = answer->cure, .chosen = true, .help = keys_help(&window->arena, tool)};
     double right = bar.high.x - ANSWER_MARGIN;
     if (show_button(window, bar, right, &button))
-        act_cure(window, tab, answer->tool);
+        act_cure(window, tab, answer);
     return right - width_of(window, button.label) - ANSWER_GAP;
 }
 

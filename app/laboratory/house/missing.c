@@ -30,6 +30,7 @@ static bool lacks_door(const House *house, const Observation *observation, Scene
             continue;
         *missing =
             (Missing){.title = "Room without a door", .cure = "Add a door", .tool = TOOL_DOOR, .role = ROLE_ERROR};
+        missing->at = blockage->at;
         missing->detail = scene_text(scene, "Add a door (D) in %s", wall_name(&house->plan, blockage, scene));
         size_t exit = observation_closed_exit(house, observation);
         if (exit != SIZE_MAX) {
@@ -43,7 +44,7 @@ static bool lacks_door(const House *house, const Observation *observation, Scene
 
 bool missing_find(const House *house, const Observation *observation, Scene *scene, Missing *missing) {
     const Plan *plan = &house->plan;
-    *missing = (Missing){.detail = "", .role = ROLE_TEXT};
+    *missing = (Missing){.detail = "", .role = ROLE_TEXT, .at = {NAN, NAN}};
     if (!plan->wall_count && !house->person_count && !plan->exit_count) {
         missing->title = "No plan yet";
         missing->detail = "Draw four walls (W).";

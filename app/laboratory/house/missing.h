@@ -8,6 +8,7 @@ typedef struct Missing {
     const char *title, *detail; /* in the scene's memory; never NULL */
     const char *cure;           /* words of a button: "Add an exit" */
     int tool;                   /* EditTool that adds what is missing */
+    Vec2 at;                    /* m, where; NAN: anywhere */
     Role role;
 } Missing;
 

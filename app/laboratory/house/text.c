@@ -527,7 +527,8 @@ Result house_text_answer(HouseSession *session) {
                      .shaking = house_runs_wants(session, RUN_SHAKES) && !house_runs_is_over(session, RUN_SHAKES),
                      .part = NAN,
                      .cure = texts->missing.cure,
-                     .tool = texts->missing.tool};
+                     .tool = texts->missing.tool,
+                     .cure_at = texts->missing.at};
     add_last(session, &answer);
     return answer;
 }

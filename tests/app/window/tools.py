@@ -177,6 +177,17 @@ said = answer_of("no-door", {
 check((said["title"], said["detail"]) == ("Room without a door", "Add a door (D) in the wall between bedroom and corridor") or
       said["detail"] == "Add a door (D) in the wall between corridor and bedroom", "a room without a door is named", said)
 
+# its button begins with the door at that wall
+cure = Plan("cure", stage.folder / "no-door.json", texts=True)
+cure.until(lambda s: s["answer"]["cure"] == "Add a door" and not s["answer"]["stale"])
+button = next(text["box"] for text in cure.texts() if text["string"] == "Add a door")
+cure.click((button[0] + button[2]) / 2, (button[1] + button[3]) / 2)
+marks = cure.until(lambda s: s["tool"] == "door")["gesture"]["marks"]
+snap = [mark["words"] for mark in marks if mark["kind"] == "snap"]
+check(snap in (["on wall between bedroom and corridor"], ["on wall between corridor and bedroom"]),
+      "the button of the answer begins with a door in the wall that it names", marks)
+cure.end()
+
 # a double click between walls makes the room; a typed place far away stays in the view
 room = stage.folder / "rooms.json"
 room.write_text(json.dumps({
