@@ -99,9 +99,16 @@ static bool is_meant(Window *window, const KeyRow *row) {
     int32_t key;
     int mods;
     keys_read(row->key, &key, &mods);
-    if (row->place != KEY_CANVAS)
+    if (row->place != KEY_CANVAS && row->place != KEY_TIMELINE)
         return true;
     return keys_find(key, mods, tab_editor(window_tab(window)) ? KEY_PLAN : KEY_VIEW, true) == row->action;
+}
+
+/* Returns the key of a row, with the place where it has this meaning if that is not the view; NULL: none. */
+static const char *key_of(Window *window, const KeyRow *row) {
+    if (is_meant(window, row))
+        return row->key;
+    return row->place == KEY_TIMELINE ? text_in_arena(&window->arena, "timeline: %s", row->key) : NULL;
 }
 
 /* True if the action is a state that is on. */
@@ -165,7 +172,7 @@ static bool show_action(Window *window, Box box, const KeyRow *row) {
         .id = row->name,
         .shape = ROW_PLAIN,
         .cells = {text_in_arena(&window->arena, "%s%s", is_on(window, row->action) ? "\u2713 " : "    ", name),
-                  is_meant(window, row) ? row->key : NULL},
+                  key_of(window, row)},
         .help = reason,
         .dim = reason,
         .usable = !reason};
