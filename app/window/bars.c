@@ -8,6 +8,7 @@
 #include "window/act.h"
 #include "window/lesson.h"
 #include "window/menu.h"
+#include "window/menu_reason.h"
 #include "window/notice.h"
 #include "window/plan_input.h"
 #include "window/toolbar.h"
@@ -568,7 +569,8 @@ void bars_show_strip(Window *window) {
     for (size_t i = 0; i < STRIP_KEYS_MOST; i++) {
         KeyRow row = keys_row(actions[i]);
         row.strip = row.strip ? row.strip : row.name;
-        if (!row.strip || left + key_width(window, &row) >= right)
+        bool idle = actions[i] == ACTION_TOPPLE && menu_reason_of(window, ACTION_TOPPLE);
+        if (!row.strip || idle || left + key_width(window, &row) >= right)
             continue;
         left = show_key(window, left, y, &row);
         window->strip_keys[window->strip_count++] = row.key;

@@ -38,7 +38,7 @@ static const char *why_no_edit(const Tab *tab, Editor *editor, Action action) {
     case ACTION_DELETE:
         return is_selected(tab) ? NULL : "Nothing is selected: click a thing, or press Tab";
     case ACTION_TOPPLE:
-        return is_selected(tab) ? NULL : "Select a piece of furniture first";
+        return editor_can_topple(editor) ? NULL : "Select a piece of furniture that falls to a side first";
     case ACTION_SPLIT:
         return is_selected(tab) ? NULL : "Select a wall first";
     default:

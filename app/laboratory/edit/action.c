@@ -139,6 +139,13 @@ static bool may_topple(Editor *edit, Fault *fault) {
     return count;
 }
 
+bool editor_can_topple(Editor *edit) {
+    Fault fault = {0};
+    bool can = may_topple(edit, &fault);
+    fault_clear(&fault);
+    return can;
+}
+
 bool edit_action_topple(Editor *edit, Fault *fault) {
     const Plan *plan = draft_plan(edit->draft);
     size_t index;

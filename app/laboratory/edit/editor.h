@@ -255,6 +255,7 @@ void editor_focus_handle(Editor *editor, int step);
 bool editor_nudge(Editor *editor, Vec2 by, Fault *fault);
 bool editor_turn(Editor *editor, double degrees, Fault *fault);
 bool editor_topple(Editor *editor, Fault *fault); /* topples the piece, or stands it up */
+bool editor_can_topple(Editor *editor);           /* True if what is selected falls to a side */
 bool editor_split(Editor *editor, Fault *fault);
 bool editor_remove(Editor *editor, Fault *fault);
 bool editor_duplicate(Editor *editor, Fault *fault);
