@@ -378,3 +378,26 @@ TEST(a_brief_answer_differs_only_in_what_is_needed_to_pass) {
         house_free(&house);
     }
 }
+
+/* A sofa flush with the wall in which a door is leaves no gap at all; the wall has a door, and is not to blame. */
+TEST(furniture_that_bars_a_door_is_named) {
+    static const double places[] = {4.86, 4.93};
+    for (size_t p = 0; p < sizeof places / sizeof *places; p++) {
+        json_t *plan = case_plan("ube-techno-house"), *piece;
+        size_t i;
+        json_array_foreach(json_object_get(plan, "furniture"), i, piece) {
+            if (strcmp(json_string_value(json_object_get(piece, "id")), "sofa") != 0)
+                continue;
+            json_object_set_new(piece, "centre", json_pack("[f,f]", 4.875, places[p]));
+            json_object_set_new(piece, "angle", json_real(90));
+        }
+        House house = {.driver = 0};
+        case_made(&house, plan, -1, NULL);
+        Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
+        const Route *route = &journeys.of[house_find_person(&house, "p-d")].route;
+        CHECK(route->answer == ROUTE_CANNOT_PASS);
+        CHECK_TEXT(route->blockage.what, "sofa");
+        journey_free_all(&journeys);
+        house_free(&house);
+    }
+}

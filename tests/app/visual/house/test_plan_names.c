@@ -82,3 +82,15 @@ TEST(sentences_name_things_with_an_article) {
     house_free(&house);
     fault_clear(&fault);
 }
+
+TEST(people_of_one_route_are_told_apart) {
+    PlanRoute routes[] = {{.id = "A"}, {.id = "B"}};
+    Inhabitant people[] = {
+        {.id = "c", .route = &routes[0]}, {.id = "d", .route = &routes[1]}, {.id = "e", .route = &routes[0]}};
+    House house = {.people = people, .person_count = 3};
+    Arena arena = {0};
+    CHECK_TEXT(names_person(&house, 0, &arena), "A1");
+    CHECK_TEXT(names_person(&house, 1, &arena), "B");
+    CHECK_TEXT(names_person(&house, 2, &arena), "A2");
+    arena_clear(&arena);
+}
