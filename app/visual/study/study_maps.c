@@ -277,13 +277,13 @@ static void classify_type(Map *map) {
     store_classes(map, classes, 4);
 }
 
-/* Shows the worst rank of each cell. */
+/* Shows the worst rank of each cell, and where there is none. */
 static void classify_rank(Map *map, const char *name) {
     static const Role roles[] = {ROLE_CLASS_FIRST, ROLE_CLASS_SECOND, ROLE_CLASS_THIRD,
                                  ROLE_TYPE_SECOND, ROLE_CLASS_FOURTH, ROLE_CLASS_SIXTH};
     enum { ROLES = sizeof roles / sizeof *roles };
     const Experiment *experiment = map->study->experiment;
-    PlotClass classes[ROLES];
+    PlotClass classes[ROLES + 1];
     size_t count = experiment->rank_count < ROLES ? experiment->rank_count : ROLES;
     for (size_t c = 0; c < count; c++)
         classes[c] = (PlotClass){text_in_arena(map->arena, "%s %s", name, experiment->ranks[c]), experiment->ranks[c],
@@ -291,9 +291,10 @@ static void classify_rank(Map *map, const char *name) {
     for (size_t i = 0; i < map->columns * map->rows; i++) {
         const Trial *worst = summary_worst_rank(map->study, map->pass, i / map->columns * map->every[1],
                                                 i % map->columns * map->every[0]);
-        map->values[i] = worst ? worst->observed[experiment->rank] : NAN;
+        map->values[i] = worst ? worst->observed[experiment->rank] : was_run(map, i) ? (double)count : NAN;
     }
-    store_classes(map, classes, count);
+    classes[count] = (PlotClass){is_house(map) ? "not all out" : "none", "no", ROLE_CLASS_NONE, PLOT_PATTERN_PLAIN};
+    store_classes(map, classes, count + 1);
 }
 
 static const char *attractor_name(const Map *map, const Attractor *attractor) {
