@@ -199,6 +199,23 @@ static size_t outline_wall(const Wall *wall, Vec2 *points) {
     return 2 * count;
 }
 
+Item house_item_in(const Plan *plan, int kind, const char *id) {
+    size_t count = kind == HOUSE_DOOR        ? plan->door_count
+                   : kind == HOUSE_FURNITURE ? plan->furniture_count
+                   : kind == HOUSE_WALL      ? plan->wall_count
+                   : kind == HOUSE_EXIT      ? plan->exit_count
+                                             : 0;
+    for (size_t i = 0; i < count; i++) {
+        const char *own = kind == HOUSE_DOOR        ? plan->doors[i].id
+                          : kind == HOUSE_FURNITURE ? plan->furniture[i].id
+                          : kind == HOUSE_WALL      ? plan->walls[i].id
+                                                    : plan->exits[i].id;
+        if (strcmp(own, id) == 0)
+            return (Item){kind, i};
+    }
+    return (Item){0, 0};
+}
+
 size_t house_item_outline_in(const Plan *plan, Item item, Vec2 *points) {
     Vec2 from, to;
     switch (item.kind) {

@@ -46,6 +46,9 @@ typedef struct HouseScenery {
     const Trail *trails;
 } HouseScenery;
 
+/* Returns the door, piece of furniture, wall or exit of a plan with an id; kind 0: none. */
+Item house_item_in(const Plan *plan, int kind, const char *id);
+
 /* Fills in the outline of a door, a piece of furniture, a wall or an exit of a plan, and returns the number of points,
  * up to LABORATORY_OUTLINE_MOST; 0: of another kind. */
 size_t house_item_outline_in(const Plan *plan, Item item, Vec2 *points);

@@ -201,7 +201,7 @@ static Headline one_stuck(const House *house, const Observation *observation, co
     route_widths(&person->blockage, widths, sizeof widths);
     route_skids(&person->blockage, skids, sizeof skids);
     const char *title = why(house, person, census->stuck, arena);
-    size_t closed = observation_closed_exit(house, observation);
+    size_t closed = observation_walled_exit(house, observation);
     if (closed != SIZE_MAX) {
         title = text_in_arena(arena, "No opening at exit %s: add a door", house->plan.exits[closed].id);
         return (Headline){.role = ROLE_ERROR, .title = title, .detail = "", .sentence = title};

@@ -141,7 +141,7 @@ const char *names_person(const House *house, size_t person, Arena *arena) {
     const Inhabitant *who = &house->people[person];
     if (who->route && strlen(who->route->id) <= 2) {
         size_t before, all = count_on_route(house, person, &before);
-        return all > 1 ? text_in_arena(arena, "%s%zu", who->route->id, before + 1)
+        return all > 1 ? text_in_arena(arena, "%s-%zu", who->route->id, before + 1)
                        : text_in_arena(arena, "%s", who->route->id);
     }
     if (house->person_count > LETTERS)

@@ -202,7 +202,7 @@ double aim_spot_error(const World *world, size_t i, size_t end) {
     const House *house = world->house;
     if (!errs(house))
         return 0;
-    uint64_t stream = SPOTS + ((uint64_t)i << 32) + end;
+    uint64_t turn = end + ((uint64_t)world->drive[i].plans << 24), stream = SPOTS + ((uint64_t)i << 32) + turn;
     Random random = random_seed(house->seed + ((uint64_t)house->driver << 32), stream);
     return random_normal(&random, 0, radians(house->people[i].profile->spot_error));
 }

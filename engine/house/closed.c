@@ -7,12 +7,28 @@
 #include "base/memory.h"
 #include "plan/plan_geometry.h"
 
+/* A layout, or that there is none. */
+typedef struct Known {
+    double since; /* s */
+    ClosedLayout *layout;
+} Known;
+
 struct ClosedLayouts {
     pthread_mutex_t lock;
-    ClosedLayout **all; /* (count), NULL where none could be built */
-    double *times;      /* (count) s */
-    size_t count, capacity, time_capacity;
+    Known *all; /* (count) */
+    size_t count, capacity;
 };
+
+/* True if the line of an exit that has closed by `since` bars the way from then on: no exit with another time lies on
+ * it. */
+static bool is_barred(const Plan *plan, size_t exit, double since) {
+    if (plan->exits[exit].closes > since)
+        return false;
+    for (size_t e = 0; e < plan->exit_count; e++)
+        if (plan->exits[e].closes > since && plan_geometry_covers(&plan->exits[e], &plan->exits[exit]))
+            return false;
+    return true;
+}
 
 /* Layouts -----------------------------------------------------------------------------------------------------------*/
 
@@ -35,10 +51,9 @@ void closed_layouts_destroy(ClosedLayouts *layouts) {
     if (!layouts)
         return;
     for (size_t i = 0; i < layouts->count; i++)
-        if (layouts->all[i])
-            layout_free(layouts->all[i]);
+        if (layouts->all[i].layout)
+            layout_free(layouts->all[i].layout);
     memory_free(layouts->all);
-    memory_free(layouts->times);
     pthread_mutex_destroy(&layouts->lock);
     memory_free(layouts);
 }
@@ -50,7 +65,7 @@ static void add_walls(Plan *plan, double since) {
         memcpy(walls, plan->walls, plan->wall_count * sizeof *walls);
     for (size_t e = 0; e < plan->exit_count; e++) {
         const Exit *exit = &plan->exits[e];
-        if (exit->closes > since)
+        if (!is_barred(plan, e, since))
             continue;
         Vec2 *ends = arena_allocate(&plan->arena, 2 * sizeof *ends);
         ends[0] = exit->from;
@@ -62,7 +77,6 @@ static void add_walls(Plan *plan, double since) {
 
 static ClosedLayout *build(const House *house, double since) {
     ClosedLayout *layout = memory_zeroed(1, sizeof *layout);
-    layout->since = since;
     layout->plan = house->plan;
     layout->plan.arena = (Arena){0};
     add_walls(&layout->plan, since);
@@ -79,42 +93,41 @@ static ClosedLayout *build(const House *house, double since) {
 }
 
 const ClosedLayout *closed_layout(ClosedLayouts *layouts, const House *house, double since) {
-    pthread_mutex_lock(&layouts->lock);
+    pthread_mutex_lock(&layouts->lock); /* whoever needs the same layout meanwhile waits for it */
     size_t found = 0;
-    while (found < layouts->count && (layouts->times[found] < since || layouts->times[found] > since))
+    while (found < layouts->count && (layouts->all[found].since < since || layouts->all[found].since > since))
         found++;
     if (found == layouts->count) {
-        layouts->all = memory_reserve(layouts->all, &layouts->capacity, layouts->count + 1, sizeof(ClosedLayout *));
-        layouts->times = memory_reserve(layouts->times, &layouts->time_capacity, layouts->count + 1, sizeof(double));
-        layouts->times[found] = since;
-        layouts->all[found] = build(house, since);
-        layouts->count++;
+        layouts->all = memory_reserve(layouts->all, &layouts->capacity, layouts->count + 1, sizeof *layouts->all);
+        layouts->all[layouts->count++] = (Known){since, build(house, since)};
     }
-    const ClosedLayout *layout = layouts->all[found];
+    const ClosedLayout *layout = layouts->all[found].layout;
     pthread_mutex_unlock(&layouts->lock);
     return layout;
 }
 
-/* Ways that are held ------------------------------------------------------------------------------------------------*/
+/* Ways across the lines ---------------------------------------------------------------------------------------------*/
 
-/* Returns the exit closed by `since` whose line a step crosses, or SIZE_MAX. */
-static size_t line_between(const Plan *plan, double since, Vec2 from, Vec2 to) {
-    for (size_t e = 0; e < plan->exit_count; e++)
-        if (plan->exits[e].closes <= since && plan_geometry_leads_out(&plan->exits[e], from, to))
+size_t closed_between(const Plan *plan, double since, Vec2 from, Vec2 to) {
+    for (size_t e = 0; e < plan->exit_count; e++) {
+        const Exit *exit = &plan->exits[e];
+        if (exit->closes <= since && plan_geometry_side(exit, from) != 0 && plan_geometry_leads_out(exit, from, to) &&
+            is_barred(plan, e, since))
             return e;
+    }
     return SIZE_MAX;
 }
 
 size_t closed_on_route(const Plan *plan, double since, const Route *route) {
     size_t exit = SIZE_MAX;
     for (size_t p = 0; p + 1 < route->count && exit == SIZE_MAX; p++)
-        exit = line_between(plan, since, route->poses[p].at, route->poses[p + 1].at);
+        exit = closed_between(plan, since, route->poses[p].at, route->poses[p + 1].at);
     return exit;
 }
 
 bool closed_on_track(const Plan *plan, double since, const Track *track, size_t first) {
     for (size_t p = first; p + 1 < track->count; p++)
-        if (line_between(plan, since, track->points[p].at, track->points[p + 1].at) != SIZE_MAX)
+        if (closed_between(plan, since, track->points[p].at, track->points[p + 1].at) != SIZE_MAX)
             return true;
     return false;
 }
@@ -135,9 +148,9 @@ static bool leads_across(const FloorField *field, const Exit *exit) {
     return false;
 }
 
-bool closed_on_field(const Plan *plan, double since, const FloorField *field) {
+bool closed_on_field(const Plan *plan, double after, double since, const FloorField *field) {
     for (size_t e = 0; e < plan->exit_count; e++)
-        if (plan->exits[e].closes <= since && leads_across(field, &plan->exits[e]))
+        if (plan->exits[e].closes > after && is_barred(plan, e, since) && leads_across(field, &plan->exits[e]))
             return true;
     return false;
 }

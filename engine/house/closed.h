@@ -1,5 +1,6 @@
-/* The house with the lines of closed exits as walls. Such a line holds whoever comes (phase.h), also on the way to
- * another exit; a way that crosses none is planned without them, so that they take no room beside it. */
+/* The house with the lines of exits that have closed as walls. Such a line bars the way (phase.h), also to another
+ * exit. A chair's way that does not cross one is planned without them, so that they take no room beside it, and so is a
+ * field for people on foot that leads nowhere across one. Nobody plans round the line of an exit that opens later. */
 #pragma once
 
 #include <stdbool.h>
@@ -16,7 +17,6 @@ typedef struct ClosedLayout {
     Outline outline;
     FreeSpace space;
     Fields *fields; /* for searches in it */
-    double since;   /* s: the exits have closed by then */
 } ClosedLayout;
 
 /* Layouts by time, each built when first asked for. Opaque; safe for several threads. */
@@ -30,9 +30,16 @@ void closed_layouts_destroy(ClosedLayouts *layouts);
  * `layouts`. NULL if GEOS cannot unite its solids. */
 const ClosedLayout *closed_layout(ClosedLayouts *layouts, const House *house, double since);
 
+/* Returns the exit closed by `since` whose line a step crosses; SIZE_MAX: none. A step that begins on a line does not
+ * cross it, as in phase_hold. */
+size_t closed_between(const Plan *plan, double since, Vec2 from, Vec2 to);
+
 /* Returns the first exit closed by `since` whose line a route crosses; SIZE_MAX: none. */
 size_t closed_on_route(const Plan *plan, double since, const Route *route);
 
-/* True if the points of a track from `first` on, or the paths of a floor field from any place, cross such a line. */
+/* True if the points of a track from `first` on cross such a line. */
 bool closed_on_track(const Plan *plan, double since, const Track *track, size_t first);
-bool closed_on_field(const Plan *plan, double since, const FloorField *field);
+
+/* True if paths of a floor field, from any place, cross the line of an exit that has closed after `after`, up to
+ * `since`. */
+bool closed_on_field(const Plan *plan, double after, double since, const FloorField *field);

@@ -22,9 +22,7 @@ static size_t exit_of(const House *house, const PlanRoute *route, double time) {
     return exit != SIZE_MAX && house->plan.exits[exit].closes <= time ? SIZE_MAX : exit;
 }
 
-/* Returns the last time up to `time`, and at least 0, at which an exit has closed: paths do not change before the next
- * closing. */
-static double last_closing(const House *house, double time) {
+double journey_since(const House *house, double time) {
     double last = 0;
     for (size_t e = 0; e < house->plan.exit_count; e++)
         if (house->plan.exits[e].closes <= time)
@@ -107,23 +105,23 @@ typedef struct Planning {
 static const double PRESSED = 0.05;
 
 static double since_of(const Planning *planning, const Whereabouts *place) {
-    return last_closing(planning->house, fmax(place->start, planning->time));
+    return journey_since(planning->house, fmax(place->start, planning->time));
 }
 
-static const Plan *plan_of(const House *house, const ClosedLayout *held) {
-    return held ? &held->plan : &house->plan;
+static const Plan *plan_of(const House *house, const ClosedLayout *layout) {
+    return layout ? &layout->plan : &house->plan;
 }
 
-static const FreeSpace *space_of(const House *house, const ClosedLayout *held) {
-    return held ? &held->space : &house->space;
+static const FreeSpace *space_of(const House *house, const ClosedLayout *layout) {
+    return layout ? &layout->space : &house->space;
 }
 
-/* Computes the fields, in place of former ones, in the house or in the layout that holds people. */
+/* Computes the fields, in place of former ones, in the house or in the layout of closed lines. */
 static void lead_walkers(Itinerary *itinerary, const House *house) {
     for (size_t leg = 0; leg < itinerary->leg_count; leg++) {
         Goal goal = itinerary->fields[leg].goal;
         floor_field_clear(&itinerary->fields[leg]);
-        floor_field_init(&itinerary->fields[leg], plan_of(house, itinerary->held), space_of(house, itinerary->held),
+        floor_field_init(&itinerary->fields[leg], plan_of(house, itinerary->layout), space_of(house, itinerary->layout),
                          itinerary->profile->width / 2, itinerary->profile->free_speed, &goal);
     }
 }
@@ -132,26 +130,26 @@ static void make_fields(void *context, size_t index) {
     Planning *planning = context;
     const House *house = planning->house;
     Itinerary *itinerary = planning->journeys->itineraries[planning->first_itinerary + index];
-    bool held = false;
+    bool barred = false;
     if (stop_requested(planning->stop))
         return; /* they are not part of the question */
     lead_walkers(itinerary, house);
     for (size_t leg = 0; leg < itinerary->leg_count; leg++)
-        held |= closed_on_field(&house->plan, itinerary->since, &itinerary->fields[leg]);
-    if (!held)
+        barred |= closed_on_field(&house->plan, -HUGE_VAL, itinerary->since, &itinerary->fields[leg]);
+    if (!barred)
         return;
-    itinerary->held = closed_layout(planning->journeys->closed, house, itinerary->since);
+    itinerary->layout = closed_layout(planning->journeys->closed, house, itinerary->since);
     lead_walkers(itinerary, house);
 }
 
-/* Returns the question for a person's way; `held`: the layout with closed lines as walls, or NULL for the house. */
-static RouteQuery ask(const Planning *planning, const Whereabouts *place, const ClosedLayout *held) {
+/* Returns the question for a person's way; `layout`: that with closed lines as walls, or NULL for the house. */
+static RouteQuery ask(const Planning *planning, const Whereabouts *place, const ClosedLayout *layout) {
     const House *house = planning->house;
     const Inhabitant *person = &house->people[place->person];
     const PlanRoute *route = person->route;
     double since = since_of(planning, place);
-    return (RouteQuery){.plan = plan_of(house, held),
-                        .space = space_of(house, held),
+    return (RouteQuery){.plan = plan_of(house, layout),
+                        .space = space_of(house, layout),
                         .profile = person->profile,
                         .at = place->at,
                         .heading = place->heading,
@@ -165,7 +163,7 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place, const 
                         .brief = planning->journeys->brief || planning->keep,
                         .any = planning->all_or_none,
                         .whether = planning->whether,
-                        .fields = held ? held->fields : planning->journeys->fields,
+                        .fields = layout ? layout->fields : planning->journeys->fields,
                         .recall = planning->journeys->recall,
                         .stop = planning->stop};
 }
@@ -179,6 +177,7 @@ static Itinerary *itinerary_of(const Planning *planning, const Whereabouts *plac
 static void plan_walk(const Planning *planning, const Whereabouts *place, Journey *journey) {
     const Itinerary *itinerary = itinerary_of(planning, place);
     journey->legs = itinerary->legs;
+    journey->since = itinerary->since;
     journey->leg_count = itinerary->leg_count;
     journey->route.exit = itinerary->fields[itinerary->leg_count - 1].goal.exit;
     journey->route.answer = itinerary->has_exit ? ROUTE_FOUND : ROUTE_NO_EXIT;
@@ -212,10 +211,10 @@ static void follow(const Planning *planning, const Whereabouts *place, Journey *
         track_build_driver(&journey->track, house, person, route);
 }
 
-static Route ride(const Planning *planning, const Whereabouts *place, const ClosedLayout *held) {
-    RouteQuery query = ask(planning, place, held);
+static Route ride(const Planning *planning, const Whereabouts *place, const ClosedLayout *layout) {
+    RouteQuery query = ask(planning, place, layout);
     Rectangle body = search_body(query.profile);
-    if (held && search_clearance(query.space, &body, query.at, query.heading, 0, NULL) < -query.pressed)
+    if (layout && search_clearance(query.space, &body, query.at, query.heading, 0, NULL) < -query.pressed)
         query.pressed = query.profile->length; /* the exit has closed under the body, which goes back from its line */
     return query.profile->driving == DRIVING_MIURA ? strength_round(&query) : strength_drive(&query);
 }
@@ -240,9 +239,9 @@ static void plan_ride(const Planning *planning, const Whereabouts *place, Journe
     bool miura = person->profile->driving == DRIVING_MIURA;
     journey->route = ride(planning, place, NULL);
     if (closed_on_route(&house->plan, since, &journey->route) != SIZE_MAX) {
-        const ClosedLayout *held = closed_layout(planning->journeys->closed, house, since);
+        const ClosedLayout *layout = closed_layout(planning->journeys->closed, house, since);
         route_free(&journey->route);
-        journey->route = ride(planning, place, held);
+        journey->route = ride(planning, place, layout);
         refuse_closed(&journey->route, &house->plan, since);
     }
     if (journey->route.answer != ROUTE_FOUND)
@@ -325,8 +324,9 @@ static void explain_walkers(const Planning *planning, size_t count) {
         const Profile *profile = house->people[place->person].profile;
         if (explained[k] || !is_without_path(journey))
             continue;
-        const ClosedLayout *held = itinerary_of(planning, place)->held;
-        RouteQuery query = ask(planning, place, held);
+        const ClosedLayout *layout = itinerary_of(planning, place)->layout;
+        RouteQuery query = ask(planning, place, layout);
+        query.pressed = layout ? profile->width : 0; /* a line may have closed beside who stands there */
         Route route = route_round(&query);
         if (route.answer == ROUTE_INTERRUPTED) {
             leave_unexplained(planning, explained, count);
@@ -334,7 +334,7 @@ static void explain_walkers(const Planning *planning, size_t count) {
         }
         if (route.answer == ROUTE_FOUND) { /* there is a path, but only on the finer grid */
             route.blockage.at = route.narrowest_at;
-            outline_place_name(&house->outline, &house->plan, route.blockage.at, route.blockage.what,
+            outline_place_name(query.space->outline, query.plan, route.blockage.at, route.blockage.what,
                                sizeof route.blockage.what);
         }
         Goal here = {.at = place->at, .radius = profile->width};
@@ -431,7 +431,7 @@ int journey_sense(const House *house, const bool *part) {
         if (!part[i] || person->profile->driving != DRIVING_DRIVER)
             continue;
         const Points *via = person->route ? &person->route->via : &(Points){0};
-        size_t exit = exit_of(house, person->route, last_closing(house, person->delay));
+        size_t exit = exit_of(house, person->route, journey_since(house, person->delay));
         return frame_sense(&house->plan, person->at, person->heading, via->at, via->count, exit);
     }
     return -1;
@@ -451,7 +451,7 @@ Journeys journey_follow(const Journeys *known, const House *house, const bool *p
 
 const FloorField *const *journey_leg_to(const Journeys *journeys, const House *house, const Profile *profile,
                                         size_t exit, double time) {
-    double since = last_closing(house, time);
+    double since = journey_since(house, time);
     for (size_t k = 0; k < journeys->itinerary_count; k++) {
         const Itinerary *known = journeys->itineraries[k];
         if (known->chosen && known->profile == profile && known->since == since && known->fields[0].goal.exit == exit)
@@ -467,7 +467,7 @@ void journey_lead_to(Journeys *journeys, const House *house, const Profile *prof
     for (size_t k = 0; k < count; k++) {
         if (journey_leg_to(journeys, house, profile, exits[k], time))
             continue;
-        Itinerary *itinerary = new_itinerary(journeys, profile, last_closing(house, time), 1);
+        Itinerary *itinerary = new_itinerary(journeys, profile, journey_since(house, time), 1);
         itinerary->fields[0].goal = field_exit_goal(&house->plan, exits[k], time, false);
         itinerary->chosen = itinerary->has_exit = true;
     }

@@ -20,8 +20,9 @@ typedef struct Journey {
     Track track;                   /* of a chair; empty without a path */
     const FloorField *const *legs; /* (leg_count) of a walker, in order; not owned */
     size_t leg_count;
-    size_t via; /* index in the route's points of the first one of this journey */
-    bool kept;  /* True if no path was found when it was last planned again, so that it is the former one */
+    double since; /* s, of a walker's legs: they cross no line of an exit that has closed by then */
+    size_t via;   /* index in the route's points of the first one of this journey */
+    bool kept;    /* True if no path was found when it was last planned again, so that it is the former one */
 } Journey;
 
 /* The fields shared by people of one profile with one route, from some time on. */
@@ -32,9 +33,9 @@ typedef struct Itinerary {
     bool again;    /* True if planned while people were moving: exits that are not open yet are the last choice */
     bool has_exit; /* False if all exits are closed */
     bool chosen;   /* True if it leads to one exit, which a person has chosen on the way */
-    const ClosedLayout *held; /* in which the fields are, since a closed line is in the way; NULL: in the house */
-    FloorField *fields;       /* (leg_count) */
-    const FloorField **legs;  /* (leg_count) into fields */
+    const ClosedLayout *layout; /* in which the fields are, since a closed line is in the way; NULL: in the house */
+    FloorField *fields;         /* (leg_count) */
+    const FloorField **legs;    /* (leg_count) into fields */
     size_t leg_count;
 } Itinerary;
 
@@ -100,6 +101,10 @@ Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t
  * is not told why there is none. */
 void journey_plan_again(Journeys *journeys, const House *house, const Whereabouts *places, size_t count, double time,
                         bool keep, int jobs, const Stop *stop);
+
+/* Returns the last time up to `time`, s, and at least 0, at which an exit has closed: paths do not change before the
+ * next closing. */
+double journey_since(const House *house, double time);
 
 /* Computes the fields of one profile to each of `count` exits that are open at `time`, unless they are there. */
 void journey_lead_to(Journeys *journeys, const House *house, const Profile *profile, const size_t *exits, size_t count,

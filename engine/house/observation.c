@@ -68,7 +68,7 @@ static bool is_closed(const Plan *plan, const Exit *exit, size_t *wall) {
     return overlap_depth(plan, &middle, wall) > 0;
 }
 
-size_t observation_closed_exit(const House *house, const Observation *observation) {
+size_t observation_walled_exit(const House *house, const Observation *observation) {
     const Plan *plan = &house->plan;
     size_t wall, first = 0;
     while (first < observation->person_count && observation->people[first].reason != REASON_CANNOT_PASS)

@@ -141,4 +141,4 @@ const PersonObservation *observation_of_person(const House *house, const Observa
 
 /* Returns the index of an exit that lies on a solid wall, which is all that keeps the first person inside who cannot
  * pass; SIZE_MAX: there is none. */
-size_t observation_closed_exit(const House *house, const Observation *observation);
+size_t observation_walled_exit(const House *house, const Observation *observation);

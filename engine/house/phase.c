@@ -19,7 +19,7 @@ bool phase_hold(const World *world, Vec2 before, Vec2 *after, Vec2 *velocity) {
     bool held = false;
     for (size_t e = 0; e < plan->exit_count; e++) {
         const Exit *exit = &plan->exits[e];
-        if (plan_geometry_is_open(exit, time))
+        if (!plan_geometry_bars(plan, e, time))
             continue;
         Vec2 along = vec2_unit(vec2_sub(exit->to, exit->from)), motion = vec2_sub(*after, before);
         double across = vec2_cross(along, motion);

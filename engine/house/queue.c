@@ -170,6 +170,7 @@ static bool turn_to(World *world, Journeys *journeys, size_t i, size_t exit, int
     if (stop_requested(stop) || !(floor_field_time(*leg, world->centre[i]) < HUGE_VAL))
         return false;
     journey->legs = leg;
+    journey->since = journey_since(world->house, time);
     journey->leg_count = 1;
     journey->route.exit = exit;
     replan_set_out(world, i, false);

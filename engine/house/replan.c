@@ -7,6 +7,8 @@
 #include "house/closed.h"
 #include "house/observation.h"
 #include "house/phase.h"
+#include "route/pace.h"
+#include "route/search.h"
 
 double replan_next(const World *world, double time) {
     double next = HUGE_VAL;
@@ -17,17 +19,17 @@ double replan_next(const World *world, double time) {
 }
 
 /* True if the rest of a person's way crosses a line that is closed now. */
-static bool is_held_ahead(const World *world, size_t i) {
+static bool is_barred_ahead(const World *world, size_t i) {
     const Plan *plan = &world->house->plan;
     const Journey *journey = &world->journeys[i];
     double time = clock_time(&world->clock);
-    bool held = closed_on_track(plan, time, &journey->track, world->drive[i].index);
-    for (size_t leg = (size_t)world->walk[i].leg; leg < journey->leg_count && !held; leg++)
-        held = journey->legs[leg]->space == &world->house->space && closed_on_field(plan, time, journey->legs[leg]);
-    return held;
+    bool barred = closed_on_track(plan, time, &journey->track, world->drive[i].index);
+    for (size_t leg = (size_t)world->walk[i].leg; leg < journey->leg_count && !barred; leg++)
+        barred = closed_on_field(plan, journey->since, time, journey->legs[leg]);
+    return barred;
 }
 
-/* True if the person's exit, or each possible exit, is closed, or the way there is. */
+/* True if the person's exit has closed or the way there is barred; of who may take any exit, if one has closed. */
 static bool has_lost_exit(const World *world, size_t i) {
     const Plan *plan = &world->house->plan;
     double time = clock_time(&world->clock);
@@ -36,7 +38,7 @@ static bool has_lost_exit(const World *world, size_t i) {
     if (world->phase[i] != PHASE_WAITING && world->phase[i] != PHASE_MOVING && !blocked)
         return false;
     if (route->exit != SIZE_MAX)
-        return plan->exits[route->exit].closes <= time || is_held_ahead(world, i);
+        return plan->exits[route->exit].closes <= time || is_barred_ahead(world, i);
     for (size_t e = 0; e < plan->exit_count; e++)
         if (plan->exits[e].closes <= time)
             return true;
@@ -86,7 +88,7 @@ void replan_set_out(World *world, size_t i, bool strayed) {
 /* Assumed. s: a chair without progress for this long has lost its path, if it is off the path, or is wedged, if it
  * touches something; number: how often a chair is planned again. */
 static const double LOST_AFTER = 3, WEDGED_AFTER = 8;
-enum { PLANS_MOST = 12 };
+enum { PLANS_MOST = 12, STOPPING_PARTS = 8 };
 
 static bool has_strayed(const World *world, size_t i) {
     const Drive *drive = &world->drive[i];
@@ -98,14 +100,34 @@ static bool has_strayed(const World *world, size_t i) {
            (world->sense[i].body_force > 0 && (stuck || drive->stalled > WEDGED_AFTER));
 }
 
+/* Returns where the reference point of a person comes to rest: a chair that turns round at once goes on for as long as
+ * it takes to stop, if the way is free. */
+static Vec2 resting_place(const World *world, size_t i) {
+    const Profile *profile = world->house->people[i].profile;
+    Vec2 at = world_reference(world, i), axis = world->axis[i];
+    if (profile->driving != DRIVING_DRIVER)
+        return at;
+    double speed = vec2_dot(world->velocity[i], axis), braking = pace_braking(profile, profile->space_reach);
+    Rectangle body = search_body(profile);
+    Vec2 rest = vec2_along(at, speed * fabs(speed) / (2 * braking), axis);
+    if (closed_between(&world->house->plan, clock_time(&world->clock), at, rest) != SIZE_MAX)
+        return at;
+    for (int part = 1; part <= STOPPING_PARTS; part++) {
+        Vec2 there = vec2_along(at, (double)part / STOPPING_PARTS, vec2_sub(rest, at));
+        if (search_clearance(&world->house->space, &body, there, world->heading[i], ROUTE_EASED, NULL) < ROUTE_EASED)
+            return at;
+    }
+    return rest;
+}
+
 static void plan_again(World *world, Journeys *journeys, bool strays, int jobs, const Stop *stop) {
     Whereabouts *places = memory_zeroed(world->present_count, sizeof *places);
     size_t count = 0;
     for (size_t p = 0; p < world->present_count; p++) {
         size_t i = world->present[p];
         if (strays ? has_strayed(world, i) : has_lost_exit(world, i))
-            places[count++] = (Whereabouts){i, world_reference(world, i), world->heading[i],
-                                            replan_next_point(world, i), world->start[i]};
+            places[count++] = (Whereabouts){i, strays ? world_reference(world, i) : resting_place(world, i),
+                                            world->heading[i], replan_next_point(world, i), world->start[i]};
     }
     if (count)
         journey_plan_again(journeys, world->house, places, count, clock_time(&world->clock), strays, jobs, stop);

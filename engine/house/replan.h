@@ -22,6 +22,7 @@ size_t replan_next_point(const World *world, size_t i);
  * former journey, and backs off and tries again. */
 void replan_set_out(World *world, size_t i, bool strayed);
 
-/* Plans again for all people, moving or not started, whose exit has closed by now. `journeys` are those of the world.
+/* Plans again for all people, moving or not started, whose exit has closed by now or whose way a closed exit bars.
+ * `journeys` are those of the world.
  */
 void replan_journeys(World *world, Journeys *journeys, int jobs, const Stop *stop);

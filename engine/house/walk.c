@@ -238,7 +238,9 @@ static bool exit_is_shut(const World *world, Vec2 at, Vec2 way, double reach) {
     double time = clock_time(&world->clock);
     for (size_t e = 0; e < plan->exit_count; e++) {
         const Exit *exit = &plan->exits[e];
-        if (!plan_geometry_is_open(exit, time) && plan_geometry_leads_out(exit, at, vec2_along(at, reach, way)))
+        bool begins_on_it = plan_geometry_side(exit, at) == 0; /* whom it does not hold */
+        if (!begins_on_it && plan_geometry_leads_out(exit, at, vec2_along(at, reach, way)) &&
+            plan_geometry_bars(plan, e, time))
             return true;
     }
     return false;

@@ -28,6 +28,24 @@ bool plan_geometry_is_open(const Exit *exit, double time) {
     return time >= exit->opens && time < exit->closes;
 }
 
+/* m: lines this near to one another are one. */
+static const double SAME_LINE = 0.01;
+
+bool plan_geometry_covers(const Exit *other, const Exit *exit) {
+    Vec2 from = vec2_nearest_on_segment(exit->from, other->from, other->to);
+    Vec2 to = vec2_nearest_on_segment(exit->to, other->from, other->to);
+    return vec2_distance(from, exit->from) < SAME_LINE && vec2_distance(to, exit->to) < SAME_LINE;
+}
+
+bool plan_geometry_bars(const Plan *plan, size_t exit, double time) {
+    if (plan_geometry_is_open(&plan->exits[exit], time))
+        return false;
+    for (size_t e = 0; e < plan->exit_count; e++)
+        if (plan_geometry_is_open(&plan->exits[e], time) && plan_geometry_covers(&plan->exits[e], &plan->exits[exit]))
+            return false;
+    return true;
+}
+
 int plan_geometry_side(const Exit *exit, Vec2 at) {
     Vec2 line = vec2_sub(exit->to, exit->from);
     double left = vec2_cross(line, vec2_sub(at, exit->from)); /* m2, the distance times the line's length */

@@ -12,6 +12,12 @@ void plan_geometry_corners(const Furniture *piece, Vec2 corners[4]);
 /* True if the exit can be passed at a time, s: from when it opens until it closes. */
 bool plan_geometry_is_open(const Exit *exit, double time);
 
+/* True if an exit bars the way at a time: it is not open, and no exit that is open lies on the same line. */
+bool plan_geometry_bars(const Plan *plan, size_t exit, double time);
+
+/* True if the whole line of an exit lies on that of another one, which is another time of the same door. */
+bool plan_geometry_covers(const Exit *other, const Exit *exit);
+
 /* Returns 1 to the left of the exit's line, -1 to the right of it, 0 on it. */
 int plan_geometry_side(const Exit *exit, Vec2 at);
 

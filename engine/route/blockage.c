@@ -21,6 +21,9 @@
 #define DEEPEST_OVERLAP 0.2 /* m, of a track */
 #define CHORD_SPACING 0.05  /* m, along the body's axis */
 
+/* m: an exit's line in a doorway is this near to where a body sticks there. */
+#define AT_CLOSED_LINE 0.25
+
 enum { NECK_FACES = 16 };
 
 /* Cost per cell of free space, of furniture, of a locked door and of any other solid, 1: a piece of furniture is better
@@ -292,13 +295,15 @@ static bool find_breach(const RouteQuery *query, Vec2 *at) {
     int in_it = 0;
     /* Walk back from the exit: the last solid seen is the first on the path out. */
     bool inside = false, first = true;
+    unsigned short kind = 0;
     int behind = -1, last = breach_search(&breach, &behind);
     for (int point = behind; point >= 0; point = first ? last : breach.parent[point], first = false) {
         if (breach_solid(&breach, point)) {
-            if (!inside) {
+            if (!inside || breach.solid[point] != kind) { /* another solid begins */
                 sum = vec2(0, 0);
                 in_it = 0;
             }
+            kind = breach.solid[point];
             sum = vec2_add(sum, breach_place(&breach, point));
             in_it++;
             found = true;
@@ -333,21 +338,24 @@ static bool owned_alike(const Face *a, const Face *b) {
     return a->owner == b->owner && a->index == b->index;
 }
 
-/* Returns the face at the place if it is the line of a closed exit, otherwise NULL. */
-static const Face *closed_line_at(const Blockage *blockage, const RouteQuery *query) {
-    int face = outline_nearest(query->space->outline, blockage->at);
-    const Face *nearest = face >= 0 ? &query->space->outline->faces[face] : NULL;
-    bool closed = nearest && nearest->owner == OWNER_WALL && query->plan->walls[nearest->index].closed_exit;
-    return closed ? nearest : NULL;
+/* Returns the wall that stands for the line of a closed exit at a place, or -1. */
+static int closed_line_at(const Plan *plan, Vec2 at) {
+    for (size_t w = 0; w < plan->wall_count; w++) {
+        const Vec2 *ends = plan->walls[w].points.at;
+        if (plan->walls[w].closed_exit &&
+            vec2_distance(at, vec2_nearest_on_segment(at, ends[0], ends[1])) < AT_CLOSED_LINE)
+            return (int)w;
+    }
+    return -1;
 }
 
 /* Names what narrows the place, and what it leaves the room to. Of the faces on its sides, a piece of furniture comes
  * before a wall, and before a door in whose opening the place lies unless its jambs are the narrow place. */
 static void name_sides(Blockage *blockage, const RouteQuery *query, const int *sides, int count) {
     const Face *faces = query->space->outline->faces, *piece = NULL, *other = NULL;
-    const Face *closed = closed_line_at(blockage, query);
-    if (closed) { /* no width helps there */
-        outline_name(query->plan, closed->owner, closed->index, blockage->what, sizeof blockage->what);
+    int closed = closed_line_at(query->plan, blockage->at);
+    if (closed >= 0) { /* no width helps there */
+        outline_name(query->plan, OWNER_WALL, closed, blockage->what, sizeof blockage->what);
         blockage->has = blockage->needs = 0;
         blockage->estimated = blockage->posed = false;
         return;
@@ -402,7 +410,8 @@ bool blockage_of_disc(Blockage *blockage, const RouteQuery *query, double radius
     if (blockage->has > 0 && reach < FREESPACE_FARTHEST)
         count = freespace_faces(query->space, blockage->at, vec2(1, 0), 0, 0, reach, faces, NECK_FACES);
     name_sides(blockage, query, faces, count);
-    int piece = blockage->has > 0 ? -1 : piece_at(query->plan, blockage->at, query->space->cell);
+    bool closed = closed_line_at(query->plan, blockage->at) >= 0;
+    int piece = blockage->has > 0 || closed ? -1 : piece_at(query->plan, blockage->at, query->space->cell);
     if (piece >= 0)
         outline_name(query->plan, OWNER_FURNITURE, piece, blockage->what, sizeof blockage->what);
     return true;

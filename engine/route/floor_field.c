@@ -40,6 +40,7 @@
 #define OUTSIDE 5.0   /* m, from the edge of the grid: a side of an exit that reaches the edge within this is outside */
 #define CLEARLY 2.0   /* m, by which the other side must be farther away */
 #define TOUCHING 1e-4 /* m, rounding of the grid of distances */
+#define ROUNDED 1e-6  /* m, of a distance: so that a wall midway between two grid points blocks both */
 
 enum { UNIT = 127, BLOCKED = INT8_MIN, BLOCKED_WALL = 0, BLOCKED_EXIT = 1, MOST_PUSHES = 3 };
 
@@ -99,7 +100,7 @@ static bool almost_passable(const FloorField *field, Vec2 at) {
 
 static void classify(const FloorField *field, FastMarching *front, int stride) {
     const FreeSpace *space = field->space;
-    double blocked = field->cell / 2, doubtful = fmax(field->radius - DOUBTFUL * field->cell, blocked);
+    double blocked = field->cell / 2 + ROUNDED, doubtful = fmax(field->radius - DOUBTFUL * field->cell, blocked);
     for (int j = 0; j < field->ny; j++)
         for (int i = 0; i < field->nx; i++) {
             size_t point = point_at(field, i, j);

@@ -457,12 +457,15 @@ static void go_round(Route *route, const RouteQuery *query) {
     double radius = query->profile->width / 2;
     Rectangle disc = {radius, radius, 0};
     Legs legs = legs_make(query);
+    RouteQuery from = *query;
+    if (query->pressed > 0)
+        disc_route_push_off(query->space, radius, &from.at);
     if (exit_usable(query, &legs.goals[legs.count - 1], route)) {
-        if (freespace_distance(query->space, query->at) < 0 ||
-            freespace_exact(query->space, query->at, radius, NULL) < radius)
+        if (freespace_distance(query->space, from.at) < 0 ||
+            freespace_exact(query->space, from.at, radius, NULL) < radius)
             blockage_of_start(&route->blockage, query, &disc);
         else
-            search_round(route, query, &legs, &disc);
+            search_round(route, &from, &legs, &disc);
     }
     memory_free(legs.goals);
 }

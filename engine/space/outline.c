@@ -312,13 +312,6 @@ static bool visit_nearest(void *context, int item) {
     return true;
 }
 
-int outline_nearest(const Outline *outline, Vec2 at) {
-    NearestContext nearest = {outline, at, -1, HUGE_VAL};
-    for (double reach = 0.5; nearest.face < 0 && reach < 100; reach *= 4)
-        broadphase_visit(outline->broadphase, box_around(at, reach), visit_nearest, &nearest);
-    return nearest.face;
-}
-
 int outline_door_at(const Plan *plan, Vec2 at) {
     const double beside_door = 0.35; /* m: distance of a body's middle from a door's line while it passes */
     for (size_t d = 0; d < plan->door_count; d++) {
@@ -336,9 +329,11 @@ void outline_place_name(const Outline *outline, const Plan *plan, Vec2 at, char 
         outline_name(plan, OWNER_DOOR, door, name, size);
         return;
     }
-    int face = outline_nearest(outline, at);
-    if (face < 0)
+    NearestContext nearest = {outline, at, -1, HUGE_VAL};
+    for (double reach = 0.5; nearest.face < 0 && reach < 100; reach *= 4)
+        broadphase_visit(outline->broadphase, box_around(at, reach), visit_nearest, &nearest);
+    if (nearest.face < 0)
         snprintf(name, size, OUTLINE_FREE_SPACE);
     else
-        outline_name(plan, outline->faces[face].owner, outline->faces[face].index, name, size);
+        outline_name(plan, outline->faces[nearest.face].owner, outline->faces[nearest.face].index, name, size);
 }

@@ -92,9 +92,6 @@ double outline_ray_past(const Outline *outline, const bool *door_open, Vec2 from
 /* Writes the name of a face's owner: "door d2", "wall w1", "wardrobe (f3)". */
 void outline_name(const Plan *plan, int owner, int index, char *name, size_t size);
 
-/* Returns the planned face that is nearest to a place, or -1 where none is near. */
-int outline_nearest(const Outline *outline, Vec2 at);
-
 /* Returns the door in whose opening a place lies, or -1. */
 int outline_door_at(const Plan *plan, Vec2 at);
 

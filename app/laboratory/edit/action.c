@@ -139,7 +139,7 @@ static bool may_topple(Editor *edit, Fault *fault) {
     return count;
 }
 
-bool editor_can_topple(Editor *edit) {
+bool edit_action_can_topple(Editor *edit) {
     Fault fault = {0};
     bool can = may_topple(edit, &fault);
     fault_clear(&fault);

@@ -7,6 +7,7 @@
 bool edit_action_nudge(Editor *edit, Vec2 by, Fault *fault);  /* by: m */
 bool edit_action_turn(Editor *edit, double by, Fault *fault); /* by: degree */
 bool edit_action_topple(Editor *edit, Fault *fault);
+bool edit_action_can_topple(Editor *edit); /* True if what is selected falls to a side */
 bool edit_action_split(Editor *edit, Fault *fault);
 bool edit_action_remove(Editor *edit, Fault *fault);
 bool edit_action_duplicate(Editor *edit, Fault *fault);

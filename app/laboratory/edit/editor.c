@@ -296,6 +296,10 @@ bool editor_topple(Editor *edit, Fault *fault) {
     return edit_action_topple(edit, fault);
 }
 
+bool editor_can_topple(Editor *edit) {
+    return edit_action_can_topple(edit);
+}
+
 bool editor_split(Editor *edit, Fault *fault) {
     prepare(edit);
     return edit_action_split(edit, fault);

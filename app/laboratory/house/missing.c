@@ -32,7 +32,7 @@ static bool lacks_door(const House *house, const Observation *observation, Scene
             (Missing){.title = "Room without a door", .cure = "Add a door", .tool = TOOL_DOOR, .role = ROLE_ERROR};
         missing->at = blockage->at;
         missing->detail = scene_text(scene, "Add a door (D) in %s", wall_name(&house->plan, blockage, scene));
-        size_t exit = observation_closed_exit(house, observation);
+        size_t exit = observation_walled_exit(house, observation);
         if (exit != SIZE_MAX) {
             missing->title = scene_text(scene, "No opening at exit %s: add a door", house->plan.exits[exit].id);
             missing->detail = scene_text(scene, "It lies on solid %s.", blockage->what);

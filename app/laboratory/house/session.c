@@ -412,15 +412,10 @@ static const char *item_key(void *context, Item item) {
 
 /* Returns the outline of an item of the plan as it is edited, of which no run is displayed yet; 0: not of the plan. */
 static size_t outline_in_draft(const HouseSession *session, Item item, Vec2 *points) {
-    DraftList list = item.kind == HOUSE_DOOR        ? DRAFT_DOORS
-                     : item.kind == HOUSE_FURNITURE ? DRAFT_FURNITURE
-                     : item.kind == HOUSE_WALL      ? DRAFT_WALLS
-                     : item.kind == HOUSE_EXIT      ? DRAFT_EXITS
-                                                    : DRAFT_LISTS;
+    const Plan *plan = draft_plan(session->draft);
     const char *id = house_item_id(&session->runs[RUN_SHOWN]->house, item);
-    size_t index;
-    bool known = list != DRAFT_LISTS && draft_find(session->draft, id, &index) == list;
-    return known ? house_item_outline_in(draft_plan(session->draft), (Item){item.kind, index}, points) : 0;
+    Item edited = house_item_in(plan, item.kind, id);
+    return edited.kind ? house_item_outline_in(plan, edited, points) : 0;
 }
 
 static size_t outline(void *context, Item item, double time, Vec2 *points) {

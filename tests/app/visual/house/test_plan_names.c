@@ -89,8 +89,8 @@ TEST(people_of_one_route_are_told_apart) {
         {.id = "c", .route = &routes[0]}, {.id = "d", .route = &routes[1]}, {.id = "e", .route = &routes[0]}};
     House house = {.people = people, .person_count = 3};
     Arena arena = {0};
-    CHECK_TEXT(names_person(&house, 0, &arena), "A1");
+    CHECK_TEXT(names_person(&house, 0, &arena), "A-1");
     CHECK_TEXT(names_person(&house, 1, &arena), "B");
-    CHECK_TEXT(names_person(&house, 2, &arena), "A2");
+    CHECK_TEXT(names_person(&house, 2, &arena), "A-2");
     arena_clear(&arena);
 }
