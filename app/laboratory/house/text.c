@@ -495,8 +495,12 @@ static const char *describe_progress(HouseSession *session) {
 /* Returns the answer before a house is displayed. */
 static Result answer_nothing(HouseSession *session) {
     if (session->runs[RUN_LATEST])
-        return (Result){
-            .title = "Reading ...", .role = ROLE_TEXT, .detail = "", .doing = describe_progress(session), .part = NAN};
+        return (Result){.title = "Reading ...",
+                        .role = ROLE_TEXT,
+                        .detail = "",
+                        .due = true,
+                        .doing = describe_progress(session),
+                        .part = NAN};
     return (Result){.title = "This house cannot be run",
                     .role = ROLE_ERROR,
                     .detail = session->error.text ? session->error.text : "",

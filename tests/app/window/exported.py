@@ -75,8 +75,8 @@ for name, path in (("house", stage.house("straight-corridor")), ("beam", stage.b
               "24: and there is one for each of a run's frames", (len(times), end))
     screen.end()
 
-# the frames of a house that was edited say so by the name of the house that is written beside them
-stage.act("edited", "until answered", "pause", "select bed", "key Shift+Right", "wait 10", "key Shift+F9", "wait 10",
+# the frames of a house whose edits no setting can say tell of them by the name of the house that is written beside them
+stage.act("edited", "until answered", "pause", "select bed", "key Delete", "wait 10", "key Shift+F9", "wait 10",
           arguments=[stage.house("flat-0.910-module")])
 named = [json.loads(p.read_text())["name"] for p in (stage.folder / "edited" / "home" / "clearance").glob("*.house.json")]
 check(named == ["flat on the 0.910 m module (edited)"], "the frames of an edited house are of a house called edited", named)
