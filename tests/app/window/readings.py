@@ -54,7 +54,8 @@ def read(screen, plot, parts):
         screen.point_to(pane[0] + across * (pane[2] - pane[0]), pane[1] + up * (pane[3] - pane[1]))
         for text in screen.texts():
             told = READ_OUT.fullmatch(text["string"])
-            if told and pane[0] <= text["box"][0] and text["box"][2] <= pane[2] + 1:
+            box = text["box"]  # the clock of a machine below the plot reads alike
+            if told and pane[0] <= box[0] and box[2] <= pane[2] + 1 and pane[1] <= box[1] and box[3] <= pane[3] + 1:
                 found.append((told.groups(), text["string"]))
     return found
 

@@ -199,7 +199,6 @@ TEST(a_little_more_room_never_costs_a_change_of_direction) {
         {TIGHT_IN, 13, 0.02, 14.9},  {TIGHT_OUT, 146, 0, 15.7},   {TIGHT_U, 130, 0.02, 16.8},
     };
     Profile profile = manual_chair();
-    profile.hands = 0; /* as of the times that are known */
     static TightHouse tight;
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         Route route = route_through(&tight, known[i].kind, known[i].seed, known[i].wider, &profile);
