@@ -8,7 +8,7 @@
 #include "house/place.h"
 #include "house/world.h"
 
-/* True if the personal space is a stimulus of steering, which is no force: house_ring. */
+/* True if the personal space makes person i steer, and does not push: house_ring. */
 bool aim_steers(const World *world, size_t i);
 
 /* Advances the aim of person i, who drives in a direction, 1 or -1, by a step, and looks for what is in the way. */

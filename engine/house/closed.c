@@ -93,7 +93,7 @@ static ClosedLayout *build(const House *house, double since) {
 }
 
 const ClosedLayout *closed_layout(ClosedLayouts *layouts, const House *house, double since) {
-    pthread_mutex_lock(&layouts->lock); /* whoever needs the same layout meanwhile waits for it */
+    pthread_mutex_lock(&layouts->lock); /* threads that need the same layout wait for it */
     size_t found = 0;
     while (found < layouts->count && (layouts->all[found].since < since || layouts->all[found].since > since))
         found++;

@@ -219,9 +219,11 @@ static Route ride(const Planning *planning, const Whereabouts *place, const Clos
     return query.profile->driving == DRIVING_MIURA ? strength_round(&query) : strength_drive(&query);
 }
 
-/* Takes back a route that even so crosses a closed line, under which the body stands. */
-static void refuse_closed(Route *route, const Plan *plan, double since) {
-    size_t exit = closed_on_route(plan, since, route);
+/* Takes back a route from a place that even so crosses a closed line, under which the body stands. */
+static void refuse_closed(Route *route, Vec2 at, const Plan *plan, double since) {
+    size_t exit = route->count ? closed_between(plan, since, at, route->poses[0].at) : SIZE_MAX;
+    if (exit == SIZE_MAX)
+        exit = closed_on_route(plan, since, route);
     if (exit == SIZE_MAX)
         return;
     const Exit *closed = &plan->exits[exit];
@@ -242,7 +244,7 @@ static void plan_ride(const Planning *planning, const Whereabouts *place, Journe
         const ClosedLayout *layout = closed_layout(planning->journeys->closed, house, since);
         route_free(&journey->route);
         journey->route = ride(planning, place, layout);
-        refuse_closed(&journey->route, &house->plan, since);
+        refuse_closed(&journey->route, place->at, &house->plan, since);
     }
     if (journey->route.answer != ROUTE_FOUND)
         return;

@@ -46,7 +46,7 @@ typedef struct Journeys {
     size_t itinerary_count, itinerary_capacity;
     Fields *fields;        /* shared by the searches of chairs */
     bool borrowed;         /* the fields belong to another */
-    ClosedLayouts *closed; /* for ways that the lines of closed exits hold */
+    ClosedLayouts *closed; /* for ways that the lines of closed exits bar */
     bool brief;            /* as in a RouteQuery, for all plans */
     Recall *recall;        /* as in a RouteQuery; not owned */
 } Journeys;

@@ -20,7 +20,7 @@
 
 #define CLEAR 0.002 /* m, from an obstacle that the disc overlapped */
 
-enum { PASSES = 4, LIFTS = 4, MOST_PUSHES = 12 };
+enum { PASSES = 4, LIFTS = 4 };
 
 typedef struct Line {
     Vec2 *at; /* (count) */
@@ -303,17 +303,4 @@ bool disc_route_find(SearchTrack *track, const RouteQuery *query, const Goal *go
     fields_destroy(own);
     freespace_free(&fine);
     return found;
-}
-
-void disc_route_push_off(const FreeSpace *space, double radius, Vec2 *at) {
-    for (int n = 0; n < MOST_PUSHES; n++) {
-        int face;
-        double distance = freespace_exact(space, *at, radius, &face);
-        if (face < 0 || distance >= radius)
-            return;
-        const Face *near = &space->outline->faces[face];
-        Vec2 away = vec2_sub(*at, vec2_nearest_on_segment(*at, near->a, near->b));
-        away = distance > 0 ? vec2_scale(away, 1 / distance) : near->normal;
-        *at = vec2_along(*at, radius - distance + CLEAR, away);
-    }
 }

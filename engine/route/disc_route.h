@@ -17,6 +17,3 @@ bool disc_route_leg(SearchTrack *track, Fields *fields, const Plan *plan, const 
  * than the disc, on a finer one, whose points are lifted in the end. Returns false, with the part of the path that was
  * found, if there is none, or if interrupted. */
 bool disc_route_find(SearchTrack *track, const RouteQuery *query, const Goal *goals, size_t goal_count, double radius);
-
-/* Moves a disc off the obstacles that it overlaps, each in turn, until it is 2 mm clear of them. */
-void disc_route_push_off(const FreeSpace *space, double radius, Vec2 *at);

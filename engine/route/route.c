@@ -14,6 +14,7 @@
 #include "route/search.h"
 #include "route/smooth.h"
 #include "route/disc_route.h"
+#include "route/start.h"
 #include "route/widen.h"
 
 /* m: a chair that crosses the exit's line continues straight for this distance, as far as the space is free. */
@@ -37,11 +38,6 @@ static const double end_lengths[] = {4, 3, 2, 1};
 #define FIT_MOST 0.1 /* m: a body with this margin has room enough */
 #define SHALLOW 0.05 /* m: a body that lacks less margin than this is told by how much */
 #define DEEPEST 0.2  /* m: a body that lacks more needs another passage, not a wider one */
-
-#define EASED_STEP 0.002      /* m */
-#define CLEARING_STEP 0.01    /* m */
-enum { MOST_CLEARINGS = 30 }; /* steps straight back or ahead from an obstacle, or as many as the overlap takes */
-enum { MOST_EASINGS = 12 };   /* steps to push the start pose clear of each obstacle in turn */
 
 typedef struct Legs {
     Goal *goals; /* (count) */
@@ -379,25 +375,6 @@ static void search_round(Route *route, const RouteQuery *query, const Legs *legs
         interrupt(route);
 }
 
-/* Finds out whether a body that presses on an obstacle stands clear of it after a short way straight back or ahead.
- * Returns -1 or 1 and sets the place, or returns 0. */
-static int go_clear(const RouteQuery *query, const Rectangle *body, Vec2 *at) {
-    double before[2] = {-query->pressed, -query->pressed};
-    int most = (int)fmax(MOST_CLEARINGS, (query->pressed + ROUTE_EASED) / CLEARING_STEP + 1);
-    for (int n = 1; n <= most; n++)
-        for (int direction = -1; direction <= 1; direction += 2) {
-            double *clearance = &before[direction > 0];
-            Vec2 there = vec2_along(query->at, direction * n * CLEARING_STEP, vec2_heading(query->heading));
-            double now = search_clearance(query->space, body, there, query->heading, ROUTE_EASED, NULL);
-            if (now >= ROUTE_EASED && *clearance > -HUGE_VAL) {
-                *at = there;
-                return direction;
-            }
-            *clearance = now >= *clearance ? now : -HUGE_VAL; /* not into anything on the way */
-        }
-    return 0;
-}
-
 /* Lets a route begin with the straight way from `at` to its first pose. */
 static void begin_at(Route *route, Vec2 at, int direction) {
     size_t capacity = route->count;
@@ -411,30 +388,6 @@ static void begin_at(Route *route, Vec2 at, int direction) {
         route->reversals++;
 }
 
-/* Finds the start pose of the body. In the middle of a run it is moved away from obstacles that it presses on or stands
- * close to, because a chair whose flank is at a wall cannot turn away without its tail hitting the wall. The roomiest
- * of the places tried is chosen. Returns false if the body is not free. */
-static bool ease_off(const RouteQuery *query, const Rectangle *body, Vec2 *at) {
-    int face;
-    Vec2 here = query->at;
-    double best = search_clearance(query->space, body, here, query->heading, ROUTE_EASED, &face), clearance = best;
-    *at = here;
-    if (!(query->pressed > 0) || best < -query->pressed)
-        return best >= 0;
-    for (int n = 0; n < MOST_EASINGS && clearance < ROUTE_EASED && face >= 0; n++) {
-        /* Resolve the full overlap, but only half of the missing comfort: there may be an obstacle on the other side.
-         */
-        double move = clearance < 0 ? EASED_STEP - clearance : fmax((ROUTE_EASED - clearance) / 2, EASED_STEP);
-        here = vec2_along(here, move, query->space->outline->faces[face].normal);
-        clearance = search_clearance(query->space, body, here, query->heading, ROUTE_EASED, &face);
-        if (clearance > best && vec2_distance(here, query->at) <= 2 * (query->pressed + ROUTE_EASED)) {
-            best = clearance;
-            *at = here;
-        }
-    }
-    return best >= 0;
-}
-
 static void drive(Route *route, const RouteQuery *query) {
     Rectangle body = search_body(query->profile);
     Legs legs = legs_make(query);
@@ -442,8 +395,8 @@ static void drive(Route *route, const RouteQuery *query) {
     if (exit_usable(query, &legs.goals[legs.count - 1], route)) {
         bool presses =
             query->pressed > 0 && search_clearance(query->space, &body, query->at, query->heading, 0, NULL) < 0;
-        int clears = presses ? go_clear(query, &body, &from.at) : 0;
-        if (clears || ease_off(query, &body, &from.at))
+        int clears = presses ? start_go_clear(query, &body, &from.at) : 0;
+        if (clears || start_ease_off(query, &body, &from.at))
             search_drive(route, &from, &legs, &body);
         else
             blockage_of_start(&route->blockage, query, &body);
@@ -459,7 +412,7 @@ static void go_round(Route *route, const RouteQuery *query) {
     Legs legs = legs_make(query);
     RouteQuery from = *query;
     if (query->pressed > 0)
-        disc_route_push_off(query->space, radius, &from.at);
+        start_push_off(query->space, radius, &from.at);
     if (exit_usable(query, &legs.goals[legs.count - 1], route)) {
         if (freespace_distance(query->space, from.at) < 0 ||
             freespace_exact(query->space, from.at, radius, NULL) < radius)
