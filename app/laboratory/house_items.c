@@ -17,12 +17,20 @@
 #define EXIT_DEPTH 0.20   /* m */
 #define HAZARD_SHOWN 0.25 /* m, radius of a dangerous point's outline */
 #define STOP_SHOWN 0.50   /* m, radius of a stopped person's outline */
-#define STAY 1.0          /* s, for which a person who has left can still be selected */
 
 enum { CIRCLE = 24 /* points of a circle */ };
 
 static const HouseItem order[] = {HOUSE_PERSON, HOUSE_HAZARD, HOUSE_DOOR, HOUSE_FURNITURE, HOUSE_WALL, HOUSE_EXIT};
 enum { KINDS = sizeof order / sizeof *order };
+
+/* Returns the number of items of a kind in a plan; 0: of another kind. */
+static size_t count_in(const Plan *plan, int kind) {
+    return kind == HOUSE_DOOR        ? plan->door_count
+           : kind == HOUSE_FURNITURE ? plan->furniture_count
+           : kind == HOUSE_WALL      ? plan->wall_count
+           : kind == HOUSE_EXIT      ? plan->exit_count
+                                     : 0;
+}
 
 size_t house_item_count(const House *house, const Observation *observation, int kind) {
     switch ((HouseItem)kind) {
@@ -31,13 +39,10 @@ size_t house_item_count(const House *house, const Observation *observation, int 
     case HOUSE_HAZARD:
         return observation ? tight_places(house, observation, (Tight[TIGHT_MOST]){{0}}) : 0;
     case HOUSE_DOOR:
-        return house->plan.door_count;
     case HOUSE_FURNITURE:
-        return house->plan.furniture_count;
     case HOUSE_WALL:
-        return house->plan.wall_count;
     case HOUSE_EXIT:
-        return house->plan.exit_count;
+        return count_in(&house->plan, kind);
     case HOUSE_STOP:
         return observation ? observation->person_count : 0;
     case HOUSE_NOTHING:
@@ -47,15 +52,25 @@ size_t house_item_count(const House *house, const Observation *observation, int 
     return 0;
 }
 
-const char *house_item_id(const House *house, Item item) {
-    const Plan *plan = &house->plan;
+/* Returns the id of an item of a plan, or "". */
+static const char *id_in(const Plan *plan, Item item) {
     size_t i = item.index;
-    return item.kind == HOUSE_PERSON      ? house->people[i].id
-           : item.kind == HOUSE_DOOR      ? plan->doors[i].id
+    return item.kind == HOUSE_DOOR        ? plan->doors[i].id
            : item.kind == HOUSE_FURNITURE ? plan->furniture[i].id
            : item.kind == HOUSE_WALL      ? plan->walls[i].id
            : item.kind == HOUSE_EXIT      ? plan->exits[i].id
                                           : "";
+}
+
+const char *house_item_id(const House *house, Item item) {
+    return item.kind == HOUSE_PERSON ? house->people[item.index].id : id_in(&house->plan, item);
+}
+
+Item house_item_in(const Plan *plan, int kind, const char *id) {
+    for (size_t i = 0; i < count_in(plan, kind); i++)
+        if (strcmp(id_in(plan, (Item){kind, i}), id) == 0)
+            return (Item){kind, i};
+    return (Item){0, 0};
 }
 
 Item house_item_find(const House *house, int kind, const char *id) {
@@ -160,9 +175,8 @@ static size_t outline_strip(Vec2 from, Vec2 to, double depth, Vec2 *points) {
 static size_t outline_person(const HouseScenery *scenery, size_t i, double time, Vec2 *points) {
     const PersonObservation *observed = &scenery->observation->people[i];
     const Trail *trail = &scenery->trails[i];
-    bool last = observed->time >= scenery->observation->time;
-    bool gone = observed->completed && !last && time > observed->time + STAY;
-    if (!observed->took_part || gone || !trail->count)
+    bool crowd = scenery->house->person_count > PEOPLE_SCENE_INDIVIDUALS;
+    if (!observed->took_part || !trail->count || !people_scene_is_drawn(scenery->observation, i, time, crowd))
         return 0;
     Pose pose = trail_pose(trail, time);
     silhouette_outline(scenery->house->people[i].profile, pose.at, pose.heading, 0, points);
@@ -197,23 +211,6 @@ static size_t outline_wall(const Wall *wall, Vec2 *points) {
         points[2 * count - 1 - i] = vec2_add(at[i], aside);
     }
     return 2 * count;
-}
-
-Item house_item_in(const Plan *plan, int kind, const char *id) {
-    size_t count = kind == HOUSE_DOOR        ? plan->door_count
-                   : kind == HOUSE_FURNITURE ? plan->furniture_count
-                   : kind == HOUSE_WALL      ? plan->wall_count
-                   : kind == HOUSE_EXIT      ? plan->exit_count
-                                             : 0;
-    for (size_t i = 0; i < count; i++) {
-        const char *own = kind == HOUSE_DOOR        ? plan->doors[i].id
-                          : kind == HOUSE_FURNITURE ? plan->furniture[i].id
-                          : kind == HOUSE_WALL      ? plan->walls[i].id
-                                                    : plan->exits[i].id;
-        if (strcmp(own, id) == 0)
-            return (Item){kind, i};
-    }
-    return (Item){0, 0};
 }
 
 size_t house_item_outline_in(const Plan *plan, Item item, Vec2 *points) {
@@ -299,16 +296,9 @@ static bool is_far(const HouseScenery *scenery, size_t person, Vec2 at, double t
     return !trail->count || vec2_distance(trail_pose(trail, time).at, at) > profile->length + profile->width;
 }
 
-/* True if the person has left and is in the picture no longer, as a walker is. */
-static bool is_gone(const HouseScenery *scenery, size_t person, double time) {
-    const PersonObservation *observed = &scenery->observation->people[person];
-    return observed->completed && time >= observed->time && census_walks(scenery->house->people[person].profile);
-}
-
 static bool hits(const HouseScenery *scenery, Hit *hit, Vec2 at, double time) {
     Vec2 points[LABORATORY_OUTLINE_MOST];
-    size_t index = hit->item.index;
-    if (hit->item.kind == HOUSE_PERSON && (is_gone(scenery, index, time) || is_far(scenery, index, at, time)))
+    if (hit->item.kind == HOUSE_PERSON && is_far(scenery, hit->item.index, at, time))
         return false;
     size_t count = house_item_outline(scenery, hit->item, time, points);
     hit->area = area_of(points, count);

@@ -211,7 +211,7 @@ UiChange ui_slider(Ui *ui, UiSlider *slider) {
     else
         draw_track(ui, slider, parts.track, hand);
     bool hovered = field.hovered || hand.hovered;
-    if (hand.held) /* whoever has slid it knows what it is, and looks at the picture */
+    if (hand.held) /* what it changes is looked at now */
         ui->tip_pressed = parts.id;
     else if (ui->tip_pressed == parts.id && !hovered)
         ui->tip_pressed = 0;

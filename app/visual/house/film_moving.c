@@ -15,7 +15,6 @@
 
 #define HEADS_ZOOM 3.0 /* 1, from which on the heads of many people are shown */
 
-#define STAY 1.0         /* s, for which people who are out stay visible */
 #define CONTACT_STAY 0.4 /* s, for which a touch stays visible */
 
 /* The star of a contact: its radius, m, at CONTACT_FORCE, N; it grows with the root of the force up to CONTACT_MOST,
@@ -34,13 +33,12 @@ static bool is_expected(const Film *film, size_t i) {
            !film->house->people[i].under;
 }
 
-/* True if the person is visible. The last person out stays: a film ends with a person in the picture. */
+/* True if the person is visible. */
 static bool is_there(const Film *film, size_t i) {
     const PersonObservation *observed = &film->observation->people[i];
     if (!observed->took_part || (!film->trails[i].count && !is_expected(film, i)))
         return false;
-    bool last = !film->crowd && observed->time >= film->observation->time;
-    return !observed->completed || last || film->time <= observed->time + (film->crowd ? 0 : STAY);
+    return people_scene_is_drawn(film->observation, i, film->time, film->crowd);
 }
 
 /* Returns a person's group; if people run alone, one group per route. */
@@ -238,7 +236,7 @@ static void add_ghosts(Film *film) {
     for (size_t i = 0; film->ghosts && !film->options.rests && i < before->observation->person_count; i++) {
         const PersonObservation *observed = &before->observation->people[i];
         const Profile *profile = before->house->people[i].profile;
-        bool gone = observed->completed && film->time > observed->time + STAY;
+        bool gone = observed->completed && film->time > observed->time + PEOPLE_SCENE_STAY;
         if (!film->ghosts[i].count || gone || census_walks(profile))
             continue;
         Pose pose = trail_pose(&film->ghosts[i], film->time);

@@ -246,6 +246,12 @@ static void add_arrow(Scene *scene, const Profile *profile, const Inhabitant *pe
     scene_add_polygon(scene, ROLE_PAPER, arrow, 3);
 }
 
+bool people_scene_is_drawn(const Observation *observation, size_t person, double time, bool crowd) {
+    const PersonObservation *observed = &observation->people[person];
+    bool last = !crowd && observed->time >= observation->time;
+    return !observed->completed || last || time <= observed->time + (crowd ? 0 : PEOPLE_SCENE_STAY);
+}
+
 void people_scene_start(Scene *scene, const Inhabitant *person, Role role) {
     const Profile *profile = person->profile;
     bool walker = census_walks(profile);

@@ -12,6 +12,7 @@ enum {
     PEOPLE_SCENE_SEVERAL = 2, /* more people share the corridors: fewer bodies, no personal spaces or ticks */
 };
 
+#define PEOPLE_SCENE_STAY 1.0        /* s, for which people who are out stay visible */
 #define PEOPLE_SCENE_TICK 1.0        /* s, from tick to tick of a locus */
 #define PEOPLE_SCENE_APART 0.75      /* of a body's length: nearer bodies would merge into a blot */
 #define PEOPLE_SCENE_COMPRESSED 0.02 /* m: a personal space pressed less than this counts as at rest */
@@ -31,6 +32,10 @@ LocusLook people_scene_look(const House *house, size_t person);
 LocusLook people_scene_nth_look(size_t index);
 
 Role people_scene_danger(const Hazard *hazard);
+
+/* True if a moving picture has the person at a time, s: until PEOPLE_SCENE_STAY after leaving, and in a crowd until
+ * then. The last person out of a few stays: a film ends with a person in the picture. */
+bool people_scene_is_drawn(const Observation *observation, size_t person, double time, bool crowd);
 
 /* Adds the body of a person at the start, with an arrow for a chair. */
 void people_scene_start(Scene *scene, const Inhabitant *person, Role role);
