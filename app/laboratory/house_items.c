@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "laboratory/house/wall_outline.h"
 #include "plan/plan_geometry.h"
 #include "result/census.h"
 #include "result/jam.h"
@@ -189,30 +190,6 @@ static size_t outline_circle(Vec2 middle, double radius, Vec2 *points) {
     return CIRCLE;
 }
 
-/* Returns the vector from the corner of a wall's centre line to the corner of its face. */
-static Vec2 mitre(Vec2 before, Vec2 at, Vec2 after, double half) {
-    Vec2 in = vec2_left(vec2_unit(vec2_sub(at, before))), out = vec2_left(vec2_unit(vec2_sub(after, at)));
-    Vec2 sum = vec2_add(in, out);
-    double square = vec2_dot(sum, sum);
-    return square < 0.1 ? vec2_scale(out, half) : vec2_scale(sum, 2 * half / square);
-}
-
-/* Writes the outline of a wall along one face and back along the other. */
-static size_t outline_wall(const Wall *wall, Vec2 *points) {
-    size_t count = wall->points.count < LABORATORY_OUTLINE_MOST / 2 ? wall->points.count : LABORATORY_OUTLINE_MOST / 2;
-    const Vec2 *at = wall->points.at;
-    bool closed = count == wall->points.count && vec2_distance(at[0], at[count - 1]) == 0;
-    double half = fmax(wall->thickness, LEAST_DEPTH) / 2;
-    for (size_t i = 0; i < count; i++) {
-        Vec2 before = i ? at[i - 1] : closed ? at[count - 2] : vec2_sub(vec2_scale(at[0], 2), at[1]);
-        Vec2 after = i + 1 < count ? at[i + 1] : closed ? at[1] : vec2_sub(vec2_scale(at[i], 2), at[i - 1]);
-        Vec2 aside = mitre(before, at[i], after, half);
-        points[i] = vec2_sub(at[i], aside);
-        points[2 * count - 1 - i] = vec2_add(at[i], aside);
-    }
-    return 2 * count;
-}
-
 size_t house_item_outline_in(const Plan *plan, Item item, Vec2 *points) {
     Vec2 from, to;
     switch (item.kind) {
@@ -223,7 +200,7 @@ size_t house_item_outline_in(const Plan *plan, Item item, Vec2 *points) {
         plan_geometry_corners(&plan->furniture[item.index], points);
         return 4;
     case HOUSE_WALL:
-        return outline_wall(&plan->walls[item.index], points);
+        return wall_outline(plan, item.index, LEAST_DEPTH, points, LABORATORY_OUTLINE_MOST);
     case HOUSE_EXIT:
         return outline_strip(plan->exits[item.index].from, plan->exits[item.index].to, EXIT_DEPTH, points);
     default:
@@ -279,14 +256,18 @@ static double area_of(const Vec2 *points, size_t count) {
     return fabs(twice) / 2;
 }
 
-/* True if a point lies within half the wall's thickness of its centre line. Walls are long and thin, and may be
- * closed. */
-static bool on_wall(const Wall *wall, Vec2 p) {
-    for (size_t i = 1; i < wall->points.count; i++)
-        if (vec2_distance(p, vec2_nearest_on_segment(p, wall->points.at[i - 1], wall->points.at[i])) <=
-            fmax(wall->thickness, LEAST_DEPTH) / 2)
-            return true;
-    return false;
+/* True if a point lies within half the wall's thickness of its centre line, also where it has a door; the area of
+ * walls is that of all their sides. */
+static bool hits_wall(const Wall *wall, Vec2 p, double *area) {
+    double depth = fmax(wall->thickness, LEAST_DEPTH);
+    bool hit = false;
+    *area = 0;
+    for (size_t i = 1; i < wall->points.count; i++) {
+        Vec2 a = wall->points.at[i - 1], b = wall->points.at[i];
+        *area += depth * vec2_distance(a, b);
+        hit |= vec2_distance(p, vec2_nearest_on_segment(p, a, b)) <= depth / 2;
+    }
+    return hit;
 }
 
 /* True if a person is so far from the point that the outline need not be made. */
@@ -300,10 +281,10 @@ static bool hits(const HouseScenery *scenery, Hit *hit, Vec2 at, double time) {
     Vec2 points[LABORATORY_OUTLINE_MOST];
     if (hit->item.kind == HOUSE_PERSON && is_far(scenery, hit->item.index, at, time))
         return false;
+    if (hit->item.kind == HOUSE_WALL)
+        return hits_wall(&scenery->house->plan.walls[hit->item.index], at, &hit->area);
     size_t count = house_item_outline(scenery, hit->item, time, points);
     hit->area = area_of(points, count);
-    if (hit->item.kind == HOUSE_WALL)
-        return on_wall(&scenery->house->plan.walls[hit->item.index], at);
     return count && holds(points, count, at);
 }
 

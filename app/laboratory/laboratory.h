@@ -283,8 +283,8 @@ typedef struct Laboratory {
     const char *(*item_key)(void *session, Item item);         /* "door d2", as in files; NULL: the same as the name */
     const char *(*name_at)(void *session, Item item, Vec2 at); /* at a place on it, m; NULL: the same everywhere */
 
-    /* Writes the outline of an item at a time (m); returns the number of points, at most LABORATORY_OUTLINE_MOST; 0:
-     * the item has no place at that time. */
+    /* Writes the outline of an item at a time (m), its parts with a point that is not a number between them; returns
+     * the number of points, at most LABORATORY_OUTLINE_MOST; 0: the item has no place at that time. */
     size_t (*outline)(void *session, Item item, double time, Vec2 *points);
 
     /* Returns the words after "clearance" that reproduce the displayed run: "run", FILE, "--set", ... (count). */

@@ -449,6 +449,10 @@ void act_do(Window *window, Action action, int32_t key, int mods) {
     Action meant = without_selection(action);
     if (meant != action && act_plot_do(window, meant, 0))
         return;
-    if (!do_tab(window, tab, meant) && !act_view_do(window, tab, meant, key))
+    if (do_tab(window, tab, meant) || act_view_do(window, tab, meant, key))
+        return;
+    if (action == ACTION_PLAY && !tab_can_play(tab))
+        notice_post(window, "%s.", menu_reason_of(window, action));
+    else
         do_transport(tab, meant);
 }

@@ -262,7 +262,7 @@ static void show_view_text(Window *window, Tab *tab) {
     show_animation(window, plan_input_animation(tab));
     bool crowded =
         window->frame.compact && tab->laboratory->numbers_first; /* a machine fills a low view: Play says it */
-    if (window->present || crowded || lesson_hides(window) || tab->player.playing ||
+    if (window->present || crowded || lesson_hides(window) || tab->player.playing || !tab_can_play(tab) ||
         (window->plan_input.holds && window->plan_input.plays_on))
         return;
     Vec2 size = ui_extent(window->ui, UI_HEADING, "PAUSED");

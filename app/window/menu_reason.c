@@ -75,6 +75,8 @@ const char *menu_reason_of(Window *window, Action action) {
     bool edits = action >= ACTION_TOOL_SELECT && action <= ACTION_TURN_LITTLE_RIGHT && action != ACTION_COPY;
     if ((edits || action == ACTION_EDIT_PLAN) && !editor)
         return "Only the plan of a house can be edited";
+    if (moves_time(action) && !tab_can_play(tab))
+        return "There is nothing to play yet";
     switch (action) {
     case ACTION_ZOOM_SELECTION:
     case ACTION_EDIT_NUMBERS:

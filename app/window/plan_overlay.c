@@ -385,9 +385,14 @@ static void frame_item(Window *window, Tab *tab, Item item) {
         points[i] = on_page(window, tab, points[i]);
     if (!count)
         return;
-    ui_draw_polyline(window->ui, points, count, true, ROLE_PAPER, OUTER);
-    ui_draw_polyline(window->ui, points, count, true, ROLE_TEXT, INNER);
     Box frame = box_empty();
+    for (int line = 0; line < 2; line++)
+        for (size_t i = 0, end; i < count; i = end + 1) {
+            for (end = i; end < count && !isnan(points[end].x);)
+                end++;
+            ui_draw_polyline(window->ui, points + i, end - i, true, line ? ROLE_TEXT : ROLE_PAPER,
+                             line ? INNER : OUTER);
+        }
     for (size_t i = 0; i < count; i++)
         frame = box_include(frame, points[i]);
     for (int layer = 0; layer < 2 && tab->view_layers.painted; layer++)

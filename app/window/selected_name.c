@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 #include "draw/caption.h"
 
@@ -39,24 +40,56 @@ static bool is_free(const Window *window, const ViewLayers *layers, Box box) {
     return true;
 }
 
-/* True if the picture has this name at the thing. */
+/* True if the picture has this name at the thing, as signs do: "EXIT porch until 7 s". */
 static bool is_written(const Window *window, const ViewLayers *layers, Box thing, const char *name) {
     const Layout *layout = &layers->still;
-    for (size_t i = 0; i < layout->caption_count; i++)
-        if (strcmp(layout->captions[i].text, name) == 0 &&
-            overlap(box_expand(thing, BESIDE), on_page(window, &layout->captions[i])))
+    size_t length = strlen(name);
+    for (size_t i = 0; i < layout->caption_count; i++) {
+        const char *text = layout->captions[i].text;
+        bool same = strncasecmp(text, name, length) == 0 && (!text[length] || text[length] == ' ');
+        if (same && overlap(box_expand(thing, ASIDE), on_page(window, &layout->captions[i])))
             return true;
+    }
     return false;
 }
 
-/* Returns the box round the selected thing in the view; empty: nothing is selected. */
+/* True if a place lies within an outline, whose parts have a point that is not a number between them. */
+static bool holds(const Vec2 *points, size_t count, Vec2 at) {
+    bool inside = false;
+    for (size_t i = 0, begin = 0; i < count; i++) {
+        bool last = i + 1 == count || isnan(points[i + 1].x);
+        Vec2 a = points[i], b = points[last ? begin : i + 1];
+        inside ^= (a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x);
+        if (last)
+            begin = (i += 1) + 1;
+    }
+    return inside;
+}
+
+/* Returns the box round the longest straight side of an outline. */
+static Box longest_side(const Vec2 *points, size_t count) {
+    Box longest = box_empty();
+    double length = -1;
+    for (size_t i = 1; i < count; i++)
+        if (vec2_distance(points[i - 1], points[i]) > length) {
+            length = vec2_distance(points[i - 1], points[i]);
+            longest = box_include(box_include(box_empty(), points[i - 1]), points[i]);
+        }
+    return longest;
+}
+
+/* Returns the box round the selected thing in the view, or round its longest side where nothing of it lies in the
+ * middle, as of walls round a house; empty: nothing is selected. */
 static Box selected_box(const Window *window, const Tab *tab, Item item) {
     Vec2 points[LABORATORY_OUTLINE_MOST];
     size_t count = item.kind ? tab->laboratory->outline(tab->session, item, tab_time(tab), points) : 0;
     Box box = box_empty();
-    for (size_t i = 0; i < count; i++)
-        box = box_include(box, vec2_add(window->frame.view.low, view_layers_point(&tab->view_layers, points[i])));
-    return box;
+    for (size_t i = 0; i < count; i++) {
+        points[i] = vec2_add(window->frame.view.low, view_layers_point(&tab->view_layers, points[i]));
+        box = box_include(box, points[i]);
+    }
+    bool solid = !count || holds(points, count, vec2_scale(vec2_add(box.low, box.high), 0.5));
+    return solid ? box : longest_side(points, count);
 }
 
 /* Returns the box of a label about a middle, moved sideways into the view. */

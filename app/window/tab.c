@@ -480,6 +480,11 @@ RecordSpan tab_span(const Tab *tab) {
     return trial_span(&tab->trial, tab->laboratory->span(tab->session));
 }
 
+bool tab_can_play(const Tab *tab) {
+    RecordSpan span = tab_span(tab);
+    return !span.complete || span.end > span.begin;
+}
+
 void tab_seek(Tab *tab, double time) {
     RecordSpan span = tab_span(tab);
     player_seek(&tab->player, time, &span);

@@ -116,6 +116,9 @@ double tab_time(const Tab *tab);
 /* Returns the stretch of time that can be shown, of plan and fix. */
 RecordSpan tab_span(const Tab *tab);
 
+/* False if the record is complete and holds one moment only, as of a plan in which nobody can set off. */
+bool tab_can_play(const Tab *tab);
+
 /* Goes to a time. */
 void tab_seek(Tab *tab, double time);
 
