@@ -11,51 +11,61 @@
 #define DOT 2.2
 #define SIGN 4.0
 
+#define WIPED 0.55 /* of the distance of two values, that a new one stands for: a little more than half of it */
+
 void machine_diagram_open(MachineDiagram *diagram, const MachineKind *kind) {
-    static const PlotSeries looks[MACHINE_SWEEP_PASSES + 1 + MACHINE_LINES] = {
+    static const PlotSeries looks[MACHINE_DIAGRAM_SERIES] = {
         {.role = ROLE_GHOST, .symbol = SYMBOL_TRIANGLE, .size = SIGN},
         {.role = ROLE_WALL, .symbol = SYMBOL_DISC, .size = DOT},
         {.role = ROLE_LOCUS, .symbol = SYMBOL_BOX, .size = SIGN, .open = true},
         {.role = ROLE_LOCUS_SECOND, .symbol = SYMBOL_DISC, .size = DOT}, /* drawn within the boxes where both occur */
         {.role = ROLE_LOCUS, .width = LINE},
         {.role = ROLE_LOCUS, .style = LINE_DASHED, .width = LINE},
-        {.role = ROLE_IMPACT, .symbol = SYMBOL_DIAMOND, .size = LOCATED}};
+        {.role = ROLE_IMPACT, .symbol = SYMBOL_DIAMOND, .size = LOCATED},
+        {.role = ROLE_FURNITURE_LINE, .symbol = SYMBOL_DISC, .size = DOT}};
     *diagram = (MachineDiagram){.revision = 1};
     memcpy(diagram->series, looks, sizeof looks);
     diagram->plot = (Plot){.title = "All rhythms at a glance (orbit diagram)",
                            .y = {.title = kind->peak, .unit = "N"},
                            .series = diagram->series,
-                           .series_count = MACHINE_SWEEP_PASSES + 1 + MACHINE_LINES,
+                           .series_count = MACHINE_DIAGRAM_SERIES,
                            .areas = diagram->areas};
 }
 
 void machine_diagram_close(MachineDiagram *diagram) {
     for (size_t s = 0; s <= MACHINE_SWEEP_PASSES; s++)
         machine_sweep_points_clear(&diagram->points[s]);
+    machine_sweep_points_clear(&diagram->older);
     machine_lines_clear(&diagram->lines);
     arena_clear(&diagram->band_words);
 }
 
+static void show_points(PlotSeries *series, const MachineSweepPoints *points) {
+    series->x = points->value;
+    series->y = points->peak;
+    series->count = points->count;
+}
+
 /* Points the series to the points' arrays, which may have moved. */
 static void take_points(MachineDiagram *diagram) {
-    for (size_t s = 0; s <= MACHINE_SWEEP_PASSES; s++) {
-        diagram->series[s].x = diagram->points[s].value;
-        diagram->series[s].y = diagram->points[s].peak;
-        diagram->series[s].count = diagram->points[s].count;
-    }
+    PlotSeries *passes = diagram->series + MACHINE_DIAGRAM_PASSES, *lines = diagram->series + MACHINE_DIAGRAM_LINES;
+    PlotSeries *older = &diagram->series[MACHINE_DIAGRAM_OLDER];
+    for (size_t s = 0; s <= MACHINE_SWEEP_PASSES; s++)
+        show_points(&diagram->series[s], &diagram->points[s]);
     for (size_t line = 0; line < MACHINE_LINES; line++) {
-        PlotSeries *series = &diagram->series[MACHINE_SWEEP_PASSES + 1 + line];
         static const char *const names[MACHINE_LINES] = {"stable", "unstable", "located"};
-        series->x = diagram->lines.points[line].value;
-        series->y = diagram->lines.points[line].peak;
-        series->count = diagram->lines.points[line].count;
-        series->name = series->count ? names[line] : NULL;
+        lines[line].x = diagram->lines.points[line].value;
+        lines[line].y = diagram->lines.points[line].peak;
+        lines[line].count = diagram->lines.points[line].count;
+        lines[line].name = lines[line].count ? names[line] : NULL;
     }
+    show_points(older, &diagram->older);
     bool stored = diagram->points[0].count > 0;
-    diagram->series[0].name = stored ? "before" : NULL;
-    diagram->series[1 + MACHINE_SWEEP_REST].name = stored && !diagram->carried ? "now" : NULL;
-    diagram->series[1 + MACHINE_SWEEP_UP].name = diagram->carried ? "upwards" : NULL;
-    diagram->series[1 + MACHINE_SWEEP_DOWN].name = diagram->carried ? "downwards" : NULL;
+    diagram->series[MACHINE_DIAGRAM_SAVED].name = stored ? "before" : NULL;
+    passes[MACHINE_SWEEP_REST].name = stored && !diagram->carried ? "now" : NULL;
+    passes[MACHINE_SWEEP_UP].name = diagram->carried ? "upwards" : NULL;
+    passes[MACHINE_SWEEP_DOWN].name = diagram->carried ? "downwards" : NULL;
+    older->name = older->count ? "updating" : NULL;
 }
 
 static bool same_task(const MachineSweepTask *a, const MachineSweepTask *b) {
@@ -69,10 +79,17 @@ static bool same_task(const MachineSweepTask *a, const MachineSweepTask *b) {
     return machine_same(b->kind, &a->machine, &like);
 }
 
-static void begin_anew(MachineDiagram *diagram) {
+/* Begins without points; those of other numbers are shown pale until there are new ones. */
+static void begin(MachineDiagram *diagram, bool keep_older) {
     const MachineSweepTask *task = &diagram->task;
-    for (size_t s = 1; s <= MACHINE_SWEEP_PASSES; s++)
+    for (size_t s = 1; s <= MACHINE_SWEEP_PASSES; s++) {
+        for (size_t i = 0; i < diagram->points[s].count && keep_older; i++)
+            machine_sweep_points_add(&diagram->older, diagram->points[s].value[i], diagram->points[s].peak[i]);
         diagram->points[s].count = 0;
+    }
+    if (!keep_older)
+        diagram->older.count = 0;
+    diagram->done = 0;
     diagram->plot.area_count = 0;
     diagram->plot.x.title = task->kind->over_titles[diagram->over];
     diagram->plot.x.low = diagram->factor * task->from;
@@ -102,11 +119,9 @@ void machine_diagram_ask(MachineDiagram *diagram, const MachineControls *control
     bool other = !diagram->task.name || strcmp(diagram->task.name, task.name) != 0;
     diagram->task = task;
     diagram->plot.x.unit = parameter->unit ? parameter->unit : parameter->row->unit;
-    if (other) { /* the displayed points belong to another parameter */
+    if (other) /* the displayed points belong to another parameter */
         diagram->points[0].count = 0;
-        begin_anew(diagram);
-        take_points(diagram);
-    }
+    begin(diagram, !other);
     forget_lines(diagram, worker);
     machine_worker_ask_sweep(worker, &task);
 }
@@ -161,10 +176,33 @@ static void take_bands(MachineDiagram *diagram, const MachineBands *bands) {
     diagram->revision++;
 }
 
+/* Removes the older points at the values that are computed now. */
+static void wipe_older(MachineDiagram *diagram, size_t done) {
+    const MachineSweepTask *task = &diagram->task;
+    const MachineKind *kind = task->kind;
+    size_t steps = task->carried ? kind->carried_steps : (kind->steps - 1) / kind->coarse + 1, left = 0;
+    double reach = WIPED * fabs(task->to - task->from) / (double)(steps - 1);
+    MachineSweepPoints *older = &diagram->older;
+    for (; diagram->done < done && older->count; diagram->done++, left = 0) {
+        MachineSweepPass pass;
+        double value = machine_sweep_value(task, diagram->done, &pass);
+        for (size_t i = 0; i < older->count; i++)
+            if (fabs(older->value[i] - diagram->factor * value) > diagram->factor * reach) {
+                older->value[left] = older->value[i];
+                older->peak[left++] = older->peak[i];
+            }
+        older->count = left;
+    }
+    diagram->done = done;
+    if (done == machine_sweep_values(task))
+        older->count = 0;
+}
+
 void machine_diagram_apply(MachineDiagram *diagram, MachineNews *news) {
     double most = news->followed ? take_lines(diagram, &news->lines) : 0;
+    size_t older = diagram->older.count;
     if (news->sweep_begins)
-        begin_anew(diagram);
+        begin(diagram, true);
     for (size_t pass = 0; pass < MACHINE_SWEEP_PASSES; pass++) {
         const MachineSweepPoints *fresh = &news->points[pass];
         for (size_t i = 0; i < fresh->count; i++) {
@@ -173,6 +211,9 @@ void machine_diagram_apply(MachineDiagram *diagram, MachineNews *news) {
         }
         machine_sweep_points_clear(&news->points[pass]);
     }
+    if (news->swept)
+        wipe_older(diagram, news->sweep_done);
+    diagram->revision += diagram->older.count != older;
     if (most > diagram->plot.y.high) {
         diagram->plot.y.high = round_up(most);
         diagram->revision++;

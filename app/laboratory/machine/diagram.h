@@ -6,14 +6,25 @@
 #include "laboratory/machine/worker.h"
 #include "visual/study/type_bands.h"
 
+/* Series of the plot. */
+enum {
+    MACHINE_DIAGRAM_SAVED,
+    MACHINE_DIAGRAM_PASSES,                                                /* (MACHINE_SWEEP_PASSES) */
+    MACHINE_DIAGRAM_LINES = MACHINE_DIAGRAM_PASSES + MACHINE_SWEEP_PASSES, /* (MACHINE_LINES) of a followed orbit */
+    MACHINE_DIAGRAM_OLDER = MACHINE_DIAGRAM_LINES + MACHINE_LINES, /* of other numbers, until there are new points */
+    MACHINE_DIAGRAM_SERIES
+};
+
 typedef struct MachineDiagram {
     Plot plot;
-    PlotSeries series[MACHINE_SWEEP_PASSES + 1 + MACHINE_LINES]; /* the saved points, the passes, a followed orbit */
+    PlotSeries series[MACHINE_DIAGRAM_SERIES];
     PlotArea areas[TYPE_BANDS];
     Arena band_words;   /* of the areas */
     MachineLines lines; /* in the displayed unit */
     bool follows;       /* an orbit is followed, or asked for */
     MachineSweepPoints points[MACHINE_SWEEP_PASSES + 1];
+    MachineSweepPoints older;
+    size_t done; /* number of values of the task whose points are in */
     unsigned revision;
     size_t over; /* index of the parameter among those of the kind */
     bool carried;

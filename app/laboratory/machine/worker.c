@@ -150,6 +150,8 @@ static void go_on_sweeping(MachineWorker *worker) {
             machine_sweep_points_add(&worker->news.points[pass], points[pass].value[i], points[pass].peak[i]);
         machine_sweep_points_clear(&points[pass]);
     }
+    if (worker->sweep.asked)
+        return;
     worker->news.swept = true;
     worker->news.sweep_done = worker->sweeping.done;
 }
@@ -354,6 +356,7 @@ void machine_worker_ask_sweep(MachineWorker *worker, const MachineSweepTask *tas
     pthread_mutex_lock(&worker->lock);
     worker->task = *task;
     forget_points(worker);
+    worker->news.swept = false;
     ask(worker, &worker->sweep);
     pthread_mutex_unlock(&worker->lock);
 }

@@ -9,7 +9,7 @@
 #include "check.h"
 #include "experiment/beam_experiment.h"
 #include "laboratory/beam/beam_machine.h"
-#include "laboratory/machine/sweep.h"
+#include "laboratory/machine/diagram.h"
 #include "oscillator.h"
 #include "running_beam.h"
 #include "study/study.h"
@@ -126,8 +126,7 @@ static bool is_banded(void *session) {
     return beam_laboratory.plot(session, running_beam_find_plot("orbit")).plot->area_count > 0;
 }
 
-/* The series of the diagram after the saved points and the passes. */
-enum { STABLE = MACHINE_SWEEP_PASSES + 1, UNSTABLE, LOCATED };
+enum { STABLE = MACHINE_DIAGRAM_LINES, UNSTABLE, LOCATED };
 
 static const PlotSeries *orbit_series(void *session, size_t series) {
     return &beam_laboratory.plot(session, running_beam_find_plot("orbit")).plot->series[series];
@@ -200,6 +199,24 @@ LONG_TEST(verdict_type_and_orbit_diagram_come_by_themselves) {
           beam_laboratory.plot(session, running_beam_find_plot("orbit")).revision == orbit.revision);
     CHECK_NEAR(beam_laboratory.plot(session, running_beam_find_plot("orbit")).cursor, 290, 1e-9);
     CHECK(wait_for(session, is_decided));
+    beam_laboratory.close(session);
+}
+
+static bool is_renewed(void *session) {
+    return orbit_series(session, MACHINE_DIAGRAM_OLDER)->count == 0;
+}
+
+TEST(points_of_other_numbers_stay_pale_until_there_are_new_ones) {
+    const char *const settings[] = {QUICK};
+    void *session = running_beam_open("ibs", settings, 3);
+    Fault fault = {0};
+    CHECK(wait_for(session, is_swept) && is_renewed(session));
+    size_t before = orbit_series(session, MACHINE_DIAGRAM_PASSES)->count;
+    CHECK(beam_laboratory.set(session, "joint.damping", 150, &fault));
+    const PlotSeries *older = orbit_series(session, MACHINE_DIAGRAM_OLDER);
+    CHECK(older->count == before && orbit_series(session, MACHINE_DIAGRAM_PASSES)->count == 0);
+    CHECK_TEXT(older->name, "updating");
+    CHECK(wait_for(session, is_renewed) && orbit_series(session, MACHINE_DIAGRAM_PASSES)->count > 0);
     beam_laboratory.close(session);
 }
 
