@@ -76,6 +76,15 @@ static void show_row(Scene *scene, const TouchRow *listed, size_t drivers) {
     row->cells[2] = scene_text(scene, "%.0f %%", 100 * (double)touching / (double)drivers);
 }
 
+/* Tells the letters, and the order and columns of the rows. */
+static void add_heading(Scene *scene, size_t drivers) {
+    scene_add_row(scene, ROW_HEADING, scene_text(scene, "Touches of %zu drivers", drivers));
+    SceneRow *letters_row = scene_add_row(scene, ROW_PLAIN, "F front");
+    letters_row->cells[1] = "S side, T tail";
+    letters_row->cells[2] = "H hand (ring)";
+    scene_add_row(scene, ROW_PLAIN, "worst first: speed that 95 % of the touches stay below, share of drivers");
+}
+
 /* Adds a letter that stays within its disc, or on its ring; names give way to it. */
 static void add_letter(Scene *scene, const DangerPlace *place, Vec2 at) {
     Primitive *label = scene_add_label(scene, ROLE_TEXT, LETTERS, at, letters[place->part]);
@@ -115,7 +124,7 @@ void drivers_scene_add(Scene *scene, const House *house, const Drivers *drivers)
     TouchRow *rows = memory_zeroed(danger.count + 1, sizeof *rows);
     size_t row_count = 0;
     if (danger.count)
-        scene_add_row(scene, ROW_HEADING, scene_text(scene, "Touches of %zu drivers", drivers->count));
+        add_heading(scene, drivers->count);
     for (size_t p = 0; p < danger.count; p++)
         row_count = list_place(scene, house, &danger.places[p], drivers->count, rows, row_count);
     for (size_t p = danger.count; p > 0; p--) /* hands stand last, and lie below */
@@ -123,11 +132,6 @@ void drivers_scene_add(Scene *scene, const House *house, const Drivers *drivers)
     qsort(rows, row_count, sizeof *rows, by_energy);
     for (size_t r = 0; r < row_count && r < LISTED; r++)
         show_row(scene, &rows[r], drivers->count);
-    if (danger.count) {
-        SceneRow *row = scene_add_row(scene, ROW_PLAIN, "F front");
-        row->cells[1] = "S side, T tail";
-        row->cells[2] = "H hand (ring)";
-    }
     memory_free(rows);
     danger_free(&danger);
 }

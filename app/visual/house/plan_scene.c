@@ -24,6 +24,7 @@
 #define KEEP_WALL 1.0
 #define KEEP_FURNITURE 0.4
 #define KEEP_DOOR 1.0
+#define SIGN_ASIDE 0.4 /* m, of a sign beyond an end of its exit whose place beside it is taken */
 #define KEEP_EXIT 3.0
 
 #define CROSS_HALF 0.11 /* m, of the x on a locked door: within the depth of the wall around the opening */
@@ -309,7 +310,7 @@ static bool chairs_leave_by(const House *house, const Exit *exit) {
 }
 
 /* Adds the sign of an exit, and on it how many have left by it, if `left` is given, always equally wide: outside the
- * middle of the exit unless chairs come there, otherwise next to one of its ends, otherwise inside. */
+ * middle of the exit unless chairs come there, otherwise next to one of its ends or beyond it, otherwise inside. */
 static void add_sign(Scene *scene, const House *house, const Exit *exit, const size_t *left) {
     const char *name = exit_name(scene, &house->plan, exit);
     const char *count = left ? headline_count(*left, house->person_count, &scene->arena) : NULL;
@@ -319,11 +320,13 @@ static void add_sign(Scene *scene, const House *house, const Exit *exit, const s
     out = vec2_dot(out, vec2_sub(at, middle)) < 0 ? vec2_scale(out, -1) : out;
     Vec2 low = exit->to.y <= exit->from.y ? exit->to : exit->from,
          high = exit->to.y <= exit->from.y ? exit->from : exit->to;
-    Vec2 places[] = {at,   vec2_add(at, out),
-                     low,  vec2_add(low, vec2_add(out, vec2_sub(low, high))),
-                     high, vec2_add(high, vec2_add(out, vec2_sub(high, low))),
-                     at,   vec2_add(at, out),
-                     at,   vec2_sub(at, out)};
+    Vec2 below = vec2_add(out, vec2_sub(low, high)), above = vec2_add(out, vec2_sub(high, low));
+    Vec2 lower = vec2_along(low, SIGN_ASIDE, vec2_unit(vec2_sub(low, high)));
+    Vec2 higher = vec2_along(high, SIGN_ASIDE, vec2_unit(vec2_sub(high, low)));
+    Vec2 places[] = {at,    vec2_add(at, out),                                       /* outside */
+                     low,   vec2_add(low, below),   high,   vec2_add(high, above),   /* ends */
+                     lower, vec2_add(lower, below), higher, vec2_add(higher, above), /* beyond */
+                     at,    vec2_add(at, out),      at,     vec2_sub(at, out)};
     size_t skipped = chairs_leave_by(house, exit) ? 2 : 0;
     Primitive *sign = add_tag(scene, ROLE_EXIT_TAG, at, left ? scene_text(scene, "%s: %s", name, count) : name);
     scene_bind_label(scene, sign, places + skipped, sizeof places / sizeof *places - skipped);
