@@ -1,3 +1,11 @@
+/* Who may take any exit takes the one by which they are out first, if nobody is in the way. Let T(x) be the time that
+ * the way to the quickest of the exits takes that open up to the time x. Who sets off at t and goes there is out at
+ *
+ *     e(x) = max(t + T(x), x)
+ *
+ * at the latest. The least e over the times x at which exits open is the time of the best exit: its way takes no less
+ * than T(x) for the x at which it opens, and nobody who leaves by it is out before x. T falls as x grows, so that no x
+ * above the least e so far can be better. Doors of others' choice are queue.c's. */
 #include "house/journey.h"
 
 #include <stdint.h>
@@ -31,12 +39,12 @@ double journey_since(const House *house, double time) {
 }
 
 static Itinerary *find_itinerary(const Journeys *journeys, const Profile *profile, const PlanRoute *route, double since,
-                                 size_t via, bool again) {
+                                 size_t via, double opens_by) {
     size_t legs = (route ? route->via.count : 0) - via + 1;
     for (size_t k = 0; k < journeys->itinerary_count; k++) {
         Itinerary *known = journeys->itineraries[k];
         if (!known->chosen && known->profile == profile && known->route == route && known->since == since &&
-            known->again == again && known->leg_count == legs)
+            known->opens_by == opens_by && known->leg_count == legs)
             return known;
     }
     return NULL;
@@ -65,14 +73,14 @@ static Itinerary *new_itinerary(Journeys *journeys, const Profile *profile, doub
 
 /* Adds an itinerary without fields, from the route's point `via` on. */
 static void add_itinerary(Journeys *journeys, const House *house, const Profile *profile, const PlanRoute *route,
-                          double since, size_t via, bool again) {
+                          double since, size_t via, double opens_by) {
     size_t points = route ? route->via.count : 0;
     Itinerary *itinerary = new_itinerary(journeys, profile, since, points - via + 1);
     itinerary->route = route;
-    itinerary->again = again;
+    itinerary->opens_by = opens_by;
     for (size_t leg = 0; leg < itinerary->leg_count; leg++) {
         Goal *goal = &itinerary->fields[leg].goal;
-        *goal = field_exit_goal(&house->plan, exit_of(house, route, since), since, again);
+        *goal = field_exit_goal(exit_of(house, route, since), since, opens_by);
         if (via + leg < points) {
             goal->at = route->via.at[via + leg];
             goal->radius = fmax(profile->length / 2, VIA_RADIUS);
@@ -142,8 +150,43 @@ static void make_fields(void *context, size_t index) {
     lead_walkers(itinerary, house);
 }
 
-/* Returns the question for a person's way; `layout`: that with closed lines as walls, or NULL for the house. */
-static RouteQuery ask(const Planning *planning, const Whereabouts *place, const ClosedLayout *layout) {
+static double set_off(const Planning *planning, const Whereabouts *place) {
+    return fmax(place->start, planning->time);
+}
+
+/* Goes on to the next time after `*by` at which an exit opens that is usable at some time. False: there is none. */
+static bool next_opening(const Planning *planning, const Whereabouts *place, double *by) {
+    const Plan *plan = &planning->house->plan;
+    double next = HUGE_VAL;
+    for (size_t e = 0; e < plan->exit_count; e++)
+        if (plan->exits[e].closes > since_of(planning, place) && plan->exits[e].opens > *by)
+            next = fmin(next, plan->exits[e].opens);
+    *by = next < HUGE_VAL ? next : *by;
+    return next < HUGE_VAL;
+}
+
+/* Returns the first time to try: if others follow, the last one at which an exit has opened already, or else the next
+ * one. HUGE_VAL: the choice hangs on none, so that all exits count. */
+static double first_opening(const Planning *planning, const Whereabouts *place) {
+    const House *house = planning->house;
+    double now = set_off(planning, place), before = -HUGE_VAL, by = now;
+    bool any = exit_of(house, house->people[place->person].route, since_of(planning, place)) == SIZE_MAX;
+    if (planning->all_or_none || !any || !next_opening(planning, place, &by))
+        return HUGE_VAL;
+    for (double last = before; next_opening(planning, place, &last) && last <= now;)
+        before = last;
+    return before > -HUGE_VAL ? before : by;
+}
+
+/* Returns e(x) of a way that takes a time, s; HUGE_VAL: there is none. */
+static double out_by(const Planning *planning, const Whereabouts *place, double by, double time) {
+    double end = set_off(planning, place) + time;
+    return by < HUGE_VAL ? fmax(end, by) : end;
+}
+
+/* Returns the question for a person's way to the exits that open by a time; `layout`: that with closed lines as walls,
+ * or NULL for the house. */
+static RouteQuery ask(const Planning *planning, const Whereabouts *place, double by, const ClosedLayout *layout) {
     const House *house = planning->house;
     const Inhabitant *person = &house->people[place->person];
     const PlanRoute *route = person->route;
@@ -157,7 +200,7 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place, const 
                         .via_count = route ? route->via.count - place->via : 0,
                         .exit = exit_of(house, route, since),
                         .time = since,
-                        .open_first = planning->again,
+                        .opens_by = by,
                         .pressed = planning->again ? PRESSED : 0,
                         .most_reversals = house->plan.run.reversals,
                         .brief = planning->journeys->brief || planning->keep,
@@ -168,23 +211,37 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place, const 
                         .stop = planning->stop};
 }
 
-static Itinerary *itinerary_of(const Planning *planning, const Whereabouts *place) {
+static Itinerary *itinerary_of(const Planning *planning, const Whereabouts *place, double by) {
     const Inhabitant *person = &planning->house->people[place->person];
     return find_itinerary(planning->journeys, person->profile, person->route, since_of(planning, place), place->via,
-                          planning->again);
+                          by);
+}
+
+/* Returns how long a person walks from a place, s; HUGE_VAL: there is no way. */
+static double walking_time(const Itinerary *itinerary, Vec2 at, double speed) {
+    double time = itinerary->has_exit ? floor_field_time(itinerary->legs[0], at) : HUGE_VAL;
+    for (size_t leg = 1; leg < itinerary->leg_count; leg++)
+        time += floor_field_time(itinerary->legs[leg], itinerary->legs[leg - 1]->goal.at);
+    return time * itinerary->legs[0]->speed / speed;
 }
 
 static void plan_walk(const Planning *planning, const Whereabouts *place, Journey *journey) {
-    const Itinerary *itinerary = itinerary_of(planning, place);
+    const Itinerary *itinerary = NULL;
+    double by = first_opening(planning, place), least = HUGE_VAL;
+    do {
+        const Itinerary *other = itinerary_of(planning, place, by);
+        double time = walking_time(other, place->at, planning->house->people[place->person].speed);
+        double end = out_by(planning, place, by, time);
+        if (end < least || least == HUGE_VAL) /* without any way the last one, to all exits, tells why */
+            itinerary = other;
+        least = fmin(least, end);
+    } while (next_opening(planning, place, &by) && by < least);
     journey->legs = itinerary->legs;
     journey->since = itinerary->since;
     journey->leg_count = itinerary->leg_count;
     journey->route.exit = itinerary->fields[itinerary->leg_count - 1].goal.exit;
     journey->route.answer = itinerary->has_exit ? ROUTE_FOUND : ROUTE_NO_EXIT;
-    bool reached = floor_field_time(journey->legs[0], place->at) < HUGE_VAL;
-    for (size_t leg = 1; leg < journey->leg_count; leg++)
-        reached &= floor_field_time(journey->legs[leg], journey->legs[leg - 1]->goal.at) < HUGE_VAL;
-    if (itinerary->has_exit && reached)
+    if (least < HUGE_VAL)
         journey->route.fits = journey->route.drivable = true;
     else if (itinerary->has_exit)
         journey->route.answer = ROUTE_CANNOT_PASS;
@@ -211,8 +268,8 @@ static void follow(const Planning *planning, const Whereabouts *place, Journey *
         track_build_driver(&journey->track, house, person, route);
 }
 
-static Route ride(const Planning *planning, const Whereabouts *place, const ClosedLayout *layout) {
-    RouteQuery query = ask(planning, place, layout);
+static Route ride(const Planning *planning, const Whereabouts *place, double by, const ClosedLayout *layout) {
+    RouteQuery query = ask(planning, place, by, layout);
     Rectangle body = search_body(query.profile);
     if (layout && search_clearance(query.space, &body, query.at, query.heading, 0, NULL) < -query.pressed)
         query.pressed = query.profile->length; /* the exit has closed under the body, which goes back from its line */
@@ -234,16 +291,17 @@ static void refuse_closed(Route *route, Vec2 at, const Plan *plan, double since)
     *route = (Route){.answer = ROUTE_CANNOT_PASS, .fits = true, .exit = aim, .blockage = blockage};
 }
 
-static void plan_ride(const Planning *planning, const Whereabouts *place, Journey *journey) {
+/* Plans a chair's way to the exits that open by a time. */
+static void plan_ride_by(const Planning *planning, const Whereabouts *place, double by, Journey *journey) {
     const House *house = planning->house;
     const Inhabitant *person = &house->people[place->person];
     double since = since_of(planning, place);
     bool miura = person->profile->driving == DRIVING_MIURA;
-    journey->route = ride(planning, place, NULL);
+    journey->route = ride(planning, place, by, NULL);
     if (closed_on_route(&house->plan, since, &journey->route) != SIZE_MAX) {
         const ClosedLayout *layout = closed_layout(planning->journeys->closed, house, since);
         route_free(&journey->route);
-        journey->route = ride(planning, place, layout);
+        journey->route = ride(planning, place, by, layout);
         refuse_closed(&journey->route, place->at, &house->plan, since);
     }
     if (journey->route.answer != ROUTE_FOUND)
@@ -252,6 +310,28 @@ static void plan_ride(const Planning *planning, const Whereabouts *place, Journe
         track_build_miura(&journey->track, house, person, &journey->route);
     else
         track_build_driver(&journey->track, house, person, &journey->route);
+}
+
+static void release(Journey *journey) {
+    route_free(&journey->route);
+    track_free(&journey->track);
+}
+
+static void plan_ride(const Planning *planning, const Whereabouts *place, Journey *journey) {
+    double by = first_opening(planning, place), least = HUGE_VAL;
+    bool more = true;
+    while (more) {
+        Journey other = {.via = place->via};
+        plan_ride_by(planning, place, by, &other);
+        bool found = other.route.answer == ROUTE_FOUND, interrupted = other.route.answer == ROUTE_INTERRUPTED;
+        const Profile *profile = planning->house->people[place->person].profile;
+        double end = found ? out_by(planning, place, by, track_time(&other.track, profile)) : HUGE_VAL;
+        bool better = end < least || least == HUGE_VAL || interrupted;
+        release(better ? journey : &other);
+        *journey = better ? other : *journey;
+        least = fmin(least, end);
+        more = !interrupted && next_opening(planning, place, &by) && by < least;
+    }
 }
 
 /* Notes whether all have a path. A person without one decides; the others are then not asked. */
@@ -268,11 +348,6 @@ static void note_answer(Planning *planning, RouteAnswer answer) {
         planning->interrupted = !planning->failed;
         break;
     }
-}
-
-static void release(Journey *journey) {
-    route_free(&journey->route);
-    track_free(&journey->track);
 }
 
 static void plan_journey(void *context, size_t k) {
@@ -315,6 +390,13 @@ static void leave_unexplained(const Planning *planning, const bool *explained, s
     }
 }
 
+static const ClosedLayout *layout_of(const Journeys *journeys, const FloorField *const *legs) {
+    for (size_t k = 0; k < journeys->itinerary_count; k++)
+        if (journeys->itineraries[k]->legs == legs)
+            return journeys->itineraries[k]->layout;
+    return NULL;
+}
+
 /* Explains walkers without a path out. Walkers in the same part of the house are blocked at the same place, so that
  * each place is searched once. */
 static void explain_walkers(const Planning *planning, size_t count) {
@@ -326,8 +408,8 @@ static void explain_walkers(const Planning *planning, size_t count) {
         const Profile *profile = house->people[place->person].profile;
         if (explained[k] || !is_without_path(journey))
             continue;
-        const ClosedLayout *layout = itinerary_of(planning, place)->layout;
-        RouteQuery query = ask(planning, place, layout);
+        const ClosedLayout *layout = layout_of(planning->journeys, journey->legs);
+        RouteQuery query = ask(planning, place, HUGE_VAL, layout);
         query.pressed = layout ? profile->width : 0; /* a line may have closed beside who stands there */
         Route route = route_round(&query);
         if (route.answer == ROUTE_INTERRUPTED) {
@@ -364,9 +446,12 @@ static void plan_all(Planning *planning, size_t count, int jobs) {
     for (size_t k = 0; k < count; k++) {
         const Whereabouts *place = &planning->places[k];
         const Inhabitant *person = &house->people[place->person];
-        if (person->profile->driving == DRIVING_WALKER && !itinerary_of(planning, place))
-            add_itinerary(journeys, house, person->profile, person->route, since_of(planning, place), place->via,
-                          planning->again);
+        double by = first_opening(planning, place);
+        bool more = person->profile->driving == DRIVING_WALKER;
+        for (; more; more = next_opening(planning, place, &by))
+            if (!itinerary_of(planning, place, by))
+                add_itinerary(journeys, house, person->profile, person->route, since_of(planning, place), place->via,
+                              by);
     }
     parallel_for(jobs, journeys->itinerary_count - planning->first_itinerary, make_fields, planning);
     parallel_for(jobs, count, plan_journey, planning);
@@ -470,7 +555,7 @@ void journey_lead_to(Journeys *journeys, const House *house, const Profile *prof
         if (journey_leg_to(journeys, house, profile, exits[k], time))
             continue;
         Itinerary *itinerary = new_itinerary(journeys, profile, journey_since(house, time), 1);
-        itinerary->fields[0].goal = field_exit_goal(&house->plan, exits[k], time, false);
+        itinerary->fields[0].goal = field_exit_goal(exits[k], time, HUGE_VAL);
         itinerary->chosen = itinerary->has_exit = true;
     }
     parallel_for(jobs, journeys->itinerary_count - planning.first_itinerary, make_fields, &planning);

@@ -28,11 +28,11 @@ typedef struct Journey {
 /* The fields shared by people of one profile with one route, from some time on. */
 typedef struct Itinerary {
     const Profile *profile;
-    const PlanRoute *route; /* NULL: no route, the quickest exit */
-    double since;           /* s: exits closed by then do not count */
-    bool again;    /* True if planned while people were moving: exits that are not open yet are the last choice */
-    bool has_exit; /* False if all exits are closed */
-    bool chosen;   /* True if it leads to one exit, which a person has chosen on the way */
+    const PlanRoute *route;     /* NULL: no route, the quickest exit */
+    double since;               /* s: exits closed by then do not count */
+    double opens_by;            /* s: exits that open only later do not count; HUGE_VAL: all count */
+    bool has_exit;              /* False if all exits are closed */
+    bool chosen;                /* True if it leads to one exit, which a person has chosen on the way */
     const ClosedLayout *layout; /* in which the fields are, since a closed line is in the way; NULL: in the house */
     FloorField *fields;         /* (leg_count) */
     const FloorField **legs;    /* (leg_count) into fields */
@@ -97,8 +97,8 @@ Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t
                            int jobs, const Stop *stop);
 
 /* Plans again from `time` on for `count` moving people: to the exit of their route while that is usable, otherwise to
- * the quickest. Their former journeys are released; with `keep`, those of chairs only where a new path is found, and it
- * is not told why there is none. */
+ * the one by which they are out first. Their former journeys are released; with `keep`, those of chairs only where a
+ * new path is found, and it is not told why there is none. */
 void journey_plan_again(Journeys *journeys, const House *house, const Whereabouts *places, size_t count, double time,
                         bool keep, int jobs, const Stop *stop);
 

@@ -554,6 +554,18 @@ void track_build_miura(Track *track, const House *house, const Inhabitant *perso
     mark_exit(track, &house->plan.exits[route->exit]);
 }
 
+double track_time(const Track *track, const Profile *profile) {
+    double time = 0;
+    for (size_t i = 1; i < track->count && track->points[i - 1].s < track->exit_s; i++) {
+        const TrackPoint *before = &track->points[i - 1], *here = &track->points[i];
+        double way = here->s - before->s, turn = fabs(vec2_wrap_angle(here->heading - before->heading));
+        time += way > 0 ? 2 * way / fmax(before->speed + here->speed, profile->creep) : turn / profile->turn_rate;
+        if (before->direction * here->direction < 0)
+            time += profile->reversing_time;
+    }
+    return time;
+}
+
 void track_free(Track *track) {
     memory_free(track->points);
     memory_free(track->corners);

@@ -6,7 +6,6 @@
 #include "route/doorway.h"
 #include "route/hasten.h"
 #include "route/quicken.h"
-#include "route/recall.h"
 #include "route/relax.h"
 #include "route/way.h"
 
@@ -150,9 +149,7 @@ static Rectangle relieved(const Rectangle *body, double by) {
     return smaller;
 }
 
-/* Returns the radius of a disc about the axle that never leaves a body: the same for all bodies that are searched for,
- * so that they share a field. */
-static double radius_within(const Rectangle *body) {
+double decide_radius(const Rectangle *body) {
     Rectangle least = relieved(body, MOST_RELIEF);
     return fmax(fmin(least.half_width, least.half_length - fabs(least.ahead)), 0);
 }
@@ -162,7 +159,7 @@ static SearchAnswer propose(const Decide *decide, const Rung *rung, int least_re
     Rectangle body = relieved(decide->body, rung->relief - decide->margin + SEARCH_CLEARANCE);
     SearchGrain grain = *rung->grain;
     grain.least_reversals = least_reversals;
-    return search_legs(decide->query, decide->goals, decide->goal_count, &body, radius_within(decide->body), &grain,
+    return search_legs(decide->query, decide->goals, decide->goal_count, &body, decide_radius(decide->body), &grain,
                        most_reversals, track, NULL);
 }
 
@@ -463,7 +460,7 @@ static SearchAnswer search_truly(const Decide *decide, SearchTrack *track, size_
         /* The finest grain cannot succeed if the previous one exhausted its nodes. */
         if ((decide->coarsely && t > 0) || (t == TRUE_RUNGS - 1 && answer == SEARCH_GAVE_UP))
             break;
-        answer = search_legs(query, decide->goals, decide->goal_count, decide->body, radius_within(decide->body),
+        answer = search_legs(query, decide->goals, decide->goal_count, decide->body, decide_radius(decide->body),
                              &true_grains[t], query->most_reversals, track, pins);
         if (answer == SEARCH_FOUND || answer == SEARCH_INTERRUPTED)
             break;
@@ -471,9 +468,8 @@ static SearchAnswer search_truly(const Decide *decide, SearchTrack *track, size_
     return answer;
 }
 
-/* Decides in either manner; the parameters are those of decide_way. */
-static DecideAnswer decide_fresh(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
-                                 bool coarsely, double depth, SearchTrack *track, size_t *pins, FitPlace *tightest) {
+DecideAnswer decide_directly(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
+                             bool coarsely, double depth, SearchTrack *track, size_t *pins, FitPlace *tightest) {
     double clearance = search_clearance(query->space, body, query->at, query->heading, MARGIN + HAIR, NULL);
     Decide decide = {.query = query,
                      .body = body,
@@ -539,56 +535,13 @@ static DecideAnswer decide_fresh(const RouteQuery *query, const Rectangle *body,
     return whole ? result : DECIDE_INTERRUPTED;
 }
 
-/* Decides how to drive, or returns the kept answer to an equal question in another house where it still holds. */
-static DecideAnswer decide_how(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
-                               bool coarsely, double depth, SearchTrack *track, size_t *pins, FitPlace *tightest) {
-    if (!query->recall)
-        return decide_fresh(query, body, goals, goal_count, coarsely, depth, track, pins, tightest);
-    RecallQuestion question = {query, body, goals, goal_count, radius_within(body), depth, coarsely};
-    RecallAnswer answer = {.pins = pins};
-    if (recall_find(query->recall, &question, &answer)) {
-        search_track_clear(track);
-        *track = answer.track;
-        if (answer.has_tightest)
-            *tightest = answer.tightest;
-        return (DecideAnswer)answer.decided;
-    }
-    RecallWatch watch;
-    recall_watch(&watch, &question);
-    RouteQuery watched = *query;
-    watched.space = &watch.space;
-    watched.watched = query->space;
-    watched.times = watch.times;
-    DecideAnswer decided = decide_fresh(&watched, body, goals, goal_count, coarsely, depth, track, pins, tightest);
-    answer = (RecallAnswer){.decided = (int)decided, .track = *track, .pins = pins};
-    answer.has_tightest = decided == DECIDE_NONE || decided == DECIDE_TOO_NARROW;
-    if (answer.has_tightest)
-        answer.tightest = *tightest;
-    recall_keep(query->recall, &question, &watch, decided == DECIDE_INTERRUPTED ? NULL : &answer);
-    return decided;
-}
-
-DecideAnswer decide_way(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
-                        double depth, SearchTrack *track, size_t *pins, FitPlace *tightest) {
-    return decide_how(query, body, goals, goal_count, false, depth, track, pins, tightest);
-}
-
-DecideAnswer decide_quickly(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
-                            SearchTrack *track) {
-    size_t *pins = memory_zeroed(goal_count, sizeof *pins);
-    FitPlace tightest;
-    DecideAnswer answer = decide_how(query, body, goals, goal_count, true, 0, track, pins, &tightest);
-    memory_free(pins);
-    return answer;
-}
-
 SearchAnswer decide_with_skids(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
                                SearchTrack *track) {
     SearchAnswer answer = SEARCH_NONE;
     for (int s = 0; s < SKIDDING_RUNGS && answer != SEARCH_FOUND && answer != SEARCH_INTERRUPTED; s++) {
         if (s == SKIDDING_RUNGS - 1 && answer == SEARCH_GAVE_UP)
             break;
-        answer = search_legs(query, goals, goal_count, body, radius_within(body), &skidding_grains[s],
+        answer = search_legs(query, goals, goal_count, body, decide_radius(body), &skidding_grains[s],
                              query->most_reversals, track, NULL);
     }
     return answer;

@@ -1,4 +1,5 @@
-/* Decides how a chair drives: the quickest of the ways that are found and proved free. See decide.c. */
+/* Decides how a chair drives: the quickest of the ways that are found and proved free. See decide.c. To be asked by
+ * settle.h. */
 #pragma once
 
 #include <stdbool.h>
@@ -16,16 +17,13 @@ typedef enum DecideAnswer {
     DECIDE_INTERRUPTED,
 } DecideAnswer;
 
-/* Finds a way that passes the goals in order, the last of which is across an exit, and writes it to `track`, an empty
- * one, from the start on, without clearances; `pins` (goal_count) are the poses at which the legs of one that was only
- * searched end. Without one `tightest` is the place that decides whether the body fits,
- * up to a lack of `depth` m (fit.h). */
-DecideAnswer decide_way(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
-                        double depth, SearchTrack *track, size_t *pins, FitPlace *tightest);
+/* Finds a way that passes the goals in order, as settle_way does; `coarsely`: by the coarse grains alone. */
+DecideAnswer decide_directly(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
+                             bool coarsely, double depth, SearchTrack *track, size_t *pins, FitPlace *tightest);
 
-/* Decides by the coarse grains alone: where it finds a way, decide_way finds one as well, though perhaps another. */
-DecideAnswer decide_quickly(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
-                            SearchTrack *track);
+/* Returns the radius of a disc about the axle that never leaves a body, m: the same for all bodies that are searched
+ * for, so that they share a field. */
+double decide_radius(const Rectangle *body);
 
 /* Searches a way on which the drive wheels may skid sideways, in turns about the body's middle, and writes it to
  * `track`, an empty one, with the length of the skids: proved free, but neither smooth nor known to be the least. */

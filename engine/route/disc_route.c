@@ -259,7 +259,7 @@ bool disc_route_leg(SearchTrack *track, Fields *fields, const Plan *plan, const 
                     const Profile *profile, double radius, const Goal *goal, bool lifts) {
     Vec2 start = track->poses[track->count - 1].at;
     Line line = {0};
-    FieldKey key = {plan, space, profile, lifts ? radius : radius + TIGHT, !lifts, *goal, NULL};
+    FieldKey key = {plan, space, profile, lifts ? radius : radius + TIGHT, !lifts, *goal, NULL, {.count = 0}};
     const Field *field = fields_acquire(fields, &key);
     bool found = walk_down(field, start, lifts ? fmax(radius - space->cell, 0) : radius, &line) &&
                  (!lifts || lift(&line, space, radius)) &&

@@ -91,6 +91,18 @@ void field_ground_init_exact(Ground *ground, const Plan *plan, const FreeSpace *
     mark_doors(ground);
 }
 
+void field_ground_bar(Ground *ground, const FieldBars *bars) {
+    const FreeSpace *space = ground->space;
+    ground->bars = *bars;
+    for (size_t b = 0; b < bars->count; b++)
+        for (int j = 0; j < space->ny; j++)
+            for (int i = 0; i < space->nx; i++) {
+                Vec2 at = {space->origin.x + i * space->cell, space->origin.y + j * space->cell};
+                if (vec2_distance(at, bars->all[b].at) <= bars->all[b].radius)
+                    ground->slowness[(size_t)j * (size_t)space->nx + (size_t)i] = 0;
+            }
+}
+
 void field_ground_clear(Ground *ground) {
     memory_free(ground->slowness);
     memory_free(ground->doors);
@@ -132,16 +144,11 @@ double field_delay(const Ground *ground, Vec2 from, Vec2 to) {
 
 bool field_exit_usable(const Goal *goal, const Plan *plan, size_t exit) {
     return (goal->exit == SIZE_MAX || goal->exit == exit) && plan->exits[exit].closes > goal->time &&
-           !(goal->open && plan->exits[exit].opens > goal->time);
+           plan->exits[exit].opens <= goal->opens_by;
 }
 
-Goal field_exit_goal(const Plan *plan, size_t exit, double time, bool open_first) {
-    Goal goal = {.exit = exit, .time = time, .open = open_first};
-    for (size_t e = 0; open_first && e < plan->exit_count; e++)
-        if (field_exit_usable(&goal, plan, e))
-            return goal;
-    goal.open = false;
-    return goal;
+Goal field_exit_goal(size_t exit, double time, double opens_by) {
+    return (Goal){.exit = exit, .time = time, .opens_by = opens_by};
 }
 
 bool field_goal_reached(const Goal *goal, const Plan *plan, Vec2 from, Vec2 to, size_t *exit) {
@@ -262,6 +269,10 @@ static void mark_cramped(const Spread *spread) {
     for (size_t i = 0; i < ground->line_count; i++) {
         Box box = box_include(box_include(box_empty(), ground->lines[i].from), ground->lines[i].to);
         freespace_mark(space, box_expand(box, (DOOR_BAND + OPEN_REACH) * space->cell), spread->marks);
+    }
+    for (size_t b = 0; b < ground->bars.count; b++) {
+        const FieldBar *bar = &ground->bars.all[b];
+        freespace_mark(space, box_around(bar->at, bar->radius + OPEN_REACH * space->cell), spread->marks);
     }
 }
 

@@ -15,12 +15,25 @@
 
 /* The end of a leg of a route: within `radius` of a point, or across one of several lines. */
 typedef struct Goal {
-    Vec2 at;       /* m */
-    double radius; /* m; 0: across an exit */
-    size_t exit;   /* SIZE_MAX: any usable exit */
-    double time;   /* s, time from which an exit must be usable */
-    bool open;     /* True if exits that open only later than `time` do not count */
+    Vec2 at;         /* m */
+    double radius;   /* m; 0: across an exit */
+    size_t exit;     /* SIZE_MAX: any usable exit */
+    double time;     /* s, time from which an exit must be usable */
+    double opens_by; /* s: exits that open only later do not count; HUGE_VAL: all count */
 } Goal;
+
+/* A disc that no time leads through, since the body cannot pass there although the disc can (settle.c). */
+typedef struct FieldBar {
+    Vec2 at;       /* m */
+    double radius; /* m */
+} FieldBar;
+
+enum { FIELD_BARS_MOST = 4 };
+
+typedef struct FieldBars {
+    FieldBar all[FIELD_BARS_MOST]; /* (count) */
+    size_t count;
+} FieldBars;
 
 typedef struct DoorLine {
     Vec2 from, to; /* m */
@@ -36,6 +49,7 @@ typedef struct Ground {
     unsigned char *doors; /* (ny x nx) 1: near a closed door; NULL: no closed door */
     DoorLine *lines;      /* (line_count) */
     size_t line_count;
+    FieldBars bars;
     const Stop *stop; /* set: searches on this ground stop; NULL: never */
 } Ground;
 
@@ -51,6 +65,8 @@ void field_ground_init(Ground *ground, const Plan *plan, const FreeSpace *space,
 /* Does the same without the allowance for the grid's rounding: every point that is let through is truly free. */
 void field_ground_init_exact(Ground *ground, const Plan *plan, const FreeSpace *space, const Profile *profile,
                              double radius);
+/* Bars the ground, before a field is computed on it. */
+void field_ground_bar(Ground *ground, const FieldBars *bars);
 void field_ground_clear(Ground *ground);
 
 /* Returns the speed of the steering law, m/s, where the nearest obstacle is `distance` m from the body's middle. */
@@ -64,11 +80,11 @@ double field_discomfort(double clearance);
 /* Returns the delay of closed doors on the straight line between two places, s. */
 double field_delay(const Ground *ground, Vec2 from, Vec2 to);
 
-/* Returns the goal across `exit`, or across any exit for SIZE_MAX, for a person who starts at `time` s. `open_first`:
- * exits that are not open yet are excluded, provided that another one is open by then. */
-Goal field_exit_goal(const Plan *plan, size_t exit, double time, bool open_first);
+/* Returns the goal across `exit`, or across any exit for SIZE_MAX, for a person who starts at `time` s, of those that
+ * open by `opens_by`, s (HUGE_VAL: any). */
+Goal field_exit_goal(size_t exit, double time, double opens_by);
 
-/* True if the exit is or will be open for a person who starts at the goal's time. */
+/* True if the exit is or will be open, by the goal's opens_by, for a person who starts at the goal's time. */
 bool field_exit_usable(const Goal *goal, const Plan *plan, size_t exit);
 
 /* True if a straight motion ends the leg: it ends near the point, or plan_geometry_leads_out says that it leads out.

@@ -70,10 +70,19 @@ static bool same_goal(const Goal *one, const Goal *other, const Plan *plan) {
     return true;
 }
 
+static bool same_bars(const FieldBars *one, const FieldBars *other) {
+    bool same = one->count == other->count;
+    for (size_t b = 0; b < one->count && same; b++)
+        same = vec2_distance(one->all[b].at, other->all[b].at) <= 0 &&
+               !(one->all[b].radius < other->all[b].radius || one->all[b].radius > other->all[b].radius);
+    return same;
+}
+
 static bool same_key(const FieldKey *one, const FieldKey *other) {
     return one->plan == other->plan && one->space == other->space && one->profile == other->profile &&
            !(one->radius < other->radius || one->radius > other->radius) && one->exact == other->exact &&
-           one->stop == other->stop && same_goal(&one->goal, &other->goal, one->plan);
+           one->stop == other->stop && same_bars(&one->bars, &other->bars) &&
+           same_goal(&one->goal, &other->goal, one->plan);
 }
 
 static size_t field_bytes(const FieldKey *key) {
@@ -112,6 +121,7 @@ static void build(Shared *shared) {
     else
         field_ground_init(&shared->ground, key->plan, key->space, key->profile, key->radius);
     shared->ground.stop = key->stop;
+    field_ground_bar(&shared->ground, &key->bars);
     field_init(&shared->field, &shared->ground, &key->goal);
 }
 

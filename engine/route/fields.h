@@ -19,6 +19,7 @@ typedef struct FieldKey {
     bool exact;    /* True if the ground has no allowance for the grid's rounding */
     Goal goal;
     const Stop *stop; /* stop flag of the ground */
+    FieldBars bars;
 } FieldKey;
 
 /* Opaque; safe for several threads. The results do not depend on earlier requests. */

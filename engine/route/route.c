@@ -7,7 +7,7 @@
 #include "base/memory.h"
 #include "base/real.h"
 #include "route/blockage.h"
-#include "route/decide.h"
+#include "route/settle.h"
 #include "route/fit.h"
 #include "route/frame.h"
 #include "route/narrowest.h"
@@ -48,7 +48,7 @@ static Legs legs_make(const RouteQuery *query) {
     Legs legs = {memory_zeroed(query->via_count + 1, sizeof(Goal)), query->via_count + 1};
     for (size_t i = 0; i < query->via_count; i++)
         legs.goals[i] = (Goal){.at = query->via[i], .radius = query->profile->length / 2, .exit = SIZE_MAX};
-    legs.goals[query->via_count] = field_exit_goal(query->plan, query->exit, query->time, query->open_first);
+    legs.goals[query->via_count] = field_exit_goal(query->exit, query->time, query->opens_by);
     return legs;
 }
 
@@ -225,7 +225,7 @@ static bool stick(Blockage *blockage, const RouteQuery *query, const Legs *legs,
     while (yes > 0 ? yes - no > SMALLER_BY && widen_door_at(blockage, query) < 0 : by <= SMALLEST) {
         Rectangle smaller = shrunk(body, least + by);
         SearchTrack track = {0};
-        DecideAnswer answer = decide_quickly(query, &smaller, legs->goals, legs->count, &track);
+        DecideAnswer answer = settle_quickly(query, &smaller, legs->goals, legs->count, &track);
         bool passes = answer == DECIDE_FOUND || answer == DECIDE_SEARCHED;
         if (passes) {
             blockage_of_track(blockage, query, body, &track);
@@ -326,7 +326,7 @@ static void search_drive(Route *route, const RouteQuery *query, const Legs *legs
     FitPlace tightest;
     bool whole = true;
     double depth = query->whether ? 0 : SHALLOW;
-    switch (decide_way(query, body, legs->goals, legs->count, depth, &track, pins, &tightest)) {
+    switch (settle_way(query, body, legs->goals, legs->count, depth, &track, pins, &tightest)) {
     case DECIDE_FOUND:
         go_beyond_exit(&track, query, body);
         measure(&track, query, body);

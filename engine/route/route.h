@@ -89,7 +89,7 @@ typedef struct RouteQuery {
     size_t via_count;
     size_t exit;     /* SIZE_MAX: the quickest usable exit */
     double time;     /* s, start time of the person: exits closed for good by then are not usable */
-    bool open_first; /* True if exits that open later do not count while another one is open */
+    double opens_by; /* s: exits that open only later are not usable; HUGE_VAL: they are */
     double pressed;  /* m, > 0 in the middle of a run: largest overlap with an obstacle at the start. The route of a
                         chair that overlaps then begins straight back, or ahead, until it stands ROUTE_EASED clear;
                         where that does not clear it, it begins ROUTE_EASED away from nearby obstacles if there is
@@ -109,6 +109,7 @@ typedef struct RouteQuery {
     struct Recall *recall;    /* answers of other houses, which may still hold (recall.h); NULL: none, with the same
                                  result */
     const FreeSpace *watched; /* of which `space` is a copy that notes what is read; NULL: it is none */
+    const FieldBars *bars;    /* where the search is not led; NULL: none */
     Reads *times;             /* (via_count + 1) with `watched`: notes which times to each goal are read */
 } RouteQuery;
 

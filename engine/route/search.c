@@ -522,18 +522,23 @@ SearchAnswer search_leg(SearchTrack *track, const Field *field, const FreeSpace 
     return answer;
 }
 
+const Field *search_field(const RouteQuery *query, const Goal *goal, double radius, const FieldBars *bars) {
+    const FreeSpace *shared = query->watched ? query->watched : query->space;
+    FieldKey key = {query->plan, shared, query->profile, radius, .goal = *goal, .stop = query->stop};
+    if (bars)
+        key.bars = *bars;
+    return fields_acquire(query->fields, &key);
+}
+
 SearchAnswer search_legs(const RouteQuery *query, const Goal *goals, size_t goal_count, const Rectangle *body,
                          double radius, const SearchGrain *grain, int most_reversals, SearchTrack *track,
                          size_t *pins) {
-    const FreeSpace *shared = query->watched ? query->watched : query->space;
-    FieldKey key = {query->plan, shared, query->profile, radius, .stop = query->stop};
     search_track_clear(track);
     search_track_add(track, (Pose){query->at, query->heading, 0, 0});
     SearchAnswer answer = SEARCH_FOUND;
     for (size_t leg = 0; leg < goal_count && answer == SEARCH_FOUND; leg++) {
-        key.goal = goals[leg];
-        const Field *field = fields_acquire(query->fields, &key);
-        answer = search_leg(track, field, query->space, query->times ? &query->times[leg] : NULL, &key.goal, body,
+        const Field *field = search_field(query, &goals[leg], radius, query->bars);
+        answer = search_leg(track, field, query->space, query->times ? &query->times[leg] : NULL, &goals[leg], body,
                             grain, leg + 1 == goal_count ? grain->least_reversals : 0, most_reversals);
         if (pins)
             pins[leg] = track->count - 1;

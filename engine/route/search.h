@@ -61,6 +61,9 @@ double search_clearance(const FreeSpace *space, const Rectangle *body, Vec2 at, 
 SearchAnswer search_leg(SearchTrack *track, const Field *field, const FreeSpace *space, Reads *times, const Goal *goal,
                         const Rectangle *body, const SearchGrain *grain, int least_reversals, int most_reversals);
 
+/* Returns the field that leads a search for the query to a goal: the caller must release it with fields_release. */
+const Field *search_field(const RouteQuery *query, const Goal *goal, double radius, const FieldBars *bars);
+
 /* Searches from the query's start through all goals in order, into `track`. `radius`: m, of a disc about the axle that
  * never leaves the body. `pins` (goal_count; may be NULL) are the indices of the poses at which the legs end. */
 SearchAnswer search_legs(const RouteQuery *query, const Goal *goals, size_t goal_count, const Rectangle *body,

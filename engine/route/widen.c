@@ -4,7 +4,7 @@
 
 #include "base/memory.h"
 #include "plan/plan_geometry.h"
-#include "route/decide.h"
+#include "route/settle.h"
 #include "route/disc_route.h"
 #include "space/outline.h"
 
@@ -35,7 +35,7 @@ static WidenAnswer ask(const RouteQuery *query, const Passenger *who) {
     SearchTrack track = {0};
     DecideAnswer answer = DECIDE_NONE;
     if (who->body)
-        answer = decide_quickly(query, who->body, who->goals, who->goal_count, &track);
+        answer = settle_quickly(query, who->body, who->goals, who->goal_count, &track);
     else if (disc_route_find(&track, query, who->goals, who->goal_count, who->radius))
         answer = DECIDE_FOUND;
     search_track_clear(&track);

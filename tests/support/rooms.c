@@ -39,6 +39,7 @@ void rooms_build(Rooms *fixture) {
     fixture->query.space = &fixture->space;
     fixture->query.profile = &fixture->profile;
     fixture->query.exit = SIZE_MAX;
+    fixture->query.opens_by = HUGE_VAL;
     fixture->query.most_reversals = 6;
 }
 
@@ -160,7 +161,7 @@ void rooms_check_path(const Rooms *fixture, const Route *route) {
 double rooms_fit_margin(const Rooms *fixture) {
     const RouteQuery *query = &fixture->query;
     Rectangle body = search_body(query->profile);
-    Goal goal = field_exit_goal(query->plan, query->exit, query->time, query->open_first);
+    Goal goal = field_exit_goal(query->exit, query->time, query->opens_by);
     FitPlace tightest;
     CHECK(fit_margin(query, &body, &goal, 1, -0.1, ROOMS_FIT_MOST, &tightest) == FIT_KNOWN);
     return fmin(tightest.margin + FIT_RESOLUTION / 2, ROOMS_FIT_MOST);

@@ -5,7 +5,7 @@
 
 #include "base/memory.h"
 #include "rooms.h"
-#include "route/decide.h"
+#include "route/settle.h"
 #include "route/hasten.h"
 #include "route/pace.h"
 
@@ -31,11 +31,11 @@ static double decided_time(Rooms *fixture, int *reversals) {
     RouteQuery query = fixture->query;
     query.fields = fields_create();
     Rectangle body = search_body(query.profile);
-    Goal goal = field_exit_goal(query.plan, SIZE_MAX, 0, false);
+    Goal goal = field_exit_goal(SIZE_MAX, 0, HUGE_VAL);
     SearchTrack track = {0};
     FitPlace tightest;
     size_t pin;
-    CHECK(decide_way(&query, &body, &goal, 1, 0.05, &track, &pin, &tightest) == DECIDE_FOUND);
+    CHECK(settle_way(&query, &body, &goal, 1, 0.05, &track, &pin, &tightest) == DECIDE_FOUND);
     *reversals = track.reversals;
     Way way = way_of_track(&track, &query.plan->exits[0], NULL, 0, 0.05);
     double time = hasten_time(&way, query.space, &body, query.profile);
@@ -53,7 +53,7 @@ static double skids(double width) {
     RouteQuery query = fixture.query;
     query.fields = fields_create();
     Rectangle body = search_body(query.profile);
-    Goal goal = field_exit_goal(query.plan, SIZE_MAX, 0, false);
+    Goal goal = field_exit_goal(SIZE_MAX, 0, HUGE_VAL);
     SearchTrack track = {0};
     bool found = decide_with_skids(&query, &body, &goal, 1, &track) == SEARCH_FOUND;
     double skid = 0;
@@ -126,11 +126,11 @@ TEST(a_body_that_does_not_fit_is_proved_not_to) {
     rooms_make_corner(&fixture, 1.1, 0.63, 0.82, 0.82, false);
     fixture.query.fields = fields_create();
     Rectangle body = search_body(fixture.query.profile);
-    Goal goal = field_exit_goal(fixture.query.plan, SIZE_MAX, 0, false);
+    Goal goal = field_exit_goal(SIZE_MAX, 0, HUGE_VAL);
     SearchTrack track = {0};
     FitPlace tightest;
     size_t pin;
-    CHECK(decide_way(&fixture.query, &body, &goal, 1, 0.05, &track, &pin, &tightest) == DECIDE_TOO_NARROW);
+    CHECK(settle_way(&fixture.query, &body, &goal, 1, 0.05, &track, &pin, &tightest) == DECIDE_TOO_NARROW);
     CHECK_NEAR((double)track.count, 0, 0);
     CHECK_NEAR(tightest.margin, (2 * (M_SQRT2 * 0.82 - 0.63) - 1.1) / 6, 0.004);
     fields_destroy(fixture.query.fields);

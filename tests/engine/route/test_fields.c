@@ -78,7 +78,7 @@ TEST(one_field_serves_all_who_wish_for_the_same) {
     fixture.exits[0].closes = 10;
     Fields *fields = fields_create();
     FieldKey key = {&fixture.plan, &fixture.space, &fixture.profile, 0.3,
-                    .goal = field_exit_goal(&fixture.plan, SIZE_MAX, 0, false)};
+                    .goal = field_exit_goal(SIZE_MAX, 0, HUGE_VAL)};
     const Field *one = fields_acquire(fields, &key);
     key.goal.time = 9; /* the exit is usable as before */
     const Field *other = fields_acquire(fields, &key);
@@ -143,7 +143,7 @@ static void check_times(const Plan *plan, const FreeSpace *space, const Profile 
     size_t points = (size_t)nx * (size_t)ny, reached = 0, wrong = 0;
     Ground ground;
     Field field;
-    Goal goal = field_exit_goal(plan, SIZE_MAX, 0, false);
+    Goal goal = field_exit_goal(SIZE_MAX, 0, HUGE_VAL);
     field_ground_init(&ground, plan, space, profile, radius);
     field_init(&field, &ground, &goal);
     float *time = memory_zeroed(points, sizeof *time), *asked = memory_zeroed(points, sizeof *asked);

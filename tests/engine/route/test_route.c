@@ -297,24 +297,24 @@ TEST(planned_again_halfway_a_closed_exit_is_left_for_another) {
     rooms_free(&fixture);
 }
 
-TEST(an_exit_that_opens_later_is_left_out_only_if_another_is_open) {
+TEST(an_exit_that_opens_only_later_does_not_count) {
     Rooms fixture;
     rooms_make_two(&fixture, 0.63, 0.9, DOOR_OPEN);
     fixture.exits[0].opens = 50;
-    fixture.exits[1] = (Exit){.id = "e2", .from = {0.9, 0}, .to = {0.9, 3}, .closes = HUGE_VAL};
+    fixture.exits[1] = (Exit){.id = "e2", .from = {0.9, 0}, .to = {0.9, 3}, .opens = 20, .closes = HUGE_VAL};
     fixture.plan.exit_count = 2;
     fixture.query.at = vec2(4.2, 1.5);
-    fixture.query.time = 10;
-    const size_t expected[2][3] = {{0, 0, 0}, {1, 0, 0}}; /* by open_first and case */
-    for (int open_first = 0; open_first < 2; open_first++)
-        for (int n = 0; n < 3; n++) {
-            fixture.exits[1].opens = n == 1 ? 60 : 0;   /* neither is open */
-            fixture.query.exit = n == 2 ? 0 : SIZE_MAX; /* only the first counts */
-            fixture.query.open_first = open_first;
-            Route route = route_drive(&fixture.query);
-            CHECK(route.answer == ROUTE_FOUND && route.exit == expected[open_first][n]);
-            route_free(&route);
-        }
+    const struct {
+        double opens_by; /* s */
+        RouteAnswer answer;
+        size_t exit;
+    } cases[] = {{HUGE_VAL, ROUTE_FOUND, 0}, {50, ROUTE_FOUND, 0}, {49, ROUTE_FOUND, 1}, {19, ROUTE_NO_EXIT, SIZE_MAX}};
+    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
+        fixture.query.opens_by = cases[n].opens_by;
+        Route route = route_drive(&fixture.query);
+        CHECK(route.answer == cases[n].answer && route.exit == cases[n].exit);
+        route_free(&route);
+    }
     rooms_free(&fixture);
 }
 
