@@ -167,7 +167,7 @@ static void force_of_obstacles(World *world, size_t i) {
     for (size_t g = 0; g < count; g++)
         if (begins[g])
             touch_begin(&world->sense[i], profile, world->axis[i], middle_of_blow(gaps, begins, count, g),
-                        gaps[g].normal, rates[g]);
+                        gaps[g].normal, rates[g], HUGE_VAL);
     memcpy(slips, kept, count * sizeof *kept);
     world->slip_count[seat] = (int)count;
     world->force[i] = vec2_add(world->force[i], force);
@@ -209,9 +209,11 @@ static void force_of_pair(World *world, RidePair *pair, bool senses) {
             vec2_add(ring, gap_force(&contact, gap, gap->gap, rate, sliding, world->clock.dt, &slip.body, &hard));
         slip.touches = gap->gap < 0;
         if (slip.touches && !(known && known->touches)) {
-            touch_begin(&world->sense[i], a, world->axis[i], gap->arm, gap->normal, rate);
+            double mass_a = touch_mass(a, world->axis[i], gap->arm, gap->normal);
+            double mass_b = touch_mass(b, world->axis[j], arm_b, gap->normal);
+            touch_begin(&world->sense[i], a, world->axis[i], gap->arm, gap->normal, rate, mass_b);
             if (world_rides(world, j))
-                touch_begin(&world->sense[j], b, world->axis[j], arm_b, gap->normal, rate);
+                touch_begin(&world->sense[j], b, world->axis[j], arm_b, gap->normal, rate, mass_a);
         }
         if (pair->slip_count < RIDE_SLIPS)
             pair->slips[pair->slip_count++] = slip;

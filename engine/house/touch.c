@@ -23,11 +23,11 @@ static int part_at(const Profile *profile, Vec2 axis, Vec2 arm) {
     return ahead < END - profile->axle ? PART_TAIL : PART_SIDE;
 }
 
-void touch_begin(Sense *sense, const Profile *profile, Vec2 axis, Vec2 arm, Vec2 normal, double rate) {
+void touch_begin(Sense *sense, const Profile *profile, Vec2 axis, Vec2 arm, Vec2 normal, double rate, double against) {
     if (-rate <= sense->impact)
         return;
     sense->impact = -rate;
-    sense->mass = touch_mass(profile, axis, arm, normal);
+    sense->mass = 1 / (1 / touch_mass(profile, axis, arm, normal) + 1 / against);
     sense->energy = sense->mass * rate * rate / 2;
     sense->part = part_at(profile, axis, arm);
 }

@@ -432,12 +432,15 @@ TEST(an_impact_has_the_mass_that_resists_it) {
     /* A front corner sideways, 0.82 m ahead of the axle: m (k^2 + c^2) / 0.82^2. */
     CHECK_NEAR(touch_mass(&chair, axis, vec2(0.67, 0.315), vec2(0, -1)), 17.3, 0.02 * 17.3);
     Sense sense = {0};
-    touch_begin(&sense, &chair, axis, vec2(0.67, 0.1), vec2(-1, 0), 0.1); /* it leaves */
+    touch_begin(&sense, &chair, axis, vec2(0.67, 0.1), vec2(-1, 0), 0.1, HUGE_VAL); /* it leaves */
     CHECK_NEAR(sense.impact, 0, 0);
-    touch_begin(&sense, &chair, axis, vec2(0.67, 0), vec2(-1, 0), -0.3);
+    touch_begin(&sense, &chair, axis, vec2(0.67, 0), vec2(-1, 0), -0.3, HUGE_VAL);
     CHECK_NEAR(sense.impact, 0.3, 0);
     CHECK_NEAR(sense.energy, 80.2 * 0.09 / 2, 1e-9); /* 3.6 J */
     CHECK(sense.part == PART_FRONT);
+    sense = (Sense){.impact = 0}; /* another chair head on, which gives way as much */
+    touch_begin(&sense, &chair, axis, vec2(0.67, 0), vec2(-1, 0), -0.6, 80.2);
+    CHECK_NEAR(sense.energy, 40.1 * 0.36 / 2, 1e-9);
 }
 
 TEST(switches_of_the_paper_s_chair_change_its_run) {
