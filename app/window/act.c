@@ -67,12 +67,14 @@ static void set_theme(Window *window) {
         gallery_set_theme(window->gallery, window->theme);
 }
 
-/* As a drawer over the view the panel is closed at first. */
+/* As a drawer over the view the panel is closed at first; it opens even if it was hidden beside a larger view. */
 static void toggle_panel(Window *window) {
-    if (window->frame.drawer)
-        window->drawer = !window->drawer;
-    else
+    if (window->frame.drawer) {
+        window->drawer = !(window->panel && window->drawer);
+        window->panel |= window->drawer;
+    } else {
         window->panel = !window->panel;
+    }
 }
 
 /* Opens the toolbar, or closes it and puts the tool down. */

@@ -305,6 +305,11 @@ Action keys_find(int32_t key, int mods, KeyPlace place, bool single_keys) {
     return found;
 }
 
+Action keys_find_tool(int32_t key, int mods) {
+    Action tool = keys_find(key, mods, KEY_PLAN, true);
+    return tool >= ACTION_TOOL_SELECT && tool <= ACTION_TOOL_IMAGE ? tool : ACTION_NONE;
+}
+
 const char *keys_help(Arena *arena, Action action) {
     KeyRow row = keys_row(action);
     return text_in_arena(arena, "%s (%s): %s", row.name, row.key, row.help);

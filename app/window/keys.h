@@ -173,6 +173,9 @@ KeyRow keys_row(Action action);
  * ACTION_NONE: it has none. Single letters count only if `single_keys`; `mods` as in sdl_window.h. */
 Action keys_find(int32_t key, int mods, KeyPlace place, bool single_keys);
 
+/* Returns the tool that a key takes up in the view; ACTION_NONE: none. */
+Action keys_find_tool(int32_t key, int mods);
+
 /* Parses a key's name into its code and mods. */
 void keys_read(const char *text, int32_t *key, int *mods);
 

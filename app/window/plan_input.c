@@ -9,6 +9,7 @@
 #define REACH 10.0 /* design points: items within this distance are hit */
 
 #define ZOOM_OUT 1.25
+#define PAN_LEAST 4.0 /* design points: a shorter way of the mouse is a click */
 
 /* m; degrees. */
 #define NUDGE 0.01
@@ -94,11 +95,43 @@ static void say_fixed(Window *window, const char *fixed) {
     notice_post(window, "%s are fixed while watching: Edit plan (W)", fixed);
 }
 
+/* Moves the view while the left button is held that was pressed on the floor, unless the plan is edited. If the view
+ * has not been moved, the editor sees a click when the button is released. Returns false if the mouse does something
+ * else.
+ */
+static bool pan(Window *window, Tab *tab, const UiGrab *grab) {
+    PlanInput *input = &window->plan_input;
+    Editor *editor = tab_editor(tab);
+    Vec2 at = floor_at(window, tab, grab->at);
+    if (grab->pressed) {
+        bool selects = editor_tool(editor) == TOOL_SELECT && !editor_gesture(editor)->active;
+        Item under = tab->laboratory->pick(tab->session, at, tab_time(tab), (Item){0});
+        input->pans = !window->editing && selects && !under.kind;
+        input->panned = false;
+        input->pressed_at = grab->at;
+        input->twice = grab->twice;
+    }
+    if (!input->pans || !(grab->held || grab->released))
+        return false;
+    ui_focus(window->ui, "view");
+    if (input->panned || vec2_distance(grab->at, input->pressed_at) > PAN_LEAST) {
+        Vec2 from = input->panned ? vec2_sub(grab->at, grab->delta) : input->pressed_at;
+        tab_pan(tab, vec2_sub(floor_at(window, tab, from), at));
+        input->panned = window->dirty = true;
+    }
+    if (grab->released && !input->panned) {
+        Pointer pointer = pointer_at(window, tab, grab->at);
+        editor_press(editor, &pointer, input->twice);
+    }
+    input->pans = !grab->released;
+    return input->pans || input->panned;
+}
+
 void plan_input_mouse(Window *window, const UiGrab *grab) {
     Tab *tab = window_tab(window);
     Editor *editor = tab_editor(tab);
     editor_fix(editor, !window->editing);
-    if (!grab->hovered && !grab->held && !grab->released)
+    if ((!grab->hovered && !grab->held && !grab->released) || pan(window, tab, grab))
         return;
     Pointer pointer = pointer_at(window, tab, grab->at);
     send_pointer(window, tab, &pointer);

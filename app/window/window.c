@@ -110,6 +110,8 @@ static void do_key(Window *window, const SdlWindowEvent *event) {
         return;
     bool single_keys = !types && place != KEY_ANYWHERE && window->settings.preferences.single_keys;
     Action action = keys_find(event->key, event->mods, place, single_keys);
+    if (!action && strcmp(ui_focus_pane(window->ui), "rail") == 0 && window->settings.preferences.single_keys)
+        action = keys_find_tool(event->key, event->mods);
     if (action) {
         snprintf(window->echo, sizeof window->echo, "%s   %s", keys_row(action).key, keys_row(action).name);
         window->echo_at = stopwatch_now();

@@ -59,6 +59,10 @@ typedef struct PlanInput {
     bool free;          /* snapping is off */
     bool number;        /* a slider is being dragged */
     bool refused;       /* a drag tries to move something that is fixed */
+    bool pans;          /* the left button was pressed on the floor: dragging moves the view, */
+    bool panned;        /* and has */
+    bool twice;         /* it was a double click */
+    Vec2 pressed_at;    /* where that was */
     bool holds;         /* playback is paused by a gesture, */
     bool plays_on;      /* and resumes afterwards */
     bool waits;         /* `key` waits for its text */

@@ -256,7 +256,7 @@ void plan_scene_still(Scene *scene, const House *house, PlanWalls *kept) {
     plan_walls_clear(&own);
 }
 
-/* A leaf reaches its end when its door counts as open. */
+/* A leaf reaches its end when its door counts as open; an exit that is shut is grey. */
 void plan_scene_moving(Scene *scene, const House *house, const double *door_opened, double time) {
     const Plan *plan = &house->plan;
     for (size_t i = 0; i < plan->door_count; i++) {
@@ -265,6 +265,9 @@ void plan_scene_moving(Scene *scene, const House *house, const double *door_open
         if (outline_door_moves(door))
             add_door(scene, plan, door, real_clamp(1 + (time - door_opened[i]) / takes, 0, 1));
     }
+    for (size_t e = 0; e < plan->exit_count; e++)
+        if (plan_geometry_bars(plan, e, time))
+            scene_add_line(scene, ROLE_DIM_TEXT, EXIT_BAND, (Vec2[]){plan->exits[e].from, plan->exits[e].to}, 2);
 }
 
 static Primitive *add_tag(Scene *scene, Role fill, Vec2 at, const char *text) {

@@ -15,7 +15,7 @@
 void plan_scene_solids(Scene *scene, const House *house);
 
 /* Adds the plan without the doors that can be opened, and those doors at a time: door_opened is as in an Observation.
- * `kept` keeps the outlines of the walls for the next scene; or NULL. */
+ * `kept` keeps the outlines of the walls for the next scene; or NULL. Exits that are shut at that time are grey. */
 void plan_scene_still(Scene *scene, const House *house, PlanWalls *kept);
 void plan_scene_moving(Scene *scene, const House *house, const double *door_opened, double time);
 
