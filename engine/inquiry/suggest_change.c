@@ -122,6 +122,14 @@ bool suggest_change_stands_free(const Plan *plan, const Change *change) {
                 return false;
         }
     }
+    for (size_t d = 0; d < plan->door_count; d++) {
+        const Door *door = &plan->doors[d];
+        if (door->kind != DOOR_HINGED || door->state == DOOR_LOCKED)
+            continue;
+        solids_open_leaf(plan, door, plan->walls[door->wall_index].thickness / 2, solid);
+        if (!no_deeper(before, after, solid))
+            return false;
+    }
     return true;
 }
 

@@ -229,18 +229,19 @@ TEST(a_door_is_widened_only_where_its_wall_is_free) {
     plan_free(&plan);
 }
 
-TEST(a_piece_is_not_moved_through_walls_or_into_others) {
+TEST(a_piece_is_not_moved_through_walls_or_into_others_or_an_open_leaf) {
     Plan plan = {0};
     scratch_plan(&plan, "'walls': [{'id': 'w', 'points': [[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]], 'thickness': 0.1},"
                         "{'id': 'mid', 'points': [[2, 0], [2, 3]], 'thickness': 0.1}],"
-                        "'doors': [{'id': 'd1', 'wall': 'mid', 'at': 1.5, 'width': 0.9}],"
+                        "'doors': [{'id': 'd1', 'wall': 'mid', 'at': 1.5, 'width': 0.9, 'kind': 'hinged'}],"
                         "'furniture': [{'id': 'f1', 'centre': [1, 1.5], 'size': [0.4, 0.4]},"
                         "{'id': 'f2', 'centre': [1, 2.3], 'size': [0.4, 0.4]}]");
     static const struct {
         double far, direction;
         bool free;
-    } moves[] = {{0.3, 0, true},         {0.7, 0, true},         {0.8, 0, false},      {1.6, 0, false},
-                 {0.35, M_PI / 2, true}, {0.5, M_PI / 2, false}, {1, -M_PI / 2, true}, {1.3, -M_PI / 2, false}};
+    } moves[] = {{0.3, 0, true},       {0.7, 0, true},          {0.8, 0, false},
+                 {1.6, 0, false},      {0.35, M_PI / 2, true},  {0.5, M_PI / 2, false},
+                 {1, -M_PI / 2, true}, {1.3, -M_PI / 2, false}, {0.67, -0.733, false} /* the leaf of the open door */};
     for (size_t m = 0; m < sizeof moves / sizeof *moves; m++) {
         Change change = suggest_change_move(0, moves[m].far, moves[m].direction);
         CHECK(suggest_change_stands_free(&plan, &change) == moves[m].free);
