@@ -47,6 +47,8 @@ static const double STEEPEST_AIM = 0.6;
 static const double STOP_SHORT = 0.05;
 /* m: so much of an offset at the beginning of a piece of the path is the tracker's; the rest is aimed at. */
 static const double TRACKED = 0.01;
+/* m: a body that is farther off its line than this goes on beside it for a while. */
+static const double OFF_THE_LINE = 0.05;
 /* m: what is this much nearer than the plan and the shift allow is not in the plan. */
 static const double UNPLANNED = 2e-3;
 
@@ -99,6 +101,13 @@ static double shifted_clearance(const World *world, const Rectangle *body, const
     Vec2 axis = vec2_heading(point->heading);
     Vec2 at = vec2_along(vec2_along(point->at, shift, vec2_left(axis)), body->ahead, axis);
     return freespace_clearance(&world->house->space, at, axis, body->half_length, body->half_width, 0, NULL);
+}
+
+/* Returns how far to the left of the plan the body goes on, m: as it is aimed, and farther where it has come off that,
+ * as after it has given way. */
+static double shift_of(const Drive *drive) {
+    double aimed = drive->aside + drive->axle, off = drive->offset - aimed;
+    return aimed + off - real_clamp(off, -OFF_THE_LINE, OFF_THE_LINE);
 }
 
 /* Finds the first place ahead, up to where the chair could stop twice, at which the body, shifted as it is, would meet
@@ -195,7 +204,7 @@ void aim_take(const World *world, size_t i, Drive *drive, const Place *place, in
     stop_at_contact(&world->sense[i], drive);
     drive->axle += moved * (front_of(profile, drive) - drive->axle) / aim_ahead(profile);
     if (aim_steers(world, i) && (world->clock.step + i) % world->decision_steps == 0)
-        look_for_obstacles(world, i, drive, drive->aside + drive->axle, speed);
+        look_for_obstacles(world, i, drive, shift_of(drive), speed);
 }
 
 double aim_spot_error(const World *world, size_t i, size_t end) {

@@ -145,6 +145,12 @@ static bool makes_room(const World *world, size_t i, size_t j, const Sight *sigh
            precedes(world, i, j);
 }
 
+/* Returns the way that a chair which comes towards this person needs to stop, m, of the way between the two. */
+static double stopping_way(const World *world, size_t j, const Sight *sight) {
+    double braking = PACE_PLANNED * world->house->people[j].profile->deceleration;
+    return world_rides(world, j) && sight->coming < 0 ? sight->coming * sight->coming / (2 * braking) : 0;
+}
+
 static double speed_past(const World *world, size_t i, size_t j, const Sight *sight, double speed) {
     const Profile *profile = world->house->people[i].profile;
     if (lets_go_first(world, i, j, sight))
@@ -152,7 +158,8 @@ static double speed_past(const World *world, size_t i, size_t j, const Sight *si
     double law = profile->steering_time > 0 ? 2 * sight->gap / profile->steering_time : HUGE_VAL;
     if (sight->gap > PASSING_LEAST || sight->ahead < -STAND_OFF)
         return real_min(speed, real_max(law, SLOW_PASSING));
-    double braking = sqrt(2 * PACE_PLANNED * profile->deceleration * real_max(0, sight->ahead - STAND_OFF));
+    double free = sight->ahead - STAND_OFF - stopping_way(world, j, sight);
+    double braking = sqrt(2 * PACE_PLANNED * profile->deceleration * real_max(0, free));
     bool both_wait = vec2_length(world->velocity[j]) < STANDING && world->drive[i].stalled > DEADLOCK &&
                      world->phase[j] == PHASE_MOVING;
     bool room = sight->ahead > PASSING_LEAST || apart(world, i, j) > STAND_OFF, chair = world_rides(world, j);

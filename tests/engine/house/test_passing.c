@@ -166,6 +166,44 @@ TEST(two_chairs_head_on_pass_left_to_left) {
     CHECK(meet_in_chairs("electric-chair", 1.8, 37, -0.06).left == 2);
 }
 
+/* Each brakes for the way that the other needs to stop, too. Corridors of 1.52 m let them pass. */
+TEST(two_chairs_that_cannot_pass_do_not_meet_in_a_blow) {
+    const double widths[] = {1.20, 1.35, 1.45};
+    for (size_t w = 0; w < sizeof widths / sizeof *widths; w++)
+        for (int off = -1; off <= 0; off++) {
+            Corridor corridor = make_corridor(widths[w], turns[w], off < 0);
+            add_stream(&corridor, false, "manual-chair", &(Vec2){3, 0.05 * off}, 1);
+            add_stream(&corridor, true, "manual-chair", &(Vec2){3, -0.05 * off}, 1);
+            House house;
+            case_made(&house, corridor.plan, -1, NULL);
+            Observation observation = case_run(&house, 2);
+            for (size_t i = 0; i < observation.person_count; i++)
+                CHECK(observation.people[i].impact < 0.3);
+            observation_free(&observation);
+            house_free(&house);
+        }
+}
+
+/* After it has given way, a chair is up to 0.4 m off its line, and brakes for the wall beside the door. */
+TEST(a_chair_that_has_come_off_its_line_does_not_drive_into_the_wall_beside_a_door) {
+    json_t *plan = json_pack(
+        "{s:s, s:i, s:s, s:[{s:s, s:[[f,f],[f,f],[f,f],[f,f],[f,f]]}], s:[{s:s, s:s, s:i, s:f, s:f}], "
+        "s:[{s:s, s:[f,f], s:[f,f]}], s:[]}",
+        "format", "clearance-house", "version", 1, "name", "three chairs, one door", "walls", "id", "w1", "points", 0.0,
+        0.0, 10.0, 0.0, 10.0, 6.0, 0.0, 6.0, 0.0, 0.0, "doors", "id", "d1", "wall", "w1", "segment", 1, "at", 3.0,
+        "width", 1.0, "exits", "id", "e1", "from", 11.0, 2.2, "to", 11.0, 3.8, "people");
+    for (int i = 0; i < 3; i++)
+        case_add_person(plan, "manual-chair", 7, 1 + 2 * i, 0);
+    House house;
+    case_made(&house, plan, -1, NULL);
+    Observation observation = case_run(&house, 1);
+    CHECK(observation.completed);
+    for (size_t i = 0; i < observation.person_count; i++)
+        CHECK(!(observation.people[i].impact > 0.1 && observation.people[i].impact_at.x > 9.9));
+    observation_free(&observation);
+    house_free(&house);
+}
+
 /* Seeds of the neck of 0.80 m in which, among 100, a chair was wedged: it held its heading against the jamb that would
  * have turned it straight, or two chairs let each other go first for ever. */
 LONG_TEST(no_chair_is_wedged_in_a_neck_of_0_80_m) {
