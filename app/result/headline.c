@@ -131,6 +131,9 @@ static Headline all_out(const House *house, const Observation *observation, cons
         headline.sentence = text_in_arena(arena, "All %zu out, each route alone, in at most %.1f s", people, time);
         headline.detail = text_in_arena(arena, "each route alone, %s", detail);
     }
+    if (census->impact >= DANGER_KNOCK)
+        headline.sentence =
+            text_in_arena(arena, "%s, with %s", headline.sentence, result_danger_words(census->impact, arena));
     if (people <= CENSUS_FEW)
         headline.sentence =
             text_in_arena(arena, "%s%s", headline.sentence, headline_backwards(house, observation, arena));
