@@ -10,6 +10,7 @@
 #include "command/progress.h"
 #include "house/journey.h"
 #include "inquiry/suggest.h"
+#include "inquiry/suggest_change.h"
 #include "laboratory/shipped.h"
 #include "plan/overlap.h"
 #include "platform/terminal.h"
@@ -38,22 +39,45 @@ static void print_answer(const House *house, const Journeys *journeys) {
     observation_free(&observation);
 }
 
-/* Returns notes about things that are allowed but strange. */
+/* Adds a note, and clears its text. */
+static void add_note(json_t *notes, Text *note) {
+    char *line = visible_line(note->text);
+    json_array_append_new(notes, json_string(line));
+    memory_free(line);
+    memory_free(note->text);
+    *note = (Text){0};
+}
+
+/* Adds notes on a piece that stands in walls or in the open leaves of doors. */
+static void add_overlaps(json_t *notes, const Plan *plan, size_t f) {
+    char name[400];
+    size_t wall = 0;
+    Text note = {0};
+    double depth = overlap_depth(plan, &plan->furniture[f], &wall);
+    outline_name(plan, OWNER_FURNITURE, (int)f, name, sizeof name);
+    if (depth >= OVERLAP_LEAST) {
+        text_format(&note, "%s stands %.0f cm in wall %s", name, 100 * depth, plan->walls[wall].id);
+        add_note(notes, &note);
+    }
+    for (size_t d = suggest_change_leaf(plan, f, 0); d < plan->door_count; d = suggest_change_leaf(plan, f, d + 1)) {
+        text_format(&note, "%s stands in the way of the leaf of door %s, which cannot open as far as is assumed", name,
+                    plan->doors[d].id);
+        add_note(notes, &note);
+    }
+}
+
+/* Returns notes about things that are allowed but strange, and about what is not checked. */
 static json_t *notes_of(const Plan *plan) {
     json_t *notes = json_array();
-    for (size_t f = 0; f < plan->furniture_count; f++) {
-        char name[400];
-        size_t wall = 0;
-        double depth = overlap_depth(plan, &plan->furniture[f], &wall);
-        if (depth < OVERLAP_LEAST)
-            continue;
-        outline_name(plan, OWNER_FURNITURE, (int)f, name, sizeof name);
+    for (size_t f = 0; f < plan->furniture_count; f++)
+        add_overlaps(notes, plan, f);
+    for (size_t e = 0; e < plan->exit_count; e++) {
         Text note = {0};
-        text_format(&note, "%s stands %.0f cm in wall %s", name, 100 * depth, plan->walls[wall].id);
-        char *line = visible_line(note.text);
-        json_array_append_new(notes, json_string(line));
-        memory_free(line);
-        memory_free(note.text);
+        if (!(plan->exits[e].closes < HUGE_VAL))
+            continue;
+        text_format(&note, "exit %s closes at %g s: a run tells who is out in time", plan->exits[e].id,
+                    plan->exits[e].closes);
+        add_note(notes, &note);
     }
     return notes;
 }

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "laboratory/house/wall_outline.h"
+#include "laboratory/wall_outline.h"
 #include "plan/plan_geometry.h"
 #include "result/census.h"
 #include "result/jam.h"
@@ -200,7 +200,7 @@ size_t house_item_outline_in(const Plan *plan, Item item, Vec2 *points) {
         plan_geometry_corners(&plan->furniture[item.index], points);
         return 4;
     case HOUSE_WALL:
-        return wall_outline(plan, item.index, LEAST_DEPTH, points, LABORATORY_OUTLINE_MOST);
+        return wall_outline_write(plan, item.index, LEAST_DEPTH, points, LABORATORY_OUTLINE_MOST);
     case HOUSE_EXIT:
         return outline_strip(plan->exits[item.index].from, plan->exits[item.index].to, EXIT_DEPTH, points);
     default:

@@ -9,10 +9,11 @@
 #include "space/outline.h"
 #include "space/solids.h"
 
-#define TOUCH 0.002     /* m: walls and furniture that overlap by less only touch */
-#define JOINT 1e-3      /* m: walls this near to each other meet */
-#define ROUNDING 1e-3   /* m, of displacements */
-#define VANISHED "0.01" /* m, the size of a removed piece, inside a wall */
+#define TOUCH 0.002      /* m: walls and furniture that overlap by less only touch */
+#define LEAF_TOUCH 0.005 /* m: as drawn, what stands beside a door may overlap its open leaf by less */
+#define JOINT 1e-3       /* m: walls this near to each other meet */
+#define ROUNDING 1e-3    /* m, of displacements */
+#define VANISHED "0.01"  /* m, the size of a removed piece, inside a wall */
 
 /* Doors ------------------------------------------------------------------------------------------------------------ */
 
@@ -95,6 +96,15 @@ static bool no_deeper(const Vec2 before[4], const Vec2 after[4], const Vec2 soli
     return rectangle_overlap(after, solid) <= fmax(rectangle_overlap(before, solid), TOUCH);
 }
 
+/* Fills in the leaf of a door as it stands open; false: it has none. */
+static bool open_leaf(const Plan *plan, size_t d, Vec2 corners[4]) {
+    const Door *door = &plan->doors[d];
+    if (door->kind != DOOR_HINGED || door->state == DOOR_LOCKED)
+        return false;
+    solids_open_leaf(plan, door, plan->walls[door->wall_index].thickness / 2, corners);
+    return true;
+}
+
 static bool cross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     Vec2 one = vec2_sub(b, a), two = vec2_sub(d, c);
     double c_side = vec2_cross(one, vec2_sub(c, a)), d_side = vec2_cross(one, vec2_sub(d, a));
@@ -122,15 +132,18 @@ bool suggest_change_stands_free(const Plan *plan, const Change *change) {
                 return false;
         }
     }
-    for (size_t d = 0; d < plan->door_count; d++) {
-        const Door *door = &plan->doors[d];
-        if (door->kind != DOOR_HINGED || door->state == DOOR_LOCKED)
-            continue;
-        solids_open_leaf(plan, door, plan->walls[door->wall_index].thickness / 2, solid);
-        if (!no_deeper(before, after, solid))
+    for (size_t d = 0; d < plan->door_count; d++)
+        if (open_leaf(plan, d, solid) && !no_deeper(before, after, solid))
             return false;
-    }
     return true;
+}
+
+size_t suggest_change_leaf(const Plan *plan, size_t piece, size_t door) {
+    Vec2 corners[4], leaf[4];
+    plan_geometry_corners(&plan->furniture[piece], corners);
+    while (door < plan->door_count && !(open_leaf(plan, door, leaf) && rectangle_overlap(corners, leaf) > LEAF_TOUCH))
+        door++;
+    return door;
 }
 
 /* What is said of it ----------------------------------------------------------------------------------------------- */

@@ -32,6 +32,9 @@ Change suggest_change_widen(const Plan *plan, size_t door, double width);
 /* Returns the move of a piece by a distance in a direction (rad), rounded to a millimetre. */
 Change suggest_change_move(size_t piece, double far, double direction);
 
+/* Returns the first door from `door` on in whose open leaf a piece stands; door_count: there is none. */
+size_t suggest_change_leaf(const Plan *plan, size_t piece, size_t door);
+
 /* True if the moved or turned piece is in the same room and overlaps walls, doorways, open leaves and other pieces
  * nowhere where it did not before. */
 bool suggest_change_stands_free(const Plan *plan, const Change *change);

@@ -12,7 +12,7 @@
 #include "rules/turning.h"
 
 #define INSPECTION_TOLERANCE 0.00101 /* m: 1 mm, and what rounding may add to it */
-#define INSPECTION_REFUSED 0.05    /* 1, assumed: share of drivers refused from which a place stops chairs */
+#define INSPECTION_REFUSED 0.05      /* 1, assumed: share of drivers refused from which a place stops chairs */
 
 typedef enum RuleVerdict { RULE_PASSES, RULE_FAILS, RULE_OPEN, RULE_VERDICTS } RuleVerdict;
 

@@ -1,4 +1,4 @@
-#include "laboratory/house/wall_outline.h"
+#include "laboratory/wall_outline.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -79,7 +79,7 @@ static size_t list_path(const Wall *wall, Stretch stretch, Vec2 *path) {
     return count;
 }
 
-size_t wall_outline(const Plan *plan, size_t wall, double least, Vec2 *points, size_t most) {
+size_t wall_outline_write(const Plan *plan, size_t wall, double least, Vec2 *points, size_t most) {
     const Wall *shown = &plan->walls[wall];
     size_t corners = shown->points.count, count = 0, room = 2 * corners + 2;
     const Vec2 *at = shown->points.at;
