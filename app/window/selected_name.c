@@ -46,8 +46,9 @@ static bool is_written(const Window *window, const ViewLayers *layers, Box thing
     size_t length = strlen(name);
     for (size_t i = 0; i < layout->caption_count; i++) {
         const char *text = layout->captions[i].text;
-        bool same = strncasecmp(text, name, length) == 0 && (!text[length] || text[length] == ' ');
-        if (same && overlap(box_expand(thing, ASIDE), on_page(window, &layout->captions[i])))
+        bool same = strcmp(text, name) == 0;
+        bool sign = !same && strncasecmp(text, name, length) == 0 && (!text[length] || text[length] == ' ');
+        if ((same || sign) && overlap(box_expand(thing, sign ? ASIDE : BESIDE), on_page(window, &layout->captions[i])))
             return true;
     }
     return false;
