@@ -95,10 +95,8 @@ static void say_fixed(Window *window, const char *fixed) {
     notice_post(window, "%s are fixed while watching: Edit plan (W)", fixed);
 }
 
-/* Moves the view while the left button is held that was pressed on the floor, unless the plan is edited. If the view
- * has not been moved, the editor sees a click when the button is released. Returns false if the mouse does something
- * else.
- */
+/* Moves the view while the left button is held that was pressed on the floor, unless the plan is edited. If it has not
+ * moved the view, the editor sees a click when it is released. Returns false if the mouse does something else. */
 static bool pan(Window *window, Tab *tab, const UiGrab *grab) {
     PlanInput *input = &window->plan_input;
     Editor *editor = tab_editor(tab);

@@ -5,7 +5,7 @@
  *
  * at the latest. The least e over the times x at which exits open is the time of the best exit: its way takes no less
  * than T(x) for the x at which it opens, and nobody who leaves by it is out before x. T falls as x grows, so that no x
- * above the least e so far can be better. Doors of others' choice are queue.c's. */
+ * above the least e so far can be better. Queues, which change the choice on the way, are queue.c's. */
 #include "house/journey.h"
 
 #include <stdint.h>

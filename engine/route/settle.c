@@ -55,9 +55,9 @@ static Vec2 step_on(const Field *field, Vec2 at, double *time) {
     return best;
 }
 
-/* Follows the disc's way from a place. Returns true, with a bar, if it leads through a gap that the body cannot pass:
- * the narrowest. False, with a radius of 0: through none; with one below 0: there is no way. */
-static bool find_gap(const Field *field, const FreeSpace *space, double half_width, Vec2 at, FieldBar *bar) {
+/* Follows the disc's way from a place, and gives the bar of the narrowest gap on it that the body cannot pass. Its
+ * radius is 0 without such a gap, and below 0 without a way. */
+static void find_gap(const Field *field, const FreeSpace *space, double half_width, Vec2 at, FieldBar *bar) {
     double time = field_time(field, at), least = half_width - NARROWER;
     *bar = (FieldBar){.radius = time < HUGE_VAL ? 0 : -1};
     for (int s = 0; s < STEPS_MOST && time > AT_THE_GOAL && time < HUGE_VAL; s++) {
@@ -74,7 +74,6 @@ static bool find_gap(const Field *field, const FreeSpace *space, double half_wid
         }
         at = next;
     }
-    return bar->radius > 0;
 }
 
 /* Bars the gaps that the body cannot pass on the disc's way, one after another. Returns true if there were such gaps,
