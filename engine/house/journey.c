@@ -1,5 +1,6 @@
-/* Who may take any exit takes the one by which they are out first, if nobody is in the way. Let T(x) be the time that
- * the way to the quickest of the exits takes that open up to the time x. Who sets off at t and goes there is out at
+/* A person who may take any exit takes the one that leads out first if nobody else is in the way. Let T(x) be the time
+ * that the way to the quickest of the exits takes that open up to the time x. A person who sets off at t and goes there
+ * is out at
  *
  *     e(x) = max(t + T(x), x)
  *
@@ -217,7 +218,7 @@ static Itinerary *itinerary_of(const Planning *planning, const Whereabouts *plac
                           by);
 }
 
-/* Returns how long a person walks from a place, s; HUGE_VAL: there is no way. */
+/* Returns how long a person walks from a place, s; HUGE_VAL without a way. */
 static double walking_time(const Itinerary *itinerary, Vec2 at, double speed) {
     double time = itinerary->has_exit ? floor_field_time(itinerary->legs[0], at) : HUGE_VAL;
     for (size_t leg = 1; leg < itinerary->leg_count; leg++)

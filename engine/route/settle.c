@@ -10,7 +10,7 @@
  * which there is room. So a no is not given while there is another way for the disc: the gaps on its way are barred to
  * it, and the search begins again. */
 
-#define NARROWER 2e-3    /* m: a gap that is narrower than the body by this much on either side is no way */
+#define NARROWER 2e-3    /* m, on either side: a gap that is narrower than the body by this much is too narrow */
 #define STEP 0.05        /* m, along the disc's way */
 #define ASIDE 0.01       /* m, steps across it */
 #define BESIDE 0.60      /* m, how far */

@@ -21,8 +21,6 @@
 #define MOST 0.95       /* share of a crowd that is most of it */
 #define LOST_LEAST 0.05 /* s: less lost time is not told */
 
-/* The word in the note of a plan that was not measured: such a note must be shown wherever the plan is. */
-
 static bool is_crowd(const Census *census) {
     return census->people > PEOPLE_SCENE_INDIVIDUALS;
 }
