@@ -50,9 +50,10 @@ static size_t list_gaps(const Plan *plan, size_t wall, Stretch *gaps) {
     size_t count = 0, merged = 0;
     for (size_t d = 0; d < plan->door_count; d++) {
         const Door *door = &plan->doors[d];
+        if (door->wall_index != wall)
+            continue;
         double middle = length_to(&plan->walls[wall], (size_t)door->segment) + door->at;
-        if (door->wall_index == wall)
-            gaps[count++] = (Stretch){middle - door->width / 2, middle + door->width / 2};
+        gaps[count++] = (Stretch){middle - door->width / 2, middle + door->width / 2};
     }
     qsort(gaps, count, sizeof *gaps, compare_stretches);
     for (size_t g = 0; g < count; g++)

@@ -1,12 +1,11 @@
-/* A person who may take any exit takes the one that leads out first if nobody else is in the way. Let T(x) be the time
- * that the way to the quickest of the exits takes that open up to the time x. A person who sets off at t and goes there
- * is out at
- *
- *     e(x) = max(t + T(x), x)
- *
- * at the latest. The least e over the times x at which exits open is the time of the best exit: its way takes no less
- * than T(x) for the x at which it opens, and nobody who leaves by it is out before x. T falls as x grows, so that no x
- * above the least e so far can be better. Queues, which change the choice on the way, are queue.c's. */
+/* A person who may take any exit takes the one that leads out first if nobody else is in the way. It is planned as if
+ * all were open: let T be the time of that way, from t on, and o the time at which its exit opens. Where t + T >= o
+ * nobody waits, and no other exit is sooner. Otherwise one is out at o, and sooner only by an exit that opens before o;
+ * so only these are asked next, until nobody waits or T alone takes until the least time so far, since T does not fall
+ * as exits are left out. For people on foot o is the last time at which an exit of those asked for opens: it is not
+ * known by which of them their field leads out, and they are out by max(t + T, o) at the latest, which for the best
+ * exit, asked for as the last to open, is its own time. Doors count, queues do not: how they change the choice on the
+ * way is queue.c's. */
 #include "house/journey.h"
 
 #include <stdint.h>
@@ -40,12 +39,12 @@ double journey_since(const House *house, double time) {
 }
 
 static Itinerary *find_itinerary(const Journeys *journeys, const Profile *profile, const PlanRoute *route, double since,
-                                 size_t via, double opens_by) {
+                                 size_t via, double opens_before) {
     size_t legs = (route ? route->via.count : 0) - via + 1;
     for (size_t k = 0; k < journeys->itinerary_count; k++) {
         Itinerary *known = journeys->itineraries[k];
         if (!known->chosen && known->profile == profile && known->route == route && known->since == since &&
-            known->opens_by == opens_by && known->leg_count == legs)
+            known->opens_before == opens_before && known->leg_count == legs)
             return known;
     }
     return NULL;
@@ -74,14 +73,14 @@ static Itinerary *new_itinerary(Journeys *journeys, const Profile *profile, doub
 
 /* Adds an itinerary without fields, from the route's point `via` on. */
 static void add_itinerary(Journeys *journeys, const House *house, const Profile *profile, const PlanRoute *route,
-                          double since, size_t via, double opens_by) {
+                          double since, size_t via, double opens_before) {
     size_t points = route ? route->via.count : 0;
     Itinerary *itinerary = new_itinerary(journeys, profile, since, points - via + 1);
     itinerary->route = route;
-    itinerary->opens_by = opens_by;
+    itinerary->opens_before = opens_before;
     for (size_t leg = 0; leg < itinerary->leg_count; leg++) {
         Goal *goal = &itinerary->fields[leg].goal;
-        *goal = field_exit_goal(exit_of(house, route, since), since, opens_by);
+        *goal = field_exit_goal(exit_of(house, route, since), since, opens_before);
         if (via + leg < points) {
             goal->at = route->via.at[via + leg];
             goal->radius = fmax(profile->length / 2, VIA_RADIUS);
@@ -155,39 +154,32 @@ static double set_off(const Planning *planning, const Whereabouts *place) {
     return fmax(place->start, planning->time);
 }
 
-/* Goes on to the next time after `*by` at which an exit opens that is usable at some time. False: there is none. */
-static bool next_opening(const Planning *planning, const Whereabouts *place, double *by) {
-    const Plan *plan = &planning->house->plan;
-    double next = HUGE_VAL;
-    for (size_t e = 0; e < plan->exit_count; e++)
-        if (plan->exits[e].closes > since_of(planning, place) && plan->exits[e].opens > *by)
-            next = fmin(next, plan->exits[e].opens);
-    *by = next < HUGE_VAL ? next : *by;
-    return next < HUGE_VAL;
-}
-
-/* Returns the first time to try: if others follow, the last one at which an exit has opened already, or else the next
- * one. HUGE_VAL: the choice hangs on none, so that all exits count. */
-static double first_opening(const Planning *planning, const Whereabouts *place) {
+/* Returns the last time at which one of the exits opens that open before a time (0: at any); below 0: there is none. */
+static double last_opening(const Planning *planning, const Whereabouts *place, double before) {
     const House *house = planning->house;
-    double now = set_off(planning, place), before = -HUGE_VAL, by = now;
-    bool any = exit_of(house, house->people[place->person].route, since_of(planning, place)) == SIZE_MAX;
-    if (planning->all_or_none || !any || !next_opening(planning, place, &by))
-        return HUGE_VAL;
-    for (double last = before; next_opening(planning, place, &last) && last <= now;)
-        before = last;
-    return before > -HUGE_VAL ? before : by;
+    Goal goal = field_exit_goal(SIZE_MAX, since_of(planning, place), before);
+    double last = -1;
+    for (size_t e = 0; e < house->plan.exit_count; e++)
+        if (field_exit_usable(&goal, &house->plan, e))
+            last = fmax(last, house->plan.exits[e].opens);
+    return last;
 }
 
-/* Returns e(x) of a way that takes a time, s; HUGE_VAL: there is none. */
-static double out_by(const Planning *planning, const Whereabouts *place, double by, double time) {
-    double end = set_off(planning, place) + time;
-    return by < HUGE_VAL ? fmax(end, by) : end;
+/* Asks for less: only for exits that open before `opens`. False: such exits cannot lead out sooner than `end`, there
+ * are none, or the person does not choose. */
+static bool ask_for_sooner(const Planning *planning, const Whereabouts *place, double opens, double end,
+                           double *before) {
+    const Inhabitant *person = &planning->house->people[place->person];
+    bool chooses = exit_of(planning->house, person->route, since_of(planning, place)) == SIZE_MAX;
+    if (planning->all_or_none || !chooses || !(opens > end) || !(last_opening(planning, place, opens) >= 0))
+        return false;
+    *before = opens;
+    return true;
 }
 
-/* Returns the question for a person's way to the exits that open by a time; `layout`: that with closed lines as walls,
- * or NULL for the house. */
-static RouteQuery ask(const Planning *planning, const Whereabouts *place, double by, const ClosedLayout *layout) {
+/* Returns the question for a person's way to the exits that open before a time; `layout`: that with closed lines as
+ * walls, or NULL for the house. */
+static RouteQuery ask(const Planning *planning, const Whereabouts *place, double before, const ClosedLayout *layout) {
     const House *house = planning->house;
     const Inhabitant *person = &house->people[place->person];
     const PlanRoute *route = person->route;
@@ -201,7 +193,7 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place, double
                         .via_count = route ? route->via.count - place->via : 0,
                         .exit = exit_of(house, route, since),
                         .time = since,
-                        .opens_by = by,
+                        .opens_before = before,
                         .pressed = planning->again ? PRESSED : 0,
                         .most_reversals = house->plan.run.reversals,
                         .brief = planning->journeys->brief || planning->keep,
@@ -212,13 +204,13 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place, double
                         .stop = planning->stop};
 }
 
-static Itinerary *itinerary_of(const Planning *planning, const Whereabouts *place, double by) {
+static Itinerary *itinerary_of(const Planning *planning, const Whereabouts *place, double before) {
     const Inhabitant *person = &planning->house->people[place->person];
     return find_itinerary(planning->journeys, person->profile, person->route, since_of(planning, place), place->via,
-                          by);
+                          before);
 }
 
-/* Returns how long a person walks from a place, s; HUGE_VAL without a way. */
+/* Returns about how long a person walks from a place, s; HUGE_VAL without a way. */
 static double walking_time(const Itinerary *itinerary, Vec2 at, double speed) {
     double time = itinerary->has_exit ? floor_field_time(itinerary->legs[0], at) : HUGE_VAL;
     for (size_t leg = 1; leg < itinerary->leg_count; leg++)
@@ -228,15 +220,15 @@ static double walking_time(const Itinerary *itinerary, Vec2 at, double speed) {
 
 static void plan_walk(const Planning *planning, const Whereabouts *place, Journey *journey) {
     const Itinerary *itinerary = NULL;
-    double by = first_opening(planning, place), least = HUGE_VAL;
+    double now = set_off(planning, place), least = HUGE_VAL, before = 0, opens, end;
     do {
-        const Itinerary *other = itinerary_of(planning, place, by);
-        double time = walking_time(other, place->at, planning->house->people[place->person].speed);
-        double end = out_by(planning, place, by, time);
-        if (end < least || least == HUGE_VAL) /* without any way the last one, to all exits, tells why */
+        const Itinerary *other = itinerary_of(planning, place, before);
+        opens = last_opening(planning, place, before);
+        end = now + walking_time(other, place->at, planning->house->people[place->person].speed);
+        if (!itinerary || fmax(end, opens) < least) /* without any way the first one, to all exits, tells why */
             itinerary = other;
-        least = fmin(least, end);
-    } while (next_opening(planning, place, &by) && by < least);
+        least = fmin(least, fmax(end, opens));
+    } while (end < least && ask_for_sooner(planning, place, opens, end, &before));
     journey->legs = itinerary->legs;
     journey->since = itinerary->since;
     journey->leg_count = itinerary->leg_count;
@@ -269,8 +261,8 @@ static void follow(const Planning *planning, const Whereabouts *place, Journey *
         track_build_driver(&journey->track, house, person, route);
 }
 
-static Route ride(const Planning *planning, const Whereabouts *place, double by, const ClosedLayout *layout) {
-    RouteQuery query = ask(planning, place, by, layout);
+static Route ride(const Planning *planning, const Whereabouts *place, double before, const ClosedLayout *layout) {
+    RouteQuery query = ask(planning, place, before, layout);
     Rectangle body = search_body(query.profile);
     if (layout && search_clearance(query.space, &body, query.at, query.heading, 0, NULL) < -query.pressed)
         query.pressed = query.profile->length; /* the exit has closed under the body, which goes back from its line */
@@ -292,17 +284,17 @@ static void refuse_closed(Route *route, Vec2 at, const Plan *plan, double since)
     *route = (Route){.answer = ROUTE_CANNOT_PASS, .fits = true, .exit = aim, .blockage = blockage};
 }
 
-/* Plans a chair's way to the exits that open by a time. */
-static void plan_ride_by(const Planning *planning, const Whereabouts *place, double by, Journey *journey) {
+/* Plans a chair's way to the exits that open before a time. */
+static void plan_ride_before(const Planning *planning, const Whereabouts *place, double before, Journey *journey) {
     const House *house = planning->house;
     const Inhabitant *person = &house->people[place->person];
     double since = since_of(planning, place);
     bool miura = person->profile->driving == DRIVING_MIURA;
-    journey->route = ride(planning, place, by, NULL);
+    journey->route = ride(planning, place, before, NULL);
     if (closed_on_route(&house->plan, since, &journey->route) != SIZE_MAX) {
         const ClosedLayout *layout = closed_layout(planning->journeys->closed, house, since);
         route_free(&journey->route);
-        journey->route = ride(planning, place, by, layout);
+        journey->route = ride(planning, place, before, layout);
         refuse_closed(&journey->route, place->at, &house->plan, since);
     }
     if (journey->route.answer != ROUTE_FOUND)
@@ -319,19 +311,21 @@ static void release(Journey *journey) {
 }
 
 static void plan_ride(const Planning *planning, const Whereabouts *place, Journey *journey) {
-    double by = first_opening(planning, place), least = HUGE_VAL;
+    const House *house = planning->house;
+    const Profile *profile = house->people[place->person].profile;
+    double now = set_off(planning, place), least = HUGE_VAL, before = 0;
     bool more = true;
-    while (more) {
+    for (bool first = true; more; first = false) {
         Journey other = {.via = place->via};
-        plan_ride_by(planning, place, by, &other);
+        plan_ride_before(planning, place, before, &other);
         bool found = other.route.answer == ROUTE_FOUND, interrupted = other.route.answer == ROUTE_INTERRUPTED;
-        const Profile *profile = planning->house->people[place->person].profile;
-        double end = found ? out_by(planning, place, by, track_time(&other.track, profile)) : HUGE_VAL;
-        bool better = end < least || least == HUGE_VAL || interrupted;
+        double opens = found ? house->plan.exits[other.route.exit].opens : 0;
+        double end = found ? now + track_time(&other.track, &house->plan, profile) : HUGE_VAL;
+        bool better = first || interrupted || fmax(end, opens) < least;
         release(better ? journey : &other);
         *journey = better ? other : *journey;
-        least = fmin(least, end);
-        more = !interrupted && next_opening(planning, place, &by) && by < least;
+        least = fmin(least, fmax(end, opens));
+        more = found && end < least && ask_for_sooner(planning, place, opens, end, &before);
     }
 }
 
@@ -410,7 +404,7 @@ static void explain_walkers(const Planning *planning, size_t count) {
         if (explained[k] || !is_without_path(journey))
             continue;
         const ClosedLayout *layout = layout_of(planning->journeys, journey->legs);
-        RouteQuery query = ask(planning, place, HUGE_VAL, layout);
+        RouteQuery query = ask(planning, place, 0, layout);
         query.pressed = layout ? profile->width : 0; /* a line may have closed beside who stands there */
         Route route = route_round(&query);
         if (route.answer == ROUTE_INTERRUPTED) {
@@ -447,12 +441,15 @@ static void plan_all(Planning *planning, size_t count, int jobs) {
     for (size_t k = 0; k < count; k++) {
         const Whereabouts *place = &planning->places[k];
         const Inhabitant *person = &house->people[place->person];
-        double by = first_opening(planning, place);
+        double before = 0;
         bool more = person->profile->driving == DRIVING_WALKER;
-        for (; more; more = next_opening(planning, place, &by))
-            if (!itinerary_of(planning, place, by))
+        while (more) {
+            if (!itinerary_of(planning, place, before))
                 add_itinerary(journeys, house, person->profile, person->route, since_of(planning, place), place->via,
-                              by);
+                              before);
+            more = ask_for_sooner(planning, place, last_opening(planning, place, before), set_off(planning, place),
+                                  &before);
+        }
     }
     parallel_for(jobs, journeys->itinerary_count - planning->first_itinerary, make_fields, planning);
     parallel_for(jobs, count, plan_journey, planning);
@@ -556,7 +553,7 @@ void journey_lead_to(Journeys *journeys, const House *house, const Profile *prof
         if (journey_leg_to(journeys, house, profile, exits[k], time))
             continue;
         Itinerary *itinerary = new_itinerary(journeys, profile, journey_since(house, time), 1);
-        itinerary->fields[0].goal = field_exit_goal(exits[k], time, HUGE_VAL);
+        itinerary->fields[0].goal = field_exit_goal(exits[k], time, 0);
         itinerary->chosen = itinerary->has_exit = true;
     }
     parallel_for(jobs, journeys->itinerary_count - planning.first_itinerary, make_fields, &planning);

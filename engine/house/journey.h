@@ -30,7 +30,7 @@ typedef struct Itinerary {
     const Profile *profile;
     const PlanRoute *route;     /* NULL: no route, the quickest exit */
     double since;               /* s: exits closed by then do not count */
-    double opens_by;            /* s: exits that open only later do not count; HUGE_VAL: all count */
+    double opens_before;        /* s: exits that open at that time or later do not count; 0: all count */
     bool has_exit;              /* False if all exits are closed */
     bool chosen;                /* True if it leads to one exit, which a person has chosen on the way */
     const ClosedLayout *layout; /* in which the fields are, since a closed line is in the way; NULL: in the house */

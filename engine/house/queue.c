@@ -110,14 +110,16 @@ static size_t list_exits(Queue *queues, const World *world, Journeys *journeys, 
     return stop_requested(stop) ? 0 : count;
 }
 
-/* Returns the queue that a moving person belongs to: the exit of the journey or, if that may be any, the nearest one.
- * `count`: none. */
+/* Returns the queue that a moving person belongs to: that of the nearest exit to which the journey may lead. `count`:
+ * none. */
 static size_t queue_of(const Queue *queues, size_t count, const World *world, size_t i) {
-    size_t exit = world->journeys[i].route.exit, nearest = count;
+    const Journey *journey = &world->journeys[i];
+    size_t exit = journey->route.exit, nearest = count;
     double least = HUGE_VAL;
     for (size_t k = 0; k < count; k++) {
-        double time =
-            exit == SIZE_MAX || exit == queues[k].exit ? floor_field_time(queues[k].field, world->centre[i]) : HUGE_VAL;
+        const Goal *goal = journey->leg_count ? &journey->legs[journey->leg_count - 1]->goal : NULL;
+        bool leads = goal ? field_exit_usable(goal, &world->house->plan, queues[k].exit) : exit == queues[k].exit;
+        double time = leads ? floor_field_time(queues[k].field, world->centre[i]) : HUGE_VAL;
         if (time < least) {
             least = time;
             nearest = k;

@@ -554,7 +554,7 @@ void track_build_miura(Track *track, const House *house, const Inhabitant *perso
     mark_exit(track, &house->plan.exits[route->exit]);
 }
 
-double track_time(const Track *track, const Profile *profile) {
+double track_time(const Track *track, const Plan *plan, const Profile *profile) {
     double time = 0;
     for (size_t i = 1; i < track->count && track->points[i - 1].s < track->exit_s; i++) {
         const TrackPoint *before = &track->points[i - 1], *here = &track->points[i];
@@ -562,6 +562,8 @@ double track_time(const Track *track, const Profile *profile) {
         time += way > 0 ? 2 * way / fmax(before->speed + here->speed, profile->creep) : turn / profile->turn_rate;
         if (before->direction * here->direction < 0)
             time += profile->reversing_time;
+        if (here->door >= 0)
+            time += plan->doors[here->door].opening_time;
     }
     return time;
 }

@@ -64,7 +64,7 @@ typedef struct Track {
 void track_build_driver(Track *track, const House *house, const Inhabitant *person, const Route *route);
 void track_build_miura(Track *track, const House *house, const Inhabitant *person, const Route *route);
 
-/* Returns about how long the way takes to the exit's line, s, without doors and other people: to compare exits. */
-double track_time(const Track *track, const Profile *profile);
+/* Returns about how long the way takes to the exit's line, s, with the wait for doors, without other people. */
+double track_time(const Track *track, const Plan *plan, const Profile *profile);
 
 void track_free(Track *track);

@@ -1,5 +1,5 @@
-/* Decides how a chair drives: the quickest of the ways that are found and proved free. See decide.c. To be asked by
- * settle.h. */
+/* Decides how a chair drives: the quickest of the ways that are found and proved free. See decide.c. Only
+ * settle.c asks for them. */
 #pragma once
 
 #include <stdbool.h>

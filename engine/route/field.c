@@ -91,16 +91,29 @@ void field_ground_init_exact(Ground *ground, const Plan *plan, const FreeSpace *
     mark_doors(ground);
 }
 
+/* Gives the columns and rows of the grid that a box touches; none where the last is before the first. */
+static void list_points(const FreeSpace *space, Box box, int *first_x, int *last_x, int *first_y, int *last_y) {
+    double nx = space->nx, ny = space->ny;
+    *first_x = (int)fmin(fmax((box.low.x - space->origin.x) / space->cell, 0), nx);
+    *last_x = (int)fmax(fmin((box.high.x - space->origin.x) / space->cell, nx - 1), -1);
+    *first_y = (int)fmin(fmax((box.low.y - space->origin.y) / space->cell, 0), ny);
+    *last_y = (int)fmax(fmin((box.high.y - space->origin.y) / space->cell, ny - 1), -1);
+}
+
 void field_ground_bar(Ground *ground, const FieldBars *bars) {
     const FreeSpace *space = ground->space;
     ground->bars = *bars;
-    for (size_t b = 0; b < bars->count; b++)
-        for (int j = 0; j < space->ny; j++)
-            for (int i = 0; i < space->nx; i++) {
+    for (size_t b = 0; b < bars->count; b++) {
+        const FieldBar *bar = &bars->all[b];
+        int first_x, last_x, first_y, last_y;
+        list_points(space, box_around(bar->at, bar->radius), &first_x, &last_x, &first_y, &last_y);
+        for (int j = first_y; j <= last_y; j++)
+            for (int i = first_x; i <= last_x; i++) {
                 Vec2 at = {space->origin.x + i * space->cell, space->origin.y + j * space->cell};
-                if (vec2_distance(at, bars->all[b].at) <= bars->all[b].radius)
+                if (vec2_distance(at, bar->at) <= bar->radius)
                     ground->slowness[(size_t)j * (size_t)space->nx + (size_t)i] = 0;
             }
+    }
 }
 
 void field_ground_clear(Ground *ground) {
@@ -144,11 +157,11 @@ double field_delay(const Ground *ground, Vec2 from, Vec2 to) {
 
 bool field_exit_usable(const Goal *goal, const Plan *plan, size_t exit) {
     return (goal->exit == SIZE_MAX || goal->exit == exit) && plan->exits[exit].closes > goal->time &&
-           plan->exits[exit].opens <= goal->opens_by;
+           !(goal->opens_before > 0 && plan->exits[exit].opens >= goal->opens_before);
 }
 
-Goal field_exit_goal(size_t exit, double time, double opens_by) {
-    return (Goal){.exit = exit, .time = time, .opens_by = opens_by};
+Goal field_exit_goal(size_t exit, double time, double opens_before) {
+    return (Goal){.exit = exit, .time = time, .opens_before = opens_before};
 }
 
 bool field_goal_reached(const Goal *goal, const Plan *plan, Vec2 from, Vec2 to, size_t *exit) {
@@ -230,12 +243,9 @@ static void seed_point(Spread *spread, int i, int j) {
 /* Seeds the points within `reach` m of a line, on it and on both sides, that lie at least `end` m before its ends. */
 static void seed_line(Spread *spread, Vec2 from, Vec2 to, double reach, double end) {
     const FreeSpace *space = spread->ground->space;
-    Box box = box_expand(box_include(box_include(box_empty(), from), to), reach);
-    double nx = space->nx, ny = space->ny;
-    int first_x = (int)fmin(fmax((box.low.x - space->origin.x) / space->cell, 0), nx);
-    int last_x = (int)fmax(fmin((box.high.x - space->origin.x) / space->cell, nx - 1), -1);
-    int first_y = (int)fmin(fmax((box.low.y - space->origin.y) / space->cell, 0), ny);
-    int last_y = (int)fmax(fmin((box.high.y - space->origin.y) / space->cell, ny - 1), -1);
+    int first_x, last_x, first_y, last_y;
+    list_points(space, box_expand(box_include(box_include(box_empty(), from), to), reach), &first_x, &last_x, &first_y,
+                &last_y);
     for (int j = first_y; j <= last_y; j++)
         for (int i = first_x; i <= last_x; i++) {
             Vec2 at = {space->origin.x + i * space->cell, space->origin.y + j * space->cell};

@@ -15,11 +15,11 @@
 
 /* The end of a leg of a route: within `radius` of a point, or across one of several lines. */
 typedef struct Goal {
-    Vec2 at;         /* m */
-    double radius;   /* m; 0: across an exit */
-    size_t exit;     /* SIZE_MAX: any usable exit */
-    double time;     /* s, time from which an exit must be usable */
-    double opens_by; /* s: exits that open only later do not count; HUGE_VAL: all count */
+    Vec2 at;             /* m */
+    double radius;       /* m; 0: across an exit */
+    size_t exit;         /* SIZE_MAX: any usable exit */
+    double time;         /* s, time from which an exit must be usable */
+    double opens_before; /* s: exits that open at that time or later do not count; 0: all count */
 } Goal;
 
 /* A disc that no time leads through, since the body cannot pass there although the disc can (settle.c). */
@@ -81,10 +81,10 @@ double field_discomfort(double clearance);
 double field_delay(const Ground *ground, Vec2 from, Vec2 to);
 
 /* Returns the goal across `exit`, or across any exit for SIZE_MAX, for a person who starts at `time` s, of those that
- * open by `opens_by`, s (HUGE_VAL: any). */
-Goal field_exit_goal(size_t exit, double time, double opens_by);
+ * open before `opens_before`, s (0: any). */
+Goal field_exit_goal(size_t exit, double time, double opens_before);
 
-/* True if the exit is or will be open, by the goal's opens_by, for a person who starts at the goal's time. */
+/* True if the exit counts, and is or will be open, for a person who starts at the goal's time. */
 bool field_exit_usable(const Goal *goal, const Plan *plan, size_t exit);
 
 /* True if a straight motion ends the leg: it ends near the point, or plan_geometry_leads_out says that it leads out.

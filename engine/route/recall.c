@@ -178,7 +178,8 @@ static Bytes make_key(const RecallQuestion *question) {
     add_bytes(&key, numbers, sizeof numbers);
     for (size_t g = 0; g < question->goal_count; g++) {
         const Goal *goal = &question->goals[g];
-        const double of_goal[] = {goal->at.x, goal->at.y, goal->radius, (double)goal->exit, goal->time, goal->opens_by};
+        const double of_goal[] = {goal->at.x,         goal->at.y, goal->radius,
+                                  (double)goal->exit, goal->time, goal->opens_before};
         add_bytes(&key, of_goal, sizeof of_goal);
     }
     const char *begin = (const char *)&profile->driving, *end = (const char *)profile->provenance;

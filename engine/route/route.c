@@ -48,7 +48,7 @@ static Legs legs_make(const RouteQuery *query) {
     Legs legs = {memory_zeroed(query->via_count + 1, sizeof(Goal)), query->via_count + 1};
     for (size_t i = 0; i < query->via_count; i++)
         legs.goals[i] = (Goal){.at = query->via[i], .radius = query->profile->length / 2, .exit = SIZE_MAX};
-    legs.goals[query->via_count] = field_exit_goal(query->exit, query->time, query->opens_by);
+    legs.goals[query->via_count] = field_exit_goal(query->exit, query->time, query->opens_before);
     return legs;
 }
 

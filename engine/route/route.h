@@ -87,13 +87,13 @@ typedef struct RouteQuery {
     double heading;  /* rad */
     const Vec2 *via; /* (via_count) points to pass in order, each within half a body's length */
     size_t via_count;
-    size_t exit;     /* SIZE_MAX: the quickest usable exit */
-    double time;     /* s, start time of the person: exits closed for good by then are not usable */
-    double opens_by; /* s: exits that open only later are not usable; HUGE_VAL: they are */
-    double pressed;  /* m, > 0 in the middle of a run: largest overlap with an obstacle at the start. The route of a
-                        chair that overlaps then begins straight back, or ahead, until it stands ROUTE_EASED clear;
-                        where that does not clear it, it begins ROUTE_EASED away from nearby obstacles if there is
-                        room, without a turn */
+    size_t exit;         /* SIZE_MAX: the quickest usable exit */
+    double time;         /* s, start time of the person: exits closed for good by then are not usable */
+    double opens_before; /* s: exits that open at that time or later are not usable; 0: they are */
+    double pressed;      /* m, > 0 in the middle of a run: largest overlap with an obstacle at the start. The route of a
+                            chair that overlaps then begins straight back, or ahead, until it stands ROUTE_EASED clear;
+                            where that does not clear it, it begins ROUTE_EASED away from nearby obstacles if there is
+                            room, without a turn */
     int most_reversals;
     bool brief; /* True if the blockage of a chair that does not fit is computed only for carrying it: the extra width
                    for driving takes long to find */
@@ -109,7 +109,7 @@ typedef struct RouteQuery {
     struct Recall *recall;    /* answers of other houses, which may still hold (recall.h); NULL: none, with the same
                                  result */
     const FreeSpace *watched; /* of which `space` is a copy that notes what is read; NULL: it is none */
-    const FieldBars *bars;    /* where the search is not led; NULL: none */
+    const FieldBars *bars;    /* where the search is not led (settle.c), with which nothing is recalled; NULL: none */
     Reads *times;             /* (via_count + 1) with `watched`: notes which times to each goal are read */
 } RouteQuery;
 

@@ -522,11 +522,11 @@ SearchAnswer search_leg(SearchTrack *track, const Field *field, const FreeSpace 
     return answer;
 }
 
-const Field *search_field(const RouteQuery *query, const Goal *goal, double radius, const FieldBars *bars) {
+const Field *search_field(const RouteQuery *query, const Goal *goal, double radius) {
     const FreeSpace *shared = query->watched ? query->watched : query->space;
     FieldKey key = {query->plan, shared, query->profile, radius, .goal = *goal, .stop = query->stop};
-    if (bars)
-        key.bars = *bars;
+    if (query->bars)
+        key.bars = *query->bars;
     return fields_acquire(query->fields, &key);
 }
 
@@ -537,7 +537,7 @@ SearchAnswer search_legs(const RouteQuery *query, const Goal *goals, size_t goal
     search_track_add(track, (Pose){query->at, query->heading, 0, 0});
     SearchAnswer answer = SEARCH_FOUND;
     for (size_t leg = 0; leg < goal_count && answer == SEARCH_FOUND; leg++) {
-        const Field *field = search_field(query, &goals[leg], radius, query->bars);
+        const Field *field = search_field(query, &goals[leg], radius);
         answer = search_leg(track, field, query->space, query->times ? &query->times[leg] : NULL, &goals[leg], body,
                             grain, leg + 1 == goal_count ? grain->least_reversals : 0, most_reversals);
         if (pins)

@@ -62,7 +62,7 @@ SearchAnswer search_leg(SearchTrack *track, const Field *field, const FreeSpace 
                         const Rectangle *body, const SearchGrain *grain, int least_reversals, int most_reversals);
 
 /* Returns the field that leads a search for the query to a goal: the caller must release it with fields_release. */
-const Field *search_field(const RouteQuery *query, const Goal *goal, double radius, const FieldBars *bars);
+const Field *search_field(const RouteQuery *query, const Goal *goal, double radius);
 
 /* Searches from the query's start through all goals in order, into `track`. `radius`: m, of a disc about the axle that
  * never leaves the body. `pins` (goal_count; may be NULL) are the indices of the poses at which the legs end. */

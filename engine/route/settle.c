@@ -11,7 +11,7 @@
  * it, and the search begins again. */
 
 #define NARROWER 2e-3    /* m, on either side: a gap that is narrower than the body by this much is too narrow */
-#define STEP 0.05        /* m, along the disc's way */
+#define STEP 0.05        /* m, along the disc's way, and at least a cell of the field */
 #define ASIDE 0.01       /* m, steps across it */
 #define BESIDE 0.60      /* m, how far */
 #define AT_THE_GOAL 0.05 /* s */
@@ -44,8 +44,9 @@ static double middle_of_gap(const FreeSpace *space, Vec2 at, Vec2 across, double
 /* Returns the place at one step from another to which the field takes the least time. */
 static Vec2 step_on(const Field *field, Vec2 at, double *time) {
     Vec2 best = at;
+    double step = fmax(STEP, field->ground->space->cell);
     for (int d = 0; d < DIRECTIONS; d++) {
-        Vec2 there = vec2_along(at, STEP, vec2_heading(2 * M_PI * d / DIRECTIONS));
+        Vec2 there = vec2_along(at, step, vec2_heading(2 * M_PI * d / DIRECTIONS));
         double then = field_time(field, there);
         if (then < *time) {
             *time = then;
@@ -79,12 +80,13 @@ static void find_gap(const Field *field, const FreeSpace *space, double half_wid
 /* Bars the gaps that the body cannot pass on the disc's way, one after another. Returns true if there were such gaps,
  * and there is another way without any. */
 static bool bar_gaps(FieldBars *bars, const RecallQuestion *question) {
-    const RouteQuery *query = question->query;
+    RouteQuery barred = *question->query, *query = &barred;
+    barred.bars = bars;
     bool free = false, blocked = false;
     while (!free && !blocked && bars->count < FIELD_BARS_MOST) {
         FieldBar bar = {.radius = 0};
         for (size_t leg = 0; leg < question->goal_count && bar.radius == 0; leg++) {
-            const Field *field = search_field(query, &question->goals[leg], question->radius, bars);
+            const Field *field = search_field(query, &question->goals[leg], question->radius);
             find_gap(field, query->space, question->body->half_width, leg ? question->goals[leg - 1].at : query->at,
                      &bar);
             fields_release(query->fields, field);

@@ -15,16 +15,25 @@ static bool is_line(const Plan *plan, const Face *face) {
     return face->owner == OWNER_WALL && plan->walls[face->index].closed_exit;
 }
 
-/* True if the body overlaps nothing but the lines of closed exits, which do not touch it. */
-static bool only_under_lines(const RouteQuery *query, const Rectangle *body, Vec2 at) {
-    Vec2 axis = vec2_heading(query->heading);
+static bool has_lines(const Plan *plan) {
+    bool found = false;
+    for (size_t w = 0; w < plan->wall_count; w++)
+        found |= plan->walls[w].closed_exit;
+    return found;
+}
+
+/* Returns how deep the body is in anything but the lines of closed exits, which do not touch it: the least clearance,
+ * m, at most 0. */
+static double depth_in_solids(const RouteQuery *query, const Rectangle *body, Vec2 at) {
+    Vec2 axis = vec2_heading(query->heading), centre = vec2_along(at, body->ahead, axis);
     int faces[FACES];
-    int count = freespace_faces(query->space, vec2_along(at, body->ahead, axis), axis, body->half_length,
-                                body->half_width, 0, faces, FACES);
+    int count = freespace_faces(query->space, centre, axis, body->half_length, body->half_width, 0, faces, FACES);
+    double least = count < FACES ? 0 : -HUGE_VAL;
     for (int f = 0; f < count; f++)
         if (!is_line(query->plan, &query->space->outline->faces[faces[f]]))
-            return false;
-    return count < FACES;
+            least = fmin(least, freespace_face_clearance(query->space, faces[f], centre, axis, body->half_length,
+                                                         body->half_width, 0));
+    return least;
 }
 
 /* True if the reference point would cross the line of a closed exit, which holds it. */
@@ -38,15 +47,17 @@ static bool crosses_line(const Plan *plan, Vec2 from, Vec2 to) {
 }
 
 int start_go_clear(const RouteQuery *query, const Rectangle *body, Vec2 *at) {
-    double before[2] = {-query->pressed, -query->pressed};
+    bool lines = has_lines(query->plan);
+    double start = lines ? fmin(depth_in_solids(query, body, query->at), -ROUTE_EASED) : -query->pressed;
+    double before[2] = {start, start};
     int most = (int)fmax(MOST_CLEARINGS, (query->pressed + ROUTE_EASED) / CLEARING_STEP + 1);
     for (int n = 1; n <= most; n++)
         for (int direction = -1; direction <= 1; direction += 2) {
             double *clearance = &before[direction > 0];
             Vec2 there = vec2_along(query->at, direction * n * CLEARING_STEP, vec2_heading(query->heading));
             double now = search_clearance(query->space, body, there, query->heading, ROUTE_EASED, NULL);
-            bool deeper = now < *clearance && !only_under_lines(query, body, there);
-            if (!(*clearance > -HUGE_VAL) || deeper || crosses_line(query->plan, query->at, there)) {
+            double depth = lines ? depth_in_solids(query, body, there) : now;
+            if (!(*clearance > -HUGE_VAL) || depth < *clearance || crosses_line(query->plan, query->at, there)) {
                 *clearance = -HUGE_VAL; /* something is in the way, and stays there */
                 continue;
             }
@@ -54,7 +65,7 @@ int start_go_clear(const RouteQuery *query, const Rectangle *body, Vec2 *at) {
                 *at = there;
                 return direction;
             }
-            *clearance = now;
+            *clearance = depth;
         }
     return 0;
 }

@@ -39,7 +39,6 @@ void rooms_build(Rooms *fixture) {
     fixture->query.space = &fixture->space;
     fixture->query.profile = &fixture->profile;
     fixture->query.exit = SIZE_MAX;
-    fixture->query.opens_by = HUGE_VAL;
     fixture->query.most_reversals = 6;
 }
 
@@ -161,7 +160,7 @@ void rooms_check_path(const Rooms *fixture, const Route *route) {
 double rooms_fit_margin(const Rooms *fixture) {
     const RouteQuery *query = &fixture->query;
     Rectangle body = search_body(query->profile);
-    Goal goal = field_exit_goal(query->exit, query->time, query->opens_by);
+    Goal goal = field_exit_goal(query->exit, query->time, query->opens_before);
     FitPlace tightest;
     CHECK(fit_margin(query, &body, &goal, 1, -0.1, ROOMS_FIT_MOST, &tightest) == FIT_KNOWN);
     return fmin(tightest.margin + FIT_RESOLUTION / 2, ROOMS_FIT_MOST);

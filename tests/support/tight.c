@@ -484,7 +484,6 @@ void tight_build(TightHouse *tight, const TightScene *scene, const Profile *prof
                                 .at = scene->at,
                                 .heading = scene->heading,
                                 .exit = SIZE_MAX,
-                                .opens_by = HUGE_VAL,
                                 .most_reversals = 6,
                                 .brief = true};
 }

@@ -2,11 +2,13 @@
  * another exit than the nearest, which opens only later. */
 
 #include <math.h>
+#include <stdio.h>
 
 #include "case.h"
 #include "check.h"
 #include "house/journey.h"
 #include "route/recall.h"
+#include "rules/ways.h"
 
 /* Turns a point about the origin, by an angle, rad, after mirroring it. */
 static json_t *point(double x, double y, double angle, bool mirrored) {
@@ -48,6 +50,14 @@ TEST(a_gap_that_is_too_narrow_hides_no_way_round_it) {
         recall_destroy(recall);
         house_free(&house);
     }
+}
+
+TEST(a_gap_is_seen_on_a_coarse_grid) {
+    const char *const settings[] = {"run.cell=0.15", NULL};
+    House house;
+    case_made(&house, two_ways(0.60, 0, false), -1, settings);
+    CHECK(journey_possible(&house, NULL, NULL) == JOURNEY_POSSIBLE);
+    house_free(&house);
 }
 
 TEST(a_gap_that_is_too_narrow_is_told_where_there_is_no_way_round_it) {
@@ -93,4 +103,48 @@ TEST(nobody_waits_for_an_exit_while_another_is_sooner) {
             observation_free(&observation);
             house_free(&house);
         }
+}
+
+/* The chair would wait for 9 s until the door to the near exit is open. */
+TEST(the_wait_for_a_door_counts_in_the_choice_of_an_exit) {
+    for (int later = 0; later < 2; later++) {
+        json_t *plan = two_exits("manual-chair", 0);
+        json_t *door = json_array_get(json_object_get(plan, "doors"), 0);
+        json_object_set_new(door, "kind", json_string("sliding"));
+        json_object_set_new(door, "state", json_string("closed"));
+        json_object_set_new(door, "opening_time", json_real(15));
+        json_object_set_new(json_array_get(json_object_get(plan, "exits"), 1), "opens", json_real(later ? 0.5 : 0));
+        House house;
+        case_made(&house, plan, -1, NULL);
+        Observation observation = case_run(&house, 1);
+        CHECK(observation.people[0].exit == 1 && observation.people[0].time < 14);
+        observation_free(&observation);
+        house_free(&house);
+    }
+}
+
+/* What does not ask for a time asks for all exits. */
+TEST(an_exit_that_opens_later_is_an_exit_for_rules_and_reasons) {
+    size_t ways[2];
+    char what[2][sizeof((Blockage *)0)->what];
+    for (int later = 0; later < 2; later++) {
+        json_t *plan = case_plan("closed-door");
+        json_object_set_new(json_array_get(json_object_get(plan, "doors"), 0), "state", json_string("locked"));
+        json_object_set_new(json_array_get(json_object_get(plan, "exits"), 0), "opens", json_real(later ? 5 : 0));
+        House house;
+        case_made(&house, plan, -1, NULL);
+        Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
+        snprintf(what[later], sizeof what[later], "%s", journeys.of[0].route.blockage.what);
+        journey_free_all(&journeys);
+        house_free(&house);
+        plan = case_plan("flat-0.910-module");
+        json_object_set_new(json_array_get(json_object_get(plan, "exits"), 0), "opens", json_real(later ? 5 : 0));
+        case_made(&house, plan, -1, NULL);
+        RuleWays found = ways_find(&house, NULL);
+        ways[later] = found.count;
+        ways_free(&found);
+        house_free(&house);
+    }
+    CHECK(ways[0] > 1 && ways[0] == ways[1]);
+    CHECK_TEXT(what[1], what[0]);
 }

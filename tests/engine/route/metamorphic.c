@@ -143,7 +143,7 @@ static bool is_at_limit(const TightScene *scene, const Profile *profile) {
     TightHouse *tight = calloc(1, sizeof *tight);
     tight_build(tight, scene, profile);
     Rectangle body = search_body(profile);
-    Goal goal = field_exit_goal(SIZE_MAX, 0, HUGE_VAL);
+    Goal goal = field_exit_goal(SIZE_MAX, 0, 0);
     FitPlace place;
     bool known = fit_margin(&tight->query, &body, &goal, 1, -2 * AT_LIMIT, 2 * AT_LIMIT, &place) == FIT_KNOWN;
     bool near = known && fabs(place.margin + FIT_RESOLUTION / 2) < AT_LIMIT;

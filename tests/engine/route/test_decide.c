@@ -31,7 +31,7 @@ static double decided_time(Rooms *fixture, int *reversals) {
     RouteQuery query = fixture->query;
     query.fields = fields_create();
     Rectangle body = search_body(query.profile);
-    Goal goal = field_exit_goal(SIZE_MAX, 0, HUGE_VAL);
+    Goal goal = field_exit_goal(SIZE_MAX, 0, 0);
     SearchTrack track = {0};
     FitPlace tightest;
     size_t pin;
@@ -53,7 +53,7 @@ static double skids(double width) {
     RouteQuery query = fixture.query;
     query.fields = fields_create();
     Rectangle body = search_body(query.profile);
-    Goal goal = field_exit_goal(SIZE_MAX, 0, HUGE_VAL);
+    Goal goal = field_exit_goal(SIZE_MAX, 0, 0);
     SearchTrack track = {0};
     bool found = decide_with_skids(&query, &body, &goal, 1, &track) == SEARCH_FOUND;
     double skid = 0;
@@ -126,7 +126,7 @@ TEST(a_body_that_does_not_fit_is_proved_not_to) {
     rooms_make_corner(&fixture, 1.1, 0.63, 0.82, 0.82, false);
     fixture.query.fields = fields_create();
     Rectangle body = search_body(fixture.query.profile);
-    Goal goal = field_exit_goal(SIZE_MAX, 0, HUGE_VAL);
+    Goal goal = field_exit_goal(SIZE_MAX, 0, 0);
     SearchTrack track = {0};
     FitPlace tightest;
     size_t pin;

@@ -130,7 +130,7 @@ TEST(a_disc_leaves_by_an_exit_on_the_points_of_the_grid) {
         lay_exit(&fixture, n / 2 % LIE_COUNT, n / 2 / LIE_COUNT % BESIDE_COUNT, n / 2 / LIE_COUNT / BESIDE_COUNT,
                  n % 2);
         Fields *fields = fields_create();
-        Goal goal = field_exit_goal(SIZE_MAX, 0, HUGE_VAL);
+        Goal goal = field_exit_goal(SIZE_MAX, 0, 0);
         SearchTrack track = {0};
         search_track_add(&track, (Pose){fixture.query.at, 0, 0, 0});
         bool found =

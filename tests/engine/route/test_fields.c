@@ -77,8 +77,7 @@ TEST(one_field_serves_all_who_wish_for_the_same) {
     rooms_make_two(&fixture, 0.63, 0.9, DOOR_OPEN);
     fixture.exits[0].closes = 10;
     Fields *fields = fields_create();
-    FieldKey key = {&fixture.plan, &fixture.space, &fixture.profile, 0.3,
-                    .goal = field_exit_goal(SIZE_MAX, 0, HUGE_VAL)};
+    FieldKey key = {&fixture.plan, &fixture.space, &fixture.profile, 0.3, .goal = field_exit_goal(SIZE_MAX, 0, 0)};
     const Field *one = fields_acquire(fields, &key);
     key.goal.time = 9; /* the exit is usable as before */
     const Field *other = fields_acquire(fields, &key);
@@ -143,7 +142,7 @@ static void check_times(const Plan *plan, const FreeSpace *space, const Profile 
     size_t points = (size_t)nx * (size_t)ny, reached = 0, wrong = 0;
     Ground ground;
     Field field;
-    Goal goal = field_exit_goal(SIZE_MAX, 0, HUGE_VAL);
+    Goal goal = field_exit_goal(SIZE_MAX, 0, 0);
     field_ground_init(&ground, plan, space, profile, radius);
     field_init(&field, &ground, &goal);
     float *time = memory_zeroed(points, sizeof *time), *asked = memory_zeroed(points, sizeof *asked);

@@ -79,7 +79,7 @@ TEST(a_body_fits_where_it_can_be_driven_by_via_points) {
     Rooms fixture;
     rooms_make_two(&fixture, 0.63, 0.70, DOOR_OPEN);
     Rectangle body = search_body(fixture.query.profile);
-    Goal exit = field_exit_goal(SIZE_MAX, 0, HUGE_VAL);
+    Goal exit = field_exit_goal(SIZE_MAX, 0, 0);
     Goal goals[] = {
         {.at = {1, 2.2}, .radius = 0.55, .exit = SIZE_MAX}, {.at = {4, 2.2}, .radius = 0.55, .exit = SIZE_MAX}, exit};
     FitPlace tightest;
